@@ -1,0 +1,37 @@
+// Shortest paths round obstacles with room for the body: a visibility graph over the corners of
+// the walkable area shrunk by a clearance, computed once, queried fast.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/wall_index.hpp"
+
+namespace pedzone {
+
+class WayFinder {
+ public:
+  WayFinder() = default;
+  /// `clearance` [m] (0, 1]: kept to walls at corners; where a passage is narrower but still
+  /// passable (wider than 2·0.2 m) it stays passable.
+  WayFinder(const Region& walkable, double clearance);
+
+  /// The points to head for in turn, `to` last (`from` not included): a shortest path.
+  /// `from` and `to` are first moved to the nearest place with clearance where they have none.
+  /// Nothing when no way exists. Const and safe from many threads.
+  std::optional<Polyline> way(const Vec2& from, const Vec2& to) const;
+
+  /// Length [m] of the way; infinity when there is none.
+  double distance(const Vec2& from, const Vec2& to) const;
+
+ private:
+  struct Node {
+    Vec2 point;
+    std::vector<std::pair<int, double>> edges;  ///< (node, length [m]), node ascending
+  };
+  double clearance_ = 0.3;
+  WallIndex walls_;           ///< borders of the shrunk area
+  std::vector<Node> nodes_;   ///< its reflex corners
+};
+
+}  // namespace pedzone

@@ -1,0 +1,36 @@
+// What every walking model is: from a frozen snapshot, a direction and a speed for each person.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "world/snapshot.hpp"
+
+namespace pedzone {
+
+struct Decision {
+  double direction = 0.0;       ///< [rad] chosen walking direction
+  double speed = 0.0;           ///< [m/s] [0, preferred speed]
+  double free_distance = 0.0;   ///< [m] [0, sight] f(α) in the chosen direction
+  bool waits = false;           ///< stands for a vehicle that is about to cross
+};
+
+/// A walking model. prepare() is called once a step, then decide() for disjoint ranges from many
+/// threads at once. A decision depends on the snapshot alone, never on the order of persons or
+/// calls. Persons that stand at the same index in `decisions` and Persons.
+class WalkingModel {
+ public:
+  virtual ~WalkingModel() = default;
+  /// Builds what the decisions share (grids). Keeps a reference to the snapshot until the next
+  /// call. No allocation once sizes have settled.
+  virtual void prepare(const Snapshot& snapshot) = 0;
+  /// Decides for persons [first, last) of those pedzone walks, into decisions[first .. last).
+  virtual void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const = 0;
+};
+
+/// The model of that name ("heuristic"). Throws std::invalid_argument naming the known ones.
+std::unique_ptr<WalkingModel> make_model(const std::string& name);
+
+}  // namespace pedzone

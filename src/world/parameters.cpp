@@ -1,0 +1,67 @@
+#include "world/parameters.hpp"
+
+namespace pedzone {
+namespace {
+
+using P = Parameters;
+
+constexpr ParameterInfo kParameters[] = {
+    {"sight", &P::sight, 10.0, 1.0, 50.0, "m", "how far a person sees: d_max of Eq. 1 and 2",
+     "Moussaid 2011"},
+    {"fieldOfView", &P::field_of_view, 90.0, 10.0, 180.0, "deg",
+     "half angle within which a person sees", "Moussaid 2011 (75 to 90)"},
+    {"candidateField", &P::candidate_field, 75.0, 10.0, 180.0, "deg",
+     "half angle of the 61 candidate directions about the heading", "Moussaid 2011"},
+    {"relaxationTime", &P::relaxation_time, 0.5, 0.05, 5.0, "s",
+     "time in which the velocity approaches the chosen one", "Moussaid 2011"},
+    {"collisionTime", &P::collision_time, 0.5, 0.05, 5.0, "s",
+     "t_coll of Eq. 3: least time to a contact that a person keeps",
+     "assumed: the relaxation time of Moussaid 2011"},
+    {"hearing", &P::hearing, 8.0, 0.0, 50.0, "m",
+     "how far a moving vehicle is heard outside the field of view", "assumed"},
+    {"equation", &P::equation, 2.0, 1.0, 2.0, "",
+     "1: original direction rule (Eq. 1), 2: extended (Eq. 2)", "Jan, Kleen and Berns"},
+    {"waypointRadius", &P::waypoint_radius, 1.0, 0.1, 20.0, "m",
+     "radius (epsilon) in which a waypoint counts as reached", "assumed"},
+    {"patience", &P::patience, 10.0, 1.0, 600.0, "s",
+     "blocked for so long, a person goes on to the next waypoint", "assumed"},
+    {"headingNoise", &P::heading_noise, 2.0, 0.0, 30.0, "deg",
+     "standard deviation of the heading's variation; 0 switches it off", "assumed"},
+    {"headingNoiseTime", &P::heading_noise_time, 1.0, 0.05, 60.0, "s",
+     "correlation time of that variation", "assumed"},
+    {"waitDistance", &P::wait_distance, 3.0, 0.0, 20.0, "m",
+     "a person waits when a vehicle will cross its way nearer than this ...", "assumed"},
+    {"waitTime", &P::wait_time, 3.0, 0.0, 20.0, "s", "... and sooner than this", "assumed"},
+    {"nearDistance", &P::near_distance, 2.0, 0.0, 20.0, "m",
+     "when the best direction is blocked nearer than this, the whole circle is searched",
+     "assumed"},
+    {"yieldGap", &P::yield_gap, 1.0, 0.0, 10.0, "m",
+     "gap at which a yielding vehicle stops before a person in its way", "assumed"},
+    {"yieldMargin", &P::yield_margin, 0.2, 0.0, 3.0, "m",
+     "side margin: a person nearer than this to the swept area is in the vehicle's way",
+     "assumed"},
+    {"yieldHorizon", &P::yield_horizon, 15.0, 1.0, 100.0, "m",
+     "how far beyond its braking distance a vehicle looks for people", "assumed"},
+    {"creepAfter", &P::creep_after, 20.0, 0.0, 3600.0, "s",
+     "a vehicle that people have held up for so long begins to creep", "assumed"},
+    {"creepSpeed", &P::creep_speed, 1.0, 0.0, 3.0, "m/s", "at most this fast", "assumed"},
+    {"creepGap", &P::creep_gap, 0.3, 0.05, 5.0, "m",
+     "gap that a creeping vehicle keeps to the person before it", "assumed"},
+};
+
+}  // namespace
+
+Parameters::Parameters() {
+  for (const ParameterInfo& info : kParameters) this->*info.member = info.value;
+}
+
+std::span<const ParameterInfo> parameter_list() { return kParameters; }
+
+const ParameterInfo* find_parameter(std::string_view key) {
+  for (const ParameterInfo& info : kParameters) {
+    if (info.key == key) return &info;
+  }
+  return nullptr;
+}
+
+}  // namespace pedzone

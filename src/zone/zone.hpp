@@ -1,0 +1,45 @@
+// A zone: the edges whose persons pedzone walks, and the space they walk in.
+#pragma once
+
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "geometry/way_finder.hpp"
+#include "zone/network.hpp"
+#include "zone/zone_file.hpp"
+
+namespace pedzone {
+
+/// Length of one edge type, for `pedzone inspect`.
+struct TypeLength {
+  std::string type;
+  double length = 0.0;           ///< [m]
+  int edges = 0;
+  std::string bring_in;          ///< candidates left out: the attribute that would bring them in
+};
+
+struct Zone {
+  std::string id;
+  Parameters parameters;
+  std::string model;
+  std::unordered_set<int> edges;       ///< Network::edges indices of normal edges
+  std::vector<int> lanes;              ///< lanes whose area is in the zone, those inside junctions
+                                       ///< (walking areas, crossings) included; ascending
+  Region walkable;                     ///< [m] where people may be
+  Region obstacles;                    ///< [m] buildings and the like near it, for pictures
+  WallIndex walls;                     ///< borders of walkable
+  WayFinder ways;                      ///< shortest paths in walkable
+  std::vector<std::string> warnings;   ///< one line each, naming what they are about
+  std::vector<TypeLength> inside, left_out;
+};
+
+/// Body clearance that ways keep to walls [m].
+constexpr double kWayClearance = 0.3;
+
+/// Builds the zones of a network, one per spec (or the automatic one when `specs` is empty).
+/// An edge belongs to the first zone that names it. Throws InputError for unknown edges, lanes
+/// or polygons, a zone without any walkable edge, and a network without shared space.
+std::vector<Zone> build_zones(const Network& network, const std::vector<ZoneSpec>& specs);
+
+}  // namespace pedzone

@@ -1,0 +1,33 @@
+// The optional zone file (XML, schema in src/zone/zones.xsd).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "world/parameters.hpp"
+
+namespace pedzone {
+
+/// One <zone>. Every list is empty and every optional unset where the file says nothing.
+struct ZoneSpec {
+  std::string id = "shared-space";
+  std::string file;                        ///< where it stands, for messages; empty: by default
+  int line = 0;
+  std::vector<std::string> edges;          ///< ids
+  std::vector<std::string> edge_types;     ///< e.g. highway.service
+  std::vector<std::string> lanes;          ///< ids
+  std::vector<std::string> polygons;       ///< ids of polygons that are walkable
+  std::optional<double> open_space;        ///< [m] [0, 50]; unset: 12 on highway.pedestrian edges
+  std::string model = "heuristic";
+  Parameters parameters;                   ///< defaults with the file's <param> applied
+  /// No edges, edge types, lanes or polygons named: the zone is found by the rule of zone.hpp.
+  bool automatic() const {
+    return edges.empty() && edge_types.empty() && lanes.empty() && polygons.empty();
+  }
+};
+
+/// Reads a zone file. Throws InputError naming file, line, element, value and what is allowed.
+std::vector<ZoneSpec> read_zone_file(const std::string& file);
+
+}  // namespace pedzone
