@@ -1,0 +1,29 @@
+# One library target a layer, so that the linker enforces who may use whom.
+
+add_library(pedzone_flags INTERFACE)
+target_compile_features(pedzone_flags INTERFACE cxx_std_20)
+# Same bits on every build of one instruction set: no contraction of a*b+c behind our back.
+target_compile_options(pedzone_flags INTERFACE -ffp-contract=off)
+set(PEDZONE_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(PEDZONE_WERROR)
+  list(APPEND PEDZONE_WARNINGS -Werror)
+endif()
+if(PEDZONE_SANITIZE)
+  add_compile_options(-fsanitize=${PEDZONE_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${PEDZONE_SANITIZE})
+endif()
+
+# pedzone_layer(NAME SOURCES a.cpp ... DEPENDS targets... PRIVATE_DEPENDS targets...)
+# DEPENDS appear in the layer's public headers, PRIVATE_DEPENDS only in its sources.
+function(pedzone_layer name)
+  cmake_parse_arguments(LAYER "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target pedzone_${name})
+  add_library(${target} STATIC ${LAYER_SOURCES})
+  add_library(pedzone::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pedzone>)
+  target_compile_options(${target} PRIVATE ${PEDZONE_WARNINGS})
+  target_link_libraries(${target} PUBLIC pedzone_flags ${LAYER_DEPENDS}
+                        PRIVATE ${LAYER_PRIVATE_DEPENDS})
+endfunction()
