@@ -14,7 +14,8 @@ find_program(SUMO_EXECUTABLE sumo HINTS ENV SUMO_HOME PATH_SUFFIXES bin)
 mark_as_advanced(SUMO_INCLUDE_DIR SUMO_EXECUTABLE)
 
 foreach(component libsumocpp libtracicpp)
-  find_library(SUMO_${component}_LIBRARY NAMES ${component} HINTS ENV SUMO_HOME
+  string(REGEX REPLACE "^lib" "" name ${component})
+  find_library(SUMO_${component}_LIBRARY NAMES ${name} ${component} HINTS ENV SUMO_HOME
                PATH_SUFFIXES lib lib64 bin)
   mark_as_advanced(SUMO_${component}_LIBRARY)
   if(SUMO_INCLUDE_DIR AND SUMO_${component}_LIBRARY)
