@@ -32,6 +32,8 @@ struct VehicleState {
   double heading = 0.0;                  ///< [rad]
   Vec2 velocity = Vec2::Zero();          ///< [m/s] of the centre; against the heading: reversing
   double yaw_rate = 0.0;                 ///< [rad/s]
+  double intent = 0.0;                   ///< [m/s] speed along the heading that a vehicle held up by
+                                         ///< people seeks: they expect it to move at least so fast
   double length = 5.0, width = 1.8;      ///< [m]
 };
 

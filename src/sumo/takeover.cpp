@@ -1,0 +1,272 @@
+#include "sumo/takeover.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <unordered_set>
+
+#include "core/random.hpp"
+#include "sumo/api.hpp"
+#include "sumo/frames.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kWorthWhile = 1.5;   // [m] numerical: a shorter way to the portal stays SUMO's
+constexpr double kStray = 1.0;        // [m] numerical: SUMO's place may lie so far outside the area
+constexpr double kHandOverLook = 3.0; // [s] assumed: no hand-over before a vehicle this near ...
+constexpr double kHandOverSide = 0.5; // [m] ... whose swept area comes this near
+constexpr int kKeepRouteFree = 2;     // moveToXY: may leave the network
+constexpr double kNoMatch = -1.0;     // moveToXY matchThreshold: no lane is ever matched
+
+std::size_t hash_plan(int stages_left, const std::vector<std::string>& edges) {
+  std::size_t hash = static_cast<std::size_t>(stages_left);
+  for (const std::string& edge : edges) {
+    hash = hash * 1099511628211ULL ^ std::hash<std::string>{}(edge);
+  }
+  return hash;
+}
+
+std::vector<int> indices_of(const Network& network, const std::vector<std::string>& edges) {
+  std::vector<int> route;
+  route.reserve(edges.size());
+  for (const std::string& edge : edges) {
+    const auto found = network.edge_index.find(edge);
+    route.push_back(found == network.edge_index.end() ? -1 : found->second);
+  }
+  return route;
+}
+
+/// The route index of `edge` after `last`; -1 when it is not there or there more than once, for
+/// then SUMO does not tell which passage this is.
+int only_index(const std::vector<int>& route, int edge, int last) {
+  int index = -1;
+  for (int i = last + 1; i < static_cast<int>(route.size()); ++i) {
+    if (route[i] != edge) continue;
+    if (index >= 0) return -1;
+    index = i;
+  }
+  return index;
+}
+
+/// Lane distance [m] that is left to the end of the stretch on its last edge.
+double left_on_last(const Network& network, const ZoneStretch& stretch, const Vec2& position) {
+  const double at = project_on_lane(network.lanes[stretch.lane], position).offset;
+  if (stretch.release != Release::kLeave) return std::abs(stretch.position - at);
+  return stretch.forward ? stretch.position - at : at - stretch.position;
+}
+
+}  // namespace
+
+// Striping takes a random share of up to `dawdling` off the top speed in every step, so its free
+// walkers average this share of it; ours walk as fast, or a comparison would measure free speed.
+Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
+                   std::vector<std::unique_ptr<Crowd>>& crowds, double dawdling)
+    : network_(network),
+      zones_(zones),
+      crowds_(crowds),
+      striping_share_(1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0)),
+      zone_of_edge_(network.edges.size(), -1),
+      seen_(zones.size()) {
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    for (const int edge : zones[z].edges) zone_of_edge_[edge] = static_cast<int>(z);
+    const double reach = zones[z].parameters.sight;
+    Vec2 low(1e18, 1e18), high(-1e18, -1e18);
+    for (const Polygon& polygon : zones[z].walkable) {
+      for (const Vec2& point : polygon.outer) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+      }
+    }
+    seen_boxes_.emplace_back(low - Vec2(reach, reach), high + Vec2(reach, reach));
+  }
+}
+
+void Takeover::read() {
+  const std::vector<std::string> ids = api::Person::getIDList();
+  present_ = ids.size();
+  if (!guests_.empty()) {
+    const std::unordered_set<std::string> there(ids.begin(), ids.end());
+    for (Guest& guest : guests_) guest.gone = !there.contains(guest.id);
+    drop_gone();
+    check_guests();
+  }
+  for (const std::string& id : ids) {
+    if (!guest_index_.contains(id)) consider(id, nullptr);
+  }
+  see_others(ids);
+}
+
+/// A program that embeds us may have given a person another plan: it is then taken over anew,
+/// from where it stands, if the new plan still leads through the zone.
+void Takeover::check_guests() {
+  std::vector<std::pair<std::string, Vec2>> replanned;
+  for (Guest& guest : guests_) {
+    const int left = api::Person::getRemainingStages(guest.id);
+    if (hash_plan(left, api::Person::getEdges(guest.id)) == guest.plan) continue;
+    guest.gone = true;
+    replanned.emplace_back(guest.id, guest.position);
+  }
+  drop_gone();
+  for (const auto& [id, position] : replanned) {
+    past_[id] = {};
+    past_[id].was_controlled = true;
+    consider(id, &position);
+  }
+}
+
+void Takeover::consider(const std::string& id, const Vec2* known_position) {
+  const auto found = network_.edge_index.find(api::Person::getRoadID(id));
+  if (found == network_.edge_index.end()) return;
+  const int edge = found->second;
+  const int zone = zone_of_edge_[edge];
+  if (zone < 0 || network_.edges[edge].function != EdgeFunction::kNormal) return;
+  const auto remembered = past_.find(id);
+  if (remembered != past_.end() && remembered->second.refused_edge == edge) return;
+  const libsumo::TraCIStage stage = api::Person::getStage(id);
+  if (stage.type != libsumo::STAGE_WALKING) return;
+
+  const std::vector<std::string> edges = api::Person::getEdges(id);
+  const std::size_t plan = hash_plan(api::Person::getRemainingStages(id), edges);
+  Past& past = past_[id];
+  if (past.plan != plan) {
+    past.plan = plan;
+    past.last = past.refused_edge = -1;
+  }
+  past.refused_edge = edge;  // unless all goes well below
+  const std::vector<int> route = indices_of(network_, edges);
+  const int index = only_index(route, edge, past.last);
+  if (index < 0) return;
+  const auto stretch = plan_stretch(network_, zones_[zone], route, index, stage.arrivalPos);
+  if (!stretch) return;
+  const auto there = api::Person::getPosition(id);
+  Vec2 position = known_position ? *known_position : Vec2(there.x, there.y);
+  if (stretch->last == index && left_on_last(network_, *stretch, position) < kWorthWhile) return;
+  const Vec2 inside = zones_[zone].walls.nearest_inside(position, 0.0);
+  if ((inside - position).norm() > kStray) return;
+  const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
+  if (!zones_[zone].ways.way(inside, goal)) return;
+  past.refused_edge = -1;
+  if (!past.was_controlled) {
+    past.was_controlled = true;
+    ++totals_.controlled;
+  }
+  const bool departs = !known_position && index == 0 && api::Person::getSpeed(id) == 0.0;
+  add_guest(id, zone, *stretch, plan, inside, departs);
+}
+
+void Takeover::add_guest(const std::string& id, int zone, const ZoneStretch& stretch,
+                         std::size_t plan, const Vec2& position, bool departs) {
+  Guest guest;
+  guest.id = id;
+  guest.zone = zone;
+  guest.stretch = stretch;
+  guest.plan = plan;
+  guest.radius = std::clamp(
+      0.5 * std::max(api::Person::getWidth(id), api::Person::getLength(id)), 0.1, 1.0);
+  guest.preferred_speed = striping_share_ * api::Person::getMaxSpeed(id);
+  NewPerson person;
+  person.key = person_key(id);
+  person.position = position;
+  person.heading = radians_from_sumo(api::Person::getAngle(id));
+  person.velocity = unit(person.heading) *
+                    std::min(std::max(0.0, api::Person::getSpeed(id)), guest.preferred_speed);
+  person.radius = guest.radius;
+  person.preferred_speed = guest.preferred_speed;
+  person.destination = stretch.destination;
+  person.place_freely = departs;
+  guest.handle = crowds_[zone]->add(person);
+  guest.position = crowds_[zone]->view(guest.handle).position;
+  guest_index_[id] = guests_.size();
+  guests_.push_back(std::move(guest));
+}
+
+void Takeover::see_others(const std::vector<std::string>& ids) {
+  for (auto& list : seen_) list.clear();
+  for (const std::string& id : ids) {
+    if (guest_index_.contains(id)) continue;
+    const auto at = api::Person::getPosition(id);
+    const Vec2 position(at.x, at.y);
+    for (std::size_t z = 0; z < seen_.size(); ++z) {
+      const auto& [low, high] = seen_boxes_[z];
+      if (!(position.array() >= low.array()).all() || !(position.array() <= high.array()).all()) {
+        continue;
+      }
+      if (!api::Person::getVehicle(id).empty()) break;  // rides
+      const double heading = radians_from_sumo(api::Person::getAngle(id));
+      const double radius =
+          0.5 * std::max(api::Person::getWidth(id), api::Person::getLength(id));
+      seen_[z].push_back({position, unit(heading) * api::Person::getSpeed(id), radius});
+    }
+  }
+  for (std::size_t z = 0; z < seen_.size(); ++z) crowds_[z]->see(seen_[z]);
+}
+
+/// Gives a person back to SUMO where the crowd has brought it. False: not yet.
+bool Takeover::hand_over(const Guest& guest, const PersonView& view, double dt) {
+  const ZoneStretch& stretch = guest.stretch;
+  const std::string& lane_id = network_.lanes[stretch.lane].id;
+  const Lane& lane = network_.lanes[stretch.lane];
+  const double side = std::max(0.0, 0.5 * lane.width - guest.radius);
+  double position = stretch.position;
+  double lateral = project_on_lane(lane, view.position).lateral;
+  if (stretch.release == Release::kLeave) {
+    // SUMO walks the person for this step: start from where it was at the step's beginning.
+    const double at = project_on_lane(lane, guest.position).offset;
+    const double reach = guest.preferred_speed * dt + 0.5;
+    position = stretch.forward ? std::clamp(at, position - reach, position)
+                               : std::clamp(at, position, position + reach);
+    position = std::clamp(position, 0.0, lane.length);
+  }
+  lateral = std::clamp(lateral, -side, side);
+  if (stretch.release == Release::kRemoveStage) {
+    api::Person::removeStage(guest.id, 0);
+    return true;
+  }
+  if (api::Person::getLaneID(guest.id) == lane_id) {
+    const Lane& hop = network_.lanes[stretch.hop_lane];
+    api::Person::moveTo(guest.id, hop.id, 0.5 * hop.length);
+  }
+  api::Person::moveTo(guest.id, lane_id, position, lateral);
+  return true;
+}
+
+void Takeover::write(double dt, const Fleet& fleet) {
+  for (Guest& guest : guests_) {
+    const PersonView view = crowds_[guest.zone]->view(guest.handle);
+    const double walked = (view.position - guest.position).norm();
+    totals_.distance += walked;
+    totals_.time += dt;
+    if (guest.preferred_speed > 0.0) totals_.free_time += walked / guest.preferred_speed;
+    if (view.activity != Activity::kWalking) totals_.waiting += dt;
+    if (view.arrived && !fleet.approaches(view.position, kHandOverSide, kHandOverLook)) {
+      guest.gone = hand_over(guest, view, dt);
+      past_[guest.id].last = guest.stretch.last;
+    } else {
+      api::Person::moveToXY(guest.id, "", view.position.x(), view.position.y(),
+                            sumo_from_radians(view.heading), kKeepRouteFree, kNoMatch);
+    }
+    guest.position = view.position;
+  }
+  drop_gone();
+}
+
+void Takeover::drop_gone() {
+  const auto gone = [](const Guest& guest) { return guest.gone; };
+  if (std::none_of(guests_.begin(), guests_.end(), gone)) return;
+  for (const Guest& guest : guests_) {
+    if (guest.gone) crowds_[guest.zone]->remove(guest.handle);
+  }
+  std::erase_if(guests_, gone);
+  guest_index_.clear();
+  for (std::size_t i = 0; i < guests_.size(); ++i) guest_index_[guests_[i].id] = i;
+}
+
+void Takeover::people(std::vector<PersonAhead>& out) const {
+  out.clear();
+  for (const Guest& guest : guests_) {
+    const PersonView view = crowds_[guest.zone]->view(guest.handle);
+    out.push_back({view.position, view.velocity, guest.radius});
+  }
+}
+
+}  // namespace pedzone

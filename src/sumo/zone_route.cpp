@@ -1,0 +1,101 @@
+#include "sumo/zone_route.hpp"
+
+#include <algorithm>
+
+#include "sumo/lane_geometry.hpp"
+
+namespace pedzone {
+namespace {
+
+/// Whether the person leaves `edge` towards `next` at the edge's end (true) or its beginning
+/// (false). Nothing when they do not meet, or when they meet at both ends and the person comes
+/// from the end: SUMO would then take it forward.
+std::optional<bool> leaves_forward(const Network& network, int before, int edge, int next) {
+  const Edge& here = network.edges[edge];
+  const Edge& there = network.edges[next];
+  const bool at_end = here.to == there.from || here.to == there.to;
+  const bool at_begin = here.from == there.from || here.from == there.to;
+  if (at_end && at_begin) {
+    if (before < 0) return std::nullopt;
+    const Edge& previous = network.edges[before];
+    const bool came_from_begin = here.from == previous.from || here.from == previous.to;
+    return came_from_begin ? std::optional(true) : std::nullopt;
+  }
+  if (at_end) return true;
+  if (at_begin) return false;
+  return std::nullopt;
+}
+
+Destination across_lane(const Lane& lane, double position) {
+  const LinePoint middle = point_on_lane(lane, position);
+  const Vec2 half = left_of(middle.direction) * (0.5 * lane.width);
+  return {middle.point + half, middle.point - half};
+}
+
+bool is_first_occurrence(const std::vector<int>& route, int index) {
+  return std::find(route.begin(), route.begin() + index, route[index]) == route.begin() + index;
+}
+
+std::optional<ZoneStretch> leave_at(const Network& network, const std::vector<int>& route,
+                                    int index) {
+  const int edge = route[index];
+  const int lane = walking_lane(network, edge);
+  const int hop = walking_lane(network, route[index + 1]);
+  const auto forward =
+      leaves_forward(network, index > 0 ? route[index - 1] : -1, edge, route[index + 1]);
+  if (lane < 0 || hop < 0 || !forward) return std::nullopt;
+  if (network.edges[route[index + 1]].id == network.edges[edge].id) return std::nullopt;
+  ZoneStretch stretch;
+  stretch.last = index;
+  stretch.release = Release::kLeave;
+  stretch.lane = lane;
+  stretch.hop_lane = hop;
+  stretch.forward = *forward;
+  const double length = network.lanes[lane].length;
+  stretch.position = *forward ? length - kPortalInset : kPortalInset;
+  stretch.destination = across_lane(network.lanes[lane], stretch.position);
+  return stretch;
+}
+
+std::optional<ZoneStretch> arrive_at(const Network& network, const std::vector<int>& route,
+                                     int index, double arrival_position) {
+  const Edge& edge = network.edges[route[index]];
+  ZoneStretch stretch;
+  stretch.last = index;
+  stretch.lane = walking_lane(network, route[index]);
+  if (stretch.lane < 0) return std::nullopt;
+  stretch.release = Release::kArrive;
+  if (index > 0) {
+    stretch.hop_lane = walking_lane(network, route[index - 1]);
+  } else {
+    for (const int lane : edge.lanes) {
+      if (lane != stretch.lane) stretch.hop_lane = lane;
+    }
+    if (stretch.hop_lane < 0) stretch.release = Release::kRemoveStage;
+  }
+  const Lane& lane = network.lanes[stretch.lane];
+  stretch.position = std::clamp(arrival_position, 0.0, lane.length);
+  stretch.destination = across_lane(lane, stretch.position);
+  return stretch;
+}
+
+}  // namespace
+
+std::optional<ZoneStretch> plan_stretch(const Network& network, const Zone& zone,
+                                        const std::vector<int>& route, int first,
+                                        double arrival_position) {
+  int last = first;
+  const int end = static_cast<int>(route.size());
+  while (last + 1 < end && zone.edges.contains(route[last + 1])) ++last;
+  for (; last >= first; --last) {
+    const int lane = walking_lane(network, route[last]);
+    if (lane < 0 || network.lanes[lane].length < kShortEdge) continue;
+    if (!is_first_occurrence(route, last)) continue;
+    const auto stretch = last + 1 < end ? leave_at(network, route, last)
+                                        : arrive_at(network, route, last, arrival_position);
+    if (stretch) return stretch;
+  }
+  return std::nullopt;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,53 @@
+// Which part of a SUMO walk pedzone walks, and how the person gets back to SUMO at its end.
+// Pure: knows the network and the zone, not the running SUMO.
+//
+//   route:   e0      e1      e2      e3      e4
+//   zone:           [--------- zone --------]
+//   stretch:         first          last    next
+//                    taken over     released ~1 m before the end of `last`; SUMO walks on
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "crowd/crowd.hpp"
+#include "zone/zone.hpp"
+
+namespace pedzone {
+
+/// Edges shorter than this are never the place of a takeover or release: persons put on them
+/// make SUMO 1.15 abort in MSPModel_Striping::moveToNextLane (measured: 7 of 36 runs with them,
+/// 0 of 60 without).
+constexpr double kShortEdge = 2.0;  // [m]
+
+/// How far before the end of the last edge a person goes back to SUMO. [m] numerical: leaves
+/// SUMO's model a lane to be on before the junction.
+constexpr double kPortalInset = 1.0;
+
+/// How a walk is given back.
+enum class Release {
+  kLeave,        ///< the route goes on: moveTo the last lane, near its end
+  kArrive,       ///< the walk ends in the zone: moveTo the arrival position
+  kRemoveStage,  ///< a route of one edge with one lane: no lane to hop over
+};
+
+/// The part of a route that pedzone walks.
+struct ZoneStretch {
+  int last = 0;               ///< index into the route of the last edge walked
+  Release release = Release::kLeave;
+  int lane = -1;              ///< Network lane the person is put on
+  int hop_lane = -1;          ///< lane of another edge (or of the same one-edge route) to hop over
+  double position = 0.0;      ///< [m] lane position of the portal or arrival
+  bool forward = true;        ///< walks along the lane's direction where it leaves
+  Destination destination;    ///< where the crowd walks it to
+};
+
+/// Plans the stretch of a walk that begins on route[first], which must be an edge of the zone.
+/// `route` holds Network edge indices; `arrival_position` [m] on the last edge.
+/// Nothing when SUMO's remote control cannot give the person back safely: too short edges, or
+/// a release edge that the route uses earlier (moveTo takes an edge's first occurrence).
+std::optional<ZoneStretch> plan_stretch(const Network& network, const Zone& zone,
+                                        const std::vector<int>& route, int first,
+                                        double arrival_position);
+
+}  // namespace pedzone
