@@ -83,7 +83,6 @@ Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
 
 void Takeover::read() {
   const std::vector<std::string> ids = api::Person::getIDList();
-  present_ = ids.size();
   if (!guests_.empty()) {
     const std::unordered_set<std::string> there(ids.begin(), ids.end());
     for (Guest& guest : guests_) guest.gone = !there.contains(guest.id);

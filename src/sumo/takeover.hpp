@@ -59,8 +59,6 @@ class Takeover {
 
   const std::vector<Guest>& guests() const { return guests_; }
   const WalkTotals& totals() const { return totals_; }
-  /// Persons in SUMO at the last read(), guests included.
-  std::size_t present() const { return present_; }
   /// The guests as vehicles see them.
   void people(std::vector<PersonAhead>& out) const;
 
@@ -91,7 +89,6 @@ class Takeover {
   std::unordered_map<std::string, Past> past_;
   std::vector<std::vector<SeenPerson>> seen_;          ///< per zone
   WalkTotals totals_;
-  std::size_t present_ = 0;
 };
 
 }  // namespace pedzone

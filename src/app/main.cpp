@@ -1,0 +1,79 @@
+// The command line.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/inspect.hpp"
+#include "app/parameter_table.hpp"
+#include "app/run.hpp"
+#include "core/error.hpp"
+
+namespace pedzone {
+namespace {
+
+void add_run(CLI::App& app, RunOptions& options, int& code) {
+  CLI::App* run_command = app.add_subcommand(
+      "run", "Run a SUMO scenario; pedzone walks its persons through shared space");
+  run_command->footer(
+      "Examples:\n"
+      "  pedzone run town.sumocfg\n"
+      "  pedzone run town.sumocfg --seed 7 --end 900 --summary out/summary.json \\\n"
+      "              --trajectories out/trajectories.csv -- --tripinfo-output out/trips.xml\n\n"
+      "Without --zone, the zone is all shared space of the network: edges of type\n"
+      "highway.pedestrian and highway.living_street and lanes that persons and vehicles share at\n"
+      "no more than 20 km/h. `pedzone inspect` shows it. Everything after -- goes to SUMO.\n"
+      "Exit codes: 0 done, 2 input at fault, 3 SUMO failed.");
+  run_command->add_option("scenario", options.config, "SUMO configuration (.sumocfg)")->required();
+  run_command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");
+  run_command->add_option("--seed", options.seed, "Seed of SUMO and pedzone [default: SUMO's]");
+  run_command->add_option("--end", options.end, "End time in s [default: the scenario's]")
+      ->check(CLI::NonNegativeNumber);
+  run_command->add_option("--threads", options.threads, "Threads for walking; 0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  run_command->add_option("--summary", options.summary, "Write the summary as JSON");
+  run_command->add_option("--trajectories", options.trajectories,
+                          "Write time,id,x,y,vx,vy,heading,activity of each person and step");
+  run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
+  run_command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
+  run_command->callback([&options, &code] { code = run(options); });
+}
+
+void add_inspect(CLI::App& app, InspectOptions& options, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "inspect", "Show what would be controlled: numbers, warnings, a picture");
+  command->footer("Example:\n  pedzone inspect town.sumocfg --svg zone.svg");
+  command->add_option("scenario", options.config, "SUMO configuration (.sumocfg)")->required();
+  command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");
+  command->add_option("--svg", options.svg, "Draw the zone");
+  command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
+  command->callback([&options, &code] { code = inspect(options); });
+}
+
+void add_parameters(CLI::App& app) {
+  app.add_subcommand("parameters", "Print the table of all parameters of a zone file (Markdown)")
+      ->callback([] { fmt::print("{}", parameter_table()); });
+}
+
+int command_line(int argc, char** argv) {
+  CLI::App app{"pedzone walks the pedestrians of a SUMO simulation through shared space"};
+  app.set_version_flag("--version", PEDZONE_VERSION);
+  app.require_subcommand(1);
+  RunOptions run_options;
+  InspectOptions inspect_options;
+  int code = 0;
+  add_run(app, run_options, code);
+  add_inspect(app, inspect_options, code);
+  add_parameters(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kExitInput;
+  }
+  return code;
+}
+
+}  // namespace
+}  // namespace pedzone
+
+int main(int argc, char** argv) { return pedzone::command_line(argc, argv); }

@@ -1,0 +1,106 @@
+#include "app/run.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <memory>
+#include <thread>
+
+#include "app/progress.hpp"
+#include "app/summary.hpp"
+#include "app/supervise.hpp"
+#include "core/error.hpp"
+#include "output/complete_file.hpp"
+#include "output/trajectory_writer.hpp"
+#include "sumo/simulation.hpp"
+
+namespace pedzone {
+namespace {
+
+SimulationOptions prepare(const RunOptions& options) {
+  SimulationOptions prepared;
+  prepared.scenario = read_scenario(options.config, options.sumo_options);
+  require_persons(prepared.scenario);
+  if (!options.zone_file.empty()) prepared.zones = read_zone_file(options.zone_file);
+  prepared.seed = options.seed;
+  prepared.end = options.end;
+  return prepared;
+}
+
+/// The files of a run: all finished together, or none.
+struct Outputs {
+  std::unique_ptr<CompleteFile> summary;
+  std::unique_ptr<TrajectoryWriter> trajectories;
+
+  explicit Outputs(const RunOptions& options) {
+    if (!options.summary.empty()) {
+      summary = std::make_unique<CompleteFile>(options.summary, "--summary");
+    }
+    if (!options.trajectories.empty()) {
+      trajectories = std::make_unique<TrajectoryWriter>(options.trajectories, "--trajectories");
+    }
+  }
+
+  void step(const Simulation& simulation) {
+    if (!trajectories) return;
+    for (const Guest& guest : simulation.guests()) {
+      trajectories->row(simulation.time(), guest.id, simulation.view(guest));
+    }
+  }
+
+  void finish(const RunSummary& totals) {
+    if (summary) summary->write(summary_json(totals));
+    if (trajectories) trajectories->finish();
+    if (summary) summary->finish();
+  }
+};
+
+void simulate(const RunOptions& options) {
+  const int threads = options.threads > 0 ? options.threads
+                                          : static_cast<int>(std::thread::hardware_concurrency());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(std::max(1, threads)));
+  const SimulationOptions prepared = prepare(options);
+  Outputs outputs(options);
+  Simulation simulation(prepared);
+  for (const Zone& zone : simulation.zones()) {
+    if (!zone.warnings.empty()) {
+      fmt::print(stderr, "Zone '{}': {} warnings about its shape; `pedzone inspect` lists them.\n",
+                 zone.id, zone.warnings.size());
+    }
+  }
+  Progress progress(simulation.time(), simulation.end_time());
+  while (!simulation.finished()) {
+    simulation.step();
+    outputs.step(simulation);
+    progress.update(simulation.time(), simulation.guests().size());
+  }
+  progress.finish();
+  const RunSummary totals = simulation.summary();
+  simulation.close();
+  outputs.finish(totals);
+  fmt::print("{}", summary_table(totals));
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const auto work = [&options] {
+    try {
+      simulate(options);
+      return 0;
+    } catch (const InputError& error) {
+      fmt::print(stderr, "Error: {}\n", error.what());
+      return kExitInput;
+    } catch (const SumoError& error) {
+      fmt::print(stderr, "Error: {}\n", error.what());
+      return kExitSumo;
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "Error: {}\n", error.what());
+      return 1;
+    }
+  };
+  return supervise(work, {options.summary, options.trajectories, options.picture});
+}
+
+}  // namespace pedzone

@@ -1,0 +1,48 @@
+#include "app/supervise.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include "core/error.hpp"
+#include "output/complete_file.hpp"
+
+namespace pedzone {
+
+int supervise(const std::function<int()>& work, const std::vector<std::string>& outputs) {
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child < 0) {
+    fmt::print(stderr, "Error: cannot start a process for SUMO: {}\n", std::strerror(errno));
+    return 1;
+  }
+  if (child == 0) {
+    const int code = work();
+    std::fflush(nullptr);
+    _exit(code);  // SUMO's static objects have been closed; their destructors are not trusted
+  }
+  // The terminal sends an interrupt to both; the parent waits to clean up after the child.
+  std::signal(SIGINT, SIG_IGN);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  for (const std::string& output : outputs) std::remove(CompleteFile::partial(output).c_str());
+  const int signal = WTERMSIG(status);
+  if (signal == SIGINT) {
+    fmt::print(stderr, "\nInterrupted; no output was written.\n");
+    return 128 + SIGINT;
+  }
+  fmt::print(stderr,
+             "Error: SUMO died in the middle of the run (signal {}: {}); no output was written. "
+             "What it printed before is above.\n",
+             signal, strsignal(signal));
+  return kExitSumo;
+}
+
+}  // namespace pedzone

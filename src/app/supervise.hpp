@@ -1,0 +1,16 @@
+// SUMO can abort() the whole process. The work is done in a child; the parent survives its death,
+// removes what it left half-written and says what happened.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pedzone {
+
+/// Runs `work` in a child process and returns its exit code. When the child dies by a signal:
+/// removes the partial files of `outputs`, prints one error, returns kExitSumo. An interrupt from
+/// the terminal ends both.
+int supervise(const std::function<int()>& work, const std::vector<std::string>& outputs);
+
+}  // namespace pedzone

@@ -1,0 +1,31 @@
+// A SUMO scenario as files: read before SUMO starts, so that bad input is told apart from a SUMO
+// that fails, and so that `pedzone inspect` needs no running SUMO.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "zone/network.hpp"
+
+namespace pedzone {
+
+struct Scenario {
+  std::string config;                       ///< the .sumocfg as the user named it
+  std::string net_file;                     ///< resolved against the configuration's folder
+  std::vector<std::string> additional_files, route_files;
+  std::vector<std::string> sumo_options;    ///< what the user gave after `--`
+};
+
+/// Reads a configuration; options in `sumo_options` (as on SUMO's command line) win over it.
+/// Throws InputError when it is missing, malformed, names no network or files that do not exist,
+/// selects a pedestrian model other than striping, or names no person.
+Scenario read_scenario(const std::string& config, const std::vector<std::string>& sumo_options);
+
+/// Network and polygons of a scenario.
+/// Throws InputError when malformed or when no lane admits persons.
+Network read_scenario_network(const Scenario& scenario);
+
+/// Throws InputError when no route or additional file of the scenario has a person or person flow.
+void require_persons(const Scenario& scenario);
+
+}  // namespace pedzone

@@ -1,0 +1,136 @@
+#include "sumo/simulation.hpp"
+
+#include <chrono>
+#include <cstdlib>
+
+#include "core/error.hpp"
+
+namespace pedzone {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<std::string> options_for(const SimulationOptions& options) {
+  std::vector<std::string> more;
+  if (options.seed) more.insert(more.end(), {"--seed", std::to_string(*options.seed)});
+  if (options.end) more.insert(more.end(), {"--end", std::to_string(*options.end)});
+  return more;
+}
+
+double number_option(const Session& session, const std::string& name) {
+  return std::strtod(session.option(name).c_str(), nullptr);
+}
+
+}  // namespace
+
+struct Simulation::Parts {
+  explicit Parts(const SimulationOptions& options)
+      : network(read_scenario_network(options.scenario)),
+        zones(build_zones(network, options.zones)),
+        session(options.scenario, options_for(options)),
+        fleet(network, zones),
+        yielding(zones.front().parameters),
+        seed(options.seed ? *options.seed
+                          : static_cast<std::uint64_t>(number_option(session, "seed"))),
+        crowds(make_crowds()),
+        takeover(network, zones, crowds,
+                 number_option(session, "pedestrian.striping.dawdling")) {
+    if (session.option("pedestrian.model") != "striping") {
+      throw InputError("is a pedestrian model that pedzone cannot take persons over from",
+                       {options.scenario.config, 0, "option pedestrian.model",
+                        session.option("pedestrian.model"), "striping"});
+    }
+  }
+
+  std::vector<std::unique_ptr<Crowd>> make_crowds() {
+    std::vector<std::unique_ptr<Crowd>> made;
+    for (const Zone& zone : zones) made.push_back(std::make_unique<Crowd>(zone, seed));
+    return made;
+  }
+
+  void walk_and_yield(double dt);
+
+  Clock::time_point started = Clock::now();
+  double sumo_seconds = 0.0;
+  Network network;
+  std::vector<Zone> zones;
+  Session session;
+  Fleet fleet;
+  Yielding yielding;
+  std::uint64_t seed;
+  std::vector<std::unique_ptr<Crowd>> crowds;
+  Takeover takeover;
+  RunTotals totals;
+  std::vector<PersonAhead> people;
+  std::vector<VehicleState> states;
+};
+
+/// From SUMO's present state to what it is told for its next step.
+void Simulation::Parts::walk_and_yield(double dt) {
+  fleet.read(dt);
+  takeover.read();
+  totals.observe(fleet, takeover);
+  takeover.people(people);
+  yielding.apply(fleet, people, dt);
+  fleet.states(dt, states);
+  for (auto& crowd : crowds) crowd->step(dt, states);
+  takeover.write(dt, fleet);
+}
+
+Simulation::Simulation(const SimulationOptions& options)
+    : parts_(std::make_unique<Parts>(options)) {}
+
+Simulation::~Simulation() = default;
+
+void Simulation::step() {
+  try {
+    parts_->walk_and_yield(parts_->session.step_length());
+    const Clock::time_point before = Clock::now();
+    parts_->session.step();
+    parts_->sumo_seconds += seconds_since(before);
+    parts_->totals.count_persons();
+  } catch (const InputError&) {
+    throw;
+  } catch (const SumoError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw SumoError(std::string("SUMO refused a call at ") + std::to_string(time()) +
+                    " s: " + error.what());
+  }
+}
+
+bool Simulation::finished() const {
+  const double end = parts_->session.end_time();
+  return end >= 0.0 ? parts_->session.time() >= end : parts_->session.nobody_left();
+}
+
+void Simulation::close() { parts_->session.close(); }
+double Simulation::time() const { return parts_->session.time(); }
+double Simulation::end_time() const { return parts_->session.end_time(); }
+const std::vector<Zone>& Simulation::zones() const { return parts_->zones; }
+const Network& Simulation::network() const { return parts_->network; }
+const std::vector<Guest>& Simulation::guests() const { return parts_->takeover.guests(); }
+
+PersonView Simulation::view(const Guest& guest) const {
+  return parts_->crowds[guest.zone]->view(guest.handle);
+}
+
+RunSummary Simulation::summary() const {
+  RunSummary summary =
+      parts_->totals.summary(parts_->takeover, parts_->yielding.yielded().size());
+  summary.time.simulated_s = time();
+  summary.time.wall_s = seconds_since(parts_->started);
+  summary.time.sumo_s = parts_->sumo_seconds;
+  summary.time.pedzone_s = summary.time.wall_s - parts_->sumo_seconds;
+  if (summary.time.person_steps > 0) {
+    summary.time.us_per_person_step =
+        1e6 * summary.time.pedzone_s / static_cast<double>(summary.time.person_steps);
+  }
+  return summary;
+}
+
+}  // namespace pedzone

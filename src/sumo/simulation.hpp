@@ -1,0 +1,54 @@
+// pedzone attached to a SUMO simulation: what the command line runs and what a program embeds.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sumo/run_totals.hpp"
+#include "sumo/session.hpp"
+
+namespace pedzone {
+
+struct SimulationOptions {
+  Scenario scenario;
+  std::vector<ZoneSpec> zones;             ///< empty: the zone is found by itself
+  std::optional<std::uint64_t> seed;       ///< of SUMO and of pedzone; unset: SUMO's
+  std::optional<double> end;               ///< [s] overrides the scenario's
+};
+
+/// Runs SUMO in this process and walks its persons through the zones. Between two steps the
+/// embedding program may call libsumo itself: add, remove and reroute persons and vehicles.
+/// One at a time in a process, since libsumo's state is global.
+class Simulation {
+ public:
+  /// Reads the network, builds the zones, starts SUMO.
+  /// Throws InputError or SumoError.
+  explicit Simulation(const SimulationOptions& options);
+  ~Simulation();
+
+  /// One SUMO step. Throws SumoError.
+  void step();
+  /// Whether SUMO's end time is reached, or, without one, nobody is left.
+  bool finished() const;
+  /// Ends SUMO so that its outputs are complete. Throws SumoError.
+  void close();
+
+  double time() const;      ///< [s]
+  double end_time() const;  ///< [s]; negative: none
+  const std::vector<Zone>& zones() const;
+  const Network& network() const;
+  /// Persons that pedzone walks now, in the order they were taken over.
+  const std::vector<Guest>& guests() const;
+  PersonView view(const Guest& guest) const;
+  /// Figures so far.
+  RunSummary summary() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pedzone
