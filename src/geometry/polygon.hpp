@@ -1,5 +1,5 @@
-// Regions of the plane and the operations on them. Boost.Geometry does the work inside
-// polygon.cpp; no other file includes it.
+// Regions of the plane and the operations on them. All work on a grid of whole millimetres
+// (overlay.hpp): results are exact on it, and equal input gives equal output on every machine.
 #pragma once
 
 #include <span>
@@ -32,8 +32,12 @@ Region intersect(const Region& a, const Region& b);
 /// A line widened to `width` [m] with flat ends and round joins; a lane's area.
 Region widen(const Polyline& line, double width);
 
+/// How grow rounds a corner: with chords of its arc, or with one outer point for each quarter turn
+/// (few corners; up to 1.42 times the distance away, never nearer).
+enum class Corners { kRound, kMitred };
+
 /// All points within `distance` [m] of the region (negative: shrinks it).
-Region grow(const Region& region, double distance);
+Region grow(const Region& region, double distance, Corners corners = Corners::kRound);
 
 /// Surface [m²].
 double area(const Region& region);

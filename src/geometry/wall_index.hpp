@@ -45,9 +45,9 @@ class WallIndex {
 
  private:
   std::vector<Wall> walls_;
-  bool bounded_ = false;          ///< built from a region: inside() means something
-  double cell_size_ = 4.0;        ///< [m]
-  Vec2 origin_ = Vec2::Zero();    ///< [m] lower left corner of the grid
+  bool bounded_ = false;        ///< built from a region: inside() means something
+  double cell_size_ = 4.0;      ///< [m]
+  Vec2 origin_ = Vec2::Zero();  ///< [m] lower left corner of the grid
   int columns_ = 0, rows_ = 0;
   std::vector<std::uint32_t> cell_start_, cell_walls_;  ///< compressed lists, one per cell
 };

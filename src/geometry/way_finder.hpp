@@ -30,8 +30,8 @@ class WayFinder {
     std::vector<std::pair<int, double>> edges;  ///< (node, length [m]), node ascending
   };
   double clearance_ = 0.3;
-  WallIndex walls_;           ///< borders of the shrunk area
-  std::vector<Node> nodes_;   ///< its reflex corners
+  WallIndex walls_;          ///< borders of the shrunk area
+  std::vector<Node> nodes_;  ///< its reflex corners
 };
 
 }  // namespace pedzone

@@ -1,0 +1,207 @@
+// The arrangement: edges cut until they meet in end points only.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/overlay.hpp"
+
+namespace pedzone::overlay {
+namespace {
+
+__extension__ using Wide = __int128;  // products of coordinate differences
+
+constexpr double kGridPerMetre = 1000.0;
+// Coordinates beyond it are clamped: 3 · (2 · 10¹²)³ still fits into 127 bits.
+constexpr double kLargest = 1e12;
+// Rounding crossings makes new ones ever more rarely; two or three rounds are usual.
+constexpr int kMaxRounds = 100;
+
+struct Cut {
+  std::uint32_t edge;
+  GridPoint point;
+};
+
+Wide cross(const GridPoint& origin, const GridPoint& p, const GridPoint& q) {
+  return Wide(p.x - origin.x) * (q.y - origin.y) - Wide(p.y - origin.y) * (q.x - origin.x);
+}
+
+int sign(Wide value) { return (value > 0) - (value < 0); }
+
+std::int64_t divide_rounded(Wide numerator, Wide denominator) {
+  if (denominator < 0) {
+    numerator = -numerator;
+    denominator = -denominator;
+  }
+  const Wide half = denominator / 2;
+  return static_cast<std::int64_t>(numerator >= 0 ? (numerator + half) / denominator
+                                                  : -((-numerator + half) / denominator));
+}
+
+/// Where two properly crossing edges meet, rounded to the grid.
+GridPoint crossing(const Edge& e, const Edge& f) {
+  const Wide start = cross(f.from, f.to, e.from);
+  const Wide end = cross(f.from, f.to, e.to);
+  const Wide span = start - end;
+  return {e.from.x + divide_rounded(start * (e.to.x - e.from.x), span),
+          e.from.y + divide_rounded(start * (e.to.y - e.from.y), span)};
+}
+
+bool within_box(const Edge& e, const GridPoint& p) {
+  const auto [low, high] = std::minmax(e.from.y, e.to.y);
+  return p.x >= e.from.x && p.x <= e.to.x && p.y >= low && p.y <= high;
+}
+
+void cut_at(const std::vector<Edge>& edges, std::uint32_t index, const GridPoint& point,
+            std::vector<Cut>& cuts) {
+  const Edge& e = edges[index];
+  if (point != e.from && point != e.to) cuts.push_back({index, point});
+}
+
+/// Notes where edges i and j have to be cut.
+void meet(const std::vector<Edge>& edges, std::uint32_t i, std::uint32_t j,
+          std::vector<Cut>& cuts) {
+  const Edge& e = edges[i];
+  const Edge& f = edges[j];
+  const int f_from = orientation(e.from, e.to, f.from), f_to = orientation(e.from, e.to, f.to);
+  if (f_from * f_to > 0) return;
+  const int e_from = orientation(f.from, f.to, e.from), e_to = orientation(f.from, f.to, e.to);
+  if (e_from * e_to > 0) return;
+  if (f_from == 0 && within_box(e, f.from)) cut_at(edges, i, f.from, cuts);
+  if (f_to == 0 && within_box(e, f.to)) cut_at(edges, i, f.to, cuts);
+  if (e_from == 0 && within_box(f, e.from)) cut_at(edges, j, e.from, cuts);
+  if (e_to == 0 && within_box(f, e.to)) cut_at(edges, j, e.to, cuts);
+  if (f_from * f_to < 0 && e_from * e_to < 0) {
+    const GridPoint point = crossing(e, f);
+    cut_at(edges, i, point, cuts);
+    cut_at(edges, j, point, cuts);
+  }
+}
+
+/// All cuts between edges of which at least one is fresh. `edges` are sorted by `from`: going
+/// through them by x, only those that have not ended yet are looked at.
+std::vector<Cut> find_cuts(const std::vector<Edge>& edges, const std::vector<char>& fresh) {
+  struct Active {
+    std::int64_t end, low, high;
+    std::uint32_t index;
+  };
+  std::vector<Cut> cuts;
+  std::vector<Active> active;
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const Edge& e = edges[i];
+    const auto [low, high] = std::minmax(e.from.y, e.to.y);
+    std::size_t kept = 0;
+    for (const Active other : active) {
+      if (other.end < e.from.x) continue;
+      active[kept++] = other;
+      if (other.low > high || other.high < low || !(fresh[i] || fresh[other.index])) continue;
+      meet(edges, i, other.index, cuts);
+    }
+    active.resize(kept);
+    active.push_back({e.to.x, low, high, i});
+  }
+  return cuts;
+}
+
+void push_piece(const GridPoint& from, const GridPoint& to, const Winding& step,
+                std::vector<Edge>& out) {
+  if (from < to) {
+    out.push_back({from, to, step, {}});
+  } else if (to < from) {
+    out.push_back({to, from, {-step.a, -step.b}, {}});
+  }
+}
+
+/// Replaces the edges that are cut by their pieces, which come behind `untouched`.
+std::size_t apply_cuts(std::vector<Edge>& edges, std::vector<Cut>& cuts) {
+  std::sort(cuts.begin(), cuts.end(), [&](const Cut& s, const Cut& t) {
+    if (s.edge != t.edge) return s.edge < t.edge;
+    const Edge& e = edges[s.edge];
+    const auto along = [&](const GridPoint& p) {
+      return Wide(p.x - e.from.x) * (e.to.x - e.from.x) +
+             Wide(p.y - e.from.y) * (e.to.y - e.from.y);
+    };
+    return along(s.point) < along(t.point);
+  });
+  std::vector<Edge> untouched, pieces;
+  untouched.reserve(edges.size());
+  auto cut = cuts.begin();
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    if (cut == cuts.end() || cut->edge != i) {
+      untouched.push_back(edges[i]);
+      continue;
+    }
+    GridPoint start = edges[i].from;
+    for (; cut != cuts.end() && cut->edge == i; ++cut) {
+      push_piece(start, cut->point, edges[i].step, pieces);
+      start = cut->point;
+    }
+    push_piece(start, edges[i].to, edges[i].step, pieces);
+  }
+  const std::size_t old = untouched.size();
+  edges = std::move(untouched);
+  edges.insert(edges.end(), pieces.begin(), pieces.end());
+  return old;
+}
+
+bool in_sweep_order(const Edge& e, const Edge& f) {
+  if (e.from != f.from) return e.from < f.from;
+  const int turn = orientation(e.from, e.to, f.to);
+  return turn != 0 ? turn > 0 : e.to < f.to;
+}
+
+/// Sorts, and merges equal edges; those whose steps cancel out go. Edges from index `fresh_from`
+/// on are fresh; returns the flags in the new order.
+std::vector<char> merge_equal(std::vector<Edge>& edges, std::size_t fresh_from) {
+  std::vector<std::uint32_t> order(edges.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return in_sweep_order(edges[i], edges[j]); });
+  std::vector<Edge> merged;
+  std::vector<char> fresh;
+  merged.reserve(edges.size());
+  for (std::size_t i = 0; i < order.size();) {
+    Edge edge = edges[order[i]];
+    bool is_fresh = order[i] >= fresh_from;
+    for (++i;
+         i < order.size() && edges[order[i]].from == edge.from && edges[order[i]].to == edge.to;
+         ++i) {
+      edge.step.a += edges[order[i]].step.a;
+      edge.step.b += edges[order[i]].step.b;
+      is_fresh = is_fresh && order[i] >= fresh_from;
+    }
+    if (edge.step.a == 0 && edge.step.b == 0) continue;
+    merged.push_back(edge);
+    fresh.push_back(is_fresh);
+  }
+  edges = std::move(merged);
+  return fresh;
+}
+
+}  // namespace
+
+GridPoint to_grid(const Vec2& point) {
+  const auto coordinate = [](double metres) {
+    const double value = std::clamp(metres * kGridPerMetre, -kLargest, kLargest);
+    return static_cast<std::int64_t>(std::llround(value));
+  };
+  return {coordinate(point.x()), coordinate(point.y())};
+}
+
+Vec2 from_grid(const GridPoint& point) {
+  return {static_cast<double>(point.x) / kGridPerMetre,
+          static_cast<double>(point.y) / kGridPerMetre};
+}
+
+int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+  return sign(cross(a, b, c));
+}
+
+void arrange(std::vector<Edge>& edges) {
+  std::vector<char> fresh = merge_equal(edges, 0);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    std::vector<Cut> cuts = find_cuts(edges, fresh);
+    if (cuts.empty()) return;
+    fresh = merge_equal(edges, apply_cuts(edges, cuts));
+  }
+}
+
+}  // namespace pedzone::overlay
