@@ -37,7 +37,7 @@ void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
 RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding) const {
   RunSummary summary;
   const WalkTotals& walks = takeover.totals();
-  const double persons = std::max(1L, walks.controlled);
+  const double persons = static_cast<double>(std::max(1L, walks.controlled));
   summary.persons.seen = departed_;
   summary.persons.controlled = walks.controlled;
   summary.persons.arrived = arrived_;
