@@ -11,7 +11,7 @@ std::string message(const std::string& problem, const InputPlace& place) {
     text += ": ";
   }
   if (!place.element.empty()) text += place.element + ": ";
-  if (!place.value.empty()) text += "'" + place.value + "' ";
+  if (!place.value.empty()) text.append("'").append(place.value).append("' ");
   text += problem;
   if (!place.allowed.empty()) text += "; allowed: " + place.allowed;
   return text;

@@ -11,11 +11,11 @@ constexpr int kExitSumo = 3;   ///< SUMO failed to start, stopped with an error 
 
 /// Where in the user's input something is wrong. Empty fields are left out of the message.
 struct InputPlace {
-  std::string file;     ///< as the user named it
-  int line = 0;         ///< 1-based; 0 where a line makes no sense (a missing file)
-  std::string element;  ///< e.g. `<zone id="old-town"> attribute openSpace`
-  std::string value;    ///< what was found
-  std::string allowed;  ///< what would be accepted
+  std::string file = {};     ///< as the user named it
+  int line = 0;              ///< 1-based; 0 where a line makes no sense (a missing file)
+  std::string element = {};  ///< e.g. `<zone id="old-town"> attribute openSpace`
+  std::string value = {};    ///< what was found
+  std::string allowed = {};  ///< what would be accepted
 };
 
 /// Bad input: one message naming file, line, element, value and what is allowed. Exit code 2.
