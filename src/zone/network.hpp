@@ -14,53 +14,56 @@ enum class EdgeFunction { kNormal, kInternal, kCrossing, kWalkingArea };
 
 struct Lane {
   std::string id;
-  int edge = -1;                 ///< index into Network::edges
-  double speed = 0.0;            ///< [m/s] speed limit
-  double width = 3.2;            ///< [m]
-  double length = 0.0;           ///< [m] as SUMO counts it (may differ from the shape's length)
-  bool persons = false;          ///< pedestrians may use it
-  bool vehicles = false;         ///< some road vehicle or bicycle may use it
-  bool persons_only_by_default = false;  ///< persons may use it only since nothing forbids them
-                                         ///< (neither allow nor disallow is given in the file)
-  Polyline shape;                ///< [m] centre line; the outline for a walking area
-  std::vector<double> z;         ///< [m] height of each shape point; empty when the file has none
+  int edge = -1;          ///< index into Network::edges
+  double speed = 0.0;     ///< [m/s] speed limit
+  double width = 3.2;     ///< [m]
+  double length = 0.0;    ///< [m] as SUMO counts it (may differ from the shape's length)
+  bool persons = false;   ///< pedestrians may use it
+  bool vehicles = false;  ///< some road vehicle or bicycle may use it
+  bool persons_only_by_default = false;  ///< persons may use it only since nothing forbids them:
+                                         ///< no `allow` in the file names them
+  Polyline shape;                        ///< [m] centre line; the outline for a walking area
+  std::vector<double> z;  ///< [m] height of each shape point; empty when the file has none
 };
 
 struct Edge {
   std::string id;
-  std::string type;              ///< e.g. highway.pedestrian; empty when the file gives none
+  std::string type;  ///< e.g. highway.pedestrian; empty when the file gives none
   EdgeFunction function = EdgeFunction::kNormal;
-  std::string from, to;          ///< junction ids; empty for edges inside junctions
-  std::vector<int> lanes;        ///< indices into Network::lanes, rightmost first
+  std::string from, to;              ///< junction ids; empty for edges inside junctions
+  std::vector<int> lanes;            ///< indices into Network::lanes, rightmost first
   std::vector<std::string> crossed;  ///< crossings: ids of the edges they lead over
-  bool signalled = false;        ///< crossings: under a traffic light
-  int line = 0;                  ///< in the network file, for messages
+  bool signalled = false;            ///< crossings: under a traffic light
+  int line = 0;                      ///< in the network file, for messages
 };
 
 struct Connection {
-  int from = -1, to = -1;        ///< lane indices
-  int via = -1;                  ///< lane inside the junction, -1 when there is none
+  int from = -1, to = -1;  ///< lane indices
+  int via = -1;            ///< lane inside the junction, -1 when there is none
 };
 
 struct Junction {
   std::string id, type;
-  Ring shape;                    ///< [m]
+  Ring shape;  ///< [m]
 };
 
 /// A polygon drawn by the user or imported from a map (SUMO's <poly>).
 struct MapPolygon {
   std::string id, type;
-  Ring shape;                    ///< [m]
+  Ring shape;  ///< [m]
 };
 
 struct Network {
-  std::string file;              ///< as the user named it
+  std::string file;  ///< as the user named it
   std::vector<Edge> edges;
   std::vector<Lane> lanes;
   std::vector<Connection> connections;
   std::vector<Junction> junctions;
   std::vector<MapPolygon> polygons;
   std::unordered_map<std::string, int> edge_index, lane_index, junction_index;
+  bool walking_areas = false;         ///< persons cross junctions on walking areas and crossings;
+                                      ///< otherwise they pass from edge to edge at once
+  std::vector<std::string> warnings;  ///< what could not be used, one line each
 };
 
 /// The lane of an edge that SUMO's persons walk on: the first for pedestrians only, else the
