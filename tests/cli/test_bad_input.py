@@ -1,0 +1,206 @@
+#!/usr/bin/python3
+"""Every kind of bad input: one clear error, the exit code, and no file half-written.
+
+usage: test_bad_input.py PEDZONE_PROGRAM
+"""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from tiny_scenario import EDGES, TinyScenario
+
+PEDZONE = None  # set from the command line
+
+
+class BadInput(unittest.TestCase):
+    def setUp(self):
+        self.directory = tempfile.TemporaryDirectory()
+        self.folder = Path(self.directory.name)
+        self.tiny = TinyScenario(self.folder)
+
+    def tearDown(self):
+        self.directory.cleanup()
+
+    def pedzone(self, *words):
+        return subprocess.run([PEDZONE, *map(str, words)], cwd=self.folder, text=True,
+                              capture_output=True, timeout=120)
+
+    def run_scenario(self, *words):
+        """`pedzone run` with both outputs; returns the finished process."""
+        return self.pedzone("run", *words[:1], "--summary", "out/summary.json", "--trajectories",
+                            "out/trajectories.csv", *words[1:])
+
+    def expect(self, done, code, *fragments):
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        for fragment in fragments:
+            self.assertIn(fragment, done.stderr)
+        errors = [line for line in done.stderr.splitlines() if line.startswith("Error: ")]
+        if code == 2:
+            self.assertEqual(len(errors), 1, done.stderr)
+        left = [str(path) for path in (self.folder / "out").rglob("*") if path.is_file()]
+        self.assertEqual(left, [], "outputs are complete or absent")
+
+    def zone(self, body):
+        self.tiny.config()
+        self.tiny.write("bad.zone.xml", body)
+        return self.run_scenario("tiny.sumocfg", "--zone", "bad.zone.xml")
+
+    # The scenario
+
+    def test_the_good_scenario_runs(self):
+        done = self.run_scenario(self.tiny.config())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "out/summary.json").exists())
+        self.assertTrue((self.folder / "out/trajectories.csv").exists())
+
+    def test_missing_scenario(self):
+        self.expect(self.run_scenario("nowhere.sumocfg"), 2, "nowhere.sumocfg")
+
+    def test_malformed_scenario(self):
+        self.tiny.write("broken.sumocfg", "<configuration>\n<input>\n</configuration>")
+        self.expect(self.run_scenario("broken.sumocfg"), 2, "broken.sumocfg:3")
+
+    def test_scenario_without_network(self):
+        self.tiny.write("empty.sumocfg", "<configuration/>")
+        self.expect(self.run_scenario("empty.sumocfg"), 2, "empty.sumocfg:1", "net-file")
+
+    def test_scenario_with_missing_network(self):
+        done = self.run_scenario(self.tiny.config(net="gone.net.xml"))
+        self.expect(done, 2, "tiny.sumocfg:2", "gone.net.xml", "<net-file")
+
+    def test_malformed_network(self):
+        self.tiny.write("broken.net.xml", "<net>\n<edge id='a'>\n</net>")
+        self.expect(self.run_scenario(self.tiny.config(net="broken.net.xml")), 2,
+                    "broken.net.xml:3")
+
+    def test_scenario_without_persons(self):
+        self.tiny.write("none.rou.xml", "<routes/>")
+        self.expect(self.run_scenario(self.tiny.config(routes="none.rou.xml")), 2, "person")
+
+    def test_network_without_room_for_persons(self):
+        cars = TinyScenario(self.folder, edges=EDGES.replace(' sidewalkWidth="2"', "").replace(
+            'disallow="tram"', 'disallow="pedestrian"').replace(
+                'speed="13.89"', 'speed="13.89" disallow="pedestrian"'))
+        self.expect(self.run_scenario(cars.config()), 2, "tiny.net.xml", "persons")
+
+    def test_network_without_shared_space(self):
+        plain = TinyScenario(self.folder, edges=EDGES.replace(
+            'type="highway.living_street"', '').replace('speed="2.78"', 'speed="13.89"'))
+        self.expect(self.run_scenario(plain.config()), 2, "shared space")
+
+    def test_other_pedestrian_model(self):
+        more = '  <processing>\n<pedestrian.model value="nonInteracting"/></processing>'
+        self.expect(self.run_scenario(self.tiny.config(more=more)), 2, "tiny.sumocfg:6",
+                    "nonInteracting", "striping")
+
+    def test_other_pedestrian_model_on_the_command_line(self):
+        done = self.run_scenario(self.tiny.config(), "--", "--pedestrian.model", "nonInteracting")
+        self.expect(done, 2, "nonInteracting", "striping")
+
+    # The zone file
+
+    def test_missing_zone_file(self):
+        done = self.run_scenario(self.tiny.config(), "--zone", "gone.zone.xml")
+        self.expect(done, 2, "gone.zone.xml")
+
+    def test_zone_file_that_is_no_xml(self):
+        self.expect(self.zone("<zones>\n<zone id='a'>\n</zones>"), 2, "bad.zone.xml:3")
+
+    def test_wrong_element(self):
+        self.expect(self.zone('<zones>\n<zone id="a">\n<rule/></zone></zones>'), 2,
+                    "bad.zone.xml:3", "rule", "param")
+
+    def test_wrong_root(self):
+        self.expect(self.zone('<zone id="a"/>'), 2, "bad.zone.xml:1", "zones")
+
+    def test_unknown_attribute(self):
+        self.expect(self.zone('<zones>\n<zone id="a" edge="shared"/></zones>'), 2,
+                    "bad.zone.xml:2", "'edge'", "edges")
+
+    def test_missing_id(self):
+        self.expect(self.zone('<zones>\n<zone edges="shared"/></zones>'), 2, "bad.zone.xml:2", "id")
+
+    def test_number_out_of_range(self):
+        self.expect(self.zone('<zones><zone id="a">\n<param key="sight" value="1000"/>'
+                              '</zone></zones>'), 2, "bad.zone.xml:2", "1000", "1 to 50")
+
+    def test_open_space_out_of_range(self):
+        self.expect(self.zone('<zones>\n<zone id="a" openSpace="-1"/></zones>'), 2,
+                    "bad.zone.xml:2", "openSpace", "-1", "0 to 50")
+
+    def test_no_number(self):
+        self.expect(self.zone('<zones>\n<zone id="a" openSpace="wide"/></zones>'), 2,
+                    "bad.zone.xml:2", "openSpace", "wide")
+
+    def test_unknown_parameter(self):
+        self.expect(self.zone('<zones>\n<zone id="a"><param key="sigth" value="5"/></zone>'
+                              '</zones>'), 2, "bad.zone.xml:2", "sigth", "sight")
+
+    def test_unknown_model(self):
+        self.expect(self.zone('<zones>\n<zone id="a" model="magic"/></zones>'), 2,
+                    "bad.zone.xml:2", "magic", "heuristic")
+
+    def test_unknown_edge(self):
+        self.expect(self.zone('<zones>\n<zone id="a" edges="shared nowhere"/></zones>'), 2,
+                    "bad.zone.xml:2", "nowhere")
+
+    def test_unknown_polygon(self):
+        self.expect(self.zone('<zones>\n<zone id="a" edges="shared" polygons="sea"/></zones>'), 2,
+                    "bad.zone.xml:2", "sea")
+
+    def test_zone_without_any_edge(self):
+        self.expect(self.zone('<zones>\n<zone id="a" edgeTypes="highway.canal"/></zones>'), 2,
+                    "bad.zone.xml:2", "highway.canal")
+
+    def test_zones_file_without_a_zone(self):
+        self.expect(self.zone("<zones/>"), 2, "bad.zone.xml:1", "zone")
+
+    def test_self_crossing_polygon_named_by_a_zone(self):
+        self.tiny.write("tiny.add.xml", '<additional><poly id="bow" type="pedzone.walkable" '
+                        'shape="60,0 100,30 100,0 60,30"/></additional>')
+        self.expect(self.zone('<zones>\n<zone id="a" edges="shared" polygons="bow"/></zones>'), 2,
+                    "bad.zone.xml:2", "bow", "cross")
+
+    # SUMO
+
+    def test_sumo_that_fails_to_start(self):
+        self.tiny.write("tiny.rou.xml", '<routes><person id="p" depart="0">'
+                        '<walk edges="no such edges"/></person></routes>')
+        self.expect(self.run_scenario(self.tiny.config()), 3, "SUMO failed")
+
+    def test_sumo_that_refuses_an_option(self):
+        done = self.run_scenario(self.tiny.config(), "--", "--no-such-option", "1")
+        self.expect(done, 3, "no-such-option")
+
+    def test_sumo_that_dies_in_the_middle(self):
+        # A ride without lines trips an assertion inside SUMO when its turn comes.
+        self.tiny.write("tiny.rou.xml", '<routes><person id="p" depart="0"><walk edges="shared" '
+                        'departPos="5" arrivalPos="20"/><ride from="shared" to="east"/></person>'
+                        '</routes>')
+        self.expect(self.run_scenario(self.tiny.config()), 3, "SUMO")
+
+    # The command line
+
+    def test_unknown_option(self):
+        self.expect(self.pedzone("run", self.tiny.config(), "--sed", "7"), 2)
+
+    def test_negative_end(self):
+        self.expect(self.pedzone("run", self.tiny.config(), "--end", "-5"), 2)
+
+    def test_output_that_cannot_be_written(self):
+        self.tiny.write("out", "a file, not a folder")
+        done = self.pedzone("run", self.tiny.config(), "--summary", "out/summary.json")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("--summary", done.stderr)
+
+    def test_inspect_reports_bad_input_alike(self):
+        done = self.pedzone("inspect", "nowhere.sumocfg", "--svg", "out/zone.svg")
+        self.expect(done, 2, "nowhere.sumocfg")
+
+
+if __name__ == "__main__":
+    PEDZONE = str(Path(sys.argv.pop(1)).resolve())
+    unittest.main()
