@@ -40,8 +40,8 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
 }
 
 void add_inspect(CLI::App& app, InspectOptions& options, int& code) {
-  CLI::App* command = app.add_subcommand(
-      "inspect", "Show what would be controlled: numbers, warnings, a picture");
+  CLI::App* command =
+      app.add_subcommand("inspect", "Show what would be controlled: numbers, warnings, a picture");
   command->footer("Example:\n  pedzone inspect town.sumocfg --svg zone.svg");
   command->add_option("scenario", options.config, "SUMO configuration (.sumocfg)")->required();
   command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");

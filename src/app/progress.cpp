@@ -16,14 +16,18 @@ constexpr int kBarWidth = 24;        // characters
 
 std::string clock_text(double seconds) {
   const long whole = static_cast<long>(seconds + 0.5);
-  if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  if (whole >= 3600)
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
 }  // namespace
 
 Progress::Progress(double begin, double end)
-    : begin_(begin), end_(end), terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()),
+    : begin_(begin),
+      end_(end),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
       last_(start_) {}
 
 void Progress::update(double time, std::size_t controlled) {

@@ -56,8 +56,8 @@ struct Outputs {
 };
 
 void simulate(const RunOptions& options) {
-  const int threads = options.threads > 0 ? options.threads
-                                          : static_cast<int>(std::thread::hardware_concurrency());
+  const int threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(std::max(1, threads)));
   const SimulationOptions prepared = prepare(options);

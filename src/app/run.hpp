@@ -9,13 +9,13 @@
 namespace pedzone {
 
 struct RunOptions {
-  std::string config;                      ///< .sumocfg
-  std::string zone_file;                   ///< empty: the zone is found by itself
+  std::string config;     ///< .sumocfg
+  std::string zone_file;  ///< empty: the zone is found by itself
   std::optional<std::uint64_t> seed;
-  std::optional<double> end;               ///< [s]
-  int threads = 0;                         ///< 0: all cores
+  std::optional<double> end;                   ///< [s]
+  int threads = 0;                             ///< 0: all cores
   std::string summary, trajectories, picture;  ///< files to write; empty: not
-  std::vector<std::string> sumo_options;   ///< what stands after `--`
+  std::vector<std::string> sumo_options;       ///< what stands after `--`
 };
 
 /// Runs and prints; returns the exit code. Errors are printed, not thrown.

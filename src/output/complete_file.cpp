@@ -15,8 +15,8 @@ CompleteFile::CompleteFile(std::string path, const std::string& option) : path_(
   if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
   if (!std::filesystem::is_directory(path_)) file_ = std::fopen(partial(path_).c_str(), "wb");
   if (file_ == nullptr) {
-    const std::string why = std::filesystem::is_directory(path_) ? "it is a folder"
-                                                                 : std::strerror(errno);
+    const std::string why =
+        std::filesystem::is_directory(path_) ? "it is a folder" : std::strerror(errno);
     throw InputError("cannot be written (" + why + ")",
                      {"", 0, "option " + option, path_, "a file in a folder that can be written"});
   }

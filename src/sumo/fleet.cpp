@@ -8,9 +8,9 @@
 namespace pedzone {
 namespace {
 
-constexpr double kNear = 60.0;      // [m] numerical: vehicles farther from every zone are not read on
-constexpr double kLookAhead = 30.0; // [m] numerical: least length of the way that is built
-constexpr double kMoved = 0.01;     // [m] numerical: less than this in a step gives no direction
+constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
+constexpr double kLookAhead = 30.0;  // [m] numerical: least length of the way that is built
+constexpr double kMoved = 0.01;      // [m] numerical: less than this in a step gives no direction
 
 bool is_true(const std::string& text) { return text == "true" || text == "1" || text == "yes"; }
 bool is_false(const std::string& text) { return text == "false" || text == "0" || text == "no"; }
@@ -64,8 +64,11 @@ Body body_after(const FleetVehicle& vehicle, double travelled) {
           0.5 * vehicle.traits.width};
 }
 
-Fleet::Fleet(const Network& network, const std::vector<Zone>& zones) : network_(network) {
-  for (const Zone& zone : zones) {
+Fleet::Fleet(const Network& network, const std::vector<Zone>& zones)
+    : network_(network), zone_of_lane_(network.lanes.size(), -1) {
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    const Zone& zone = zones[z];
+    for (const int lane : zone.lanes) zone_of_lane_[lane] = static_cast<int>(z);
     Vec2 low(1e18, 1e18), high(-1e18, -1e18);
     for (const Polygon& polygon : zone.walkable) {
       for (const Vec2& point : polygon.outer) {
@@ -83,7 +86,8 @@ Fleet::Fleet(const Network& network, const std::vector<Zone>& zones) : network_(
 
 bool Fleet::near_zone(const Vec2& point) const {
   return std::any_of(boxes_.begin(), boxes_.end(), [&](const auto& box) {
-    return (point.array() >= box.first.array()).all() && (point.array() <= box.second.array()).all();
+    return (point.array() >= box.first.array()).all() &&
+           (point.array() <= box.second.array()).all();
   });
 }
 
@@ -137,25 +141,28 @@ int Fleet::next_lane(int lane, const std::vector<int>& route, int& index) const 
   return -1;
 }
 
-Polyline Fleet::way_ahead(const FleetVehicle& vehicle, double distance) {
-  Polyline way{vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
+void Fleet::look_ahead(FleetVehicle& vehicle, double distance) {
+  Polyline& way = vehicle.way;
+  way = {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
   const auto found = network_.lane_index.find(api::Vehicle::getLaneID(vehicle.id));
   if (found == network_.lane_index.end()) {
     way.push_back(vehicle.front + unit(vehicle.heading) * distance);
-    return way;
+    return;
   }
   int lane = found->second;
   int index = api::Vehicle::getRouteIndex(vehicle.id);
+  int zone = -1;
   const std::vector<int>& edges = route(vehicle.id);
   const double lateral = api::Vehicle::getLateralLanePosition(vehicle.id);
   double offset = project_on(network_.lanes[lane].shape, vehicle.front).offset;
   double left = distance;
   while (lane >= 0 && left > 0.0) {
     append_from(network_.lanes[lane].shape, offset, lateral, left, way);
+    if (zone < 0) zone = zone_of_lane_[lane];
     offset = 0.0;
     lane = next_lane(lane, edges, index);
   }
-  return way;
+  vehicle.zone = std::max(0, zone);
 }
 
 void Fleet::read(double dt) {
@@ -185,7 +192,7 @@ void Fleet::read(double dt) {
       if (dt > 0.0 && moved.norm() > kMoved) vehicle.velocity = moved.normalized() * vehicle.speed;
     }
     const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
-    vehicle.way = way_ahead(vehicle, braking + kLookAhead);
+    look_ahead(vehicle, braking + kLookAhead);
     vehicles_.push_back(std::move(vehicle));
   }
 }

@@ -13,10 +13,10 @@ namespace pedzone {
 
 /// What does not change during a vehicle's life.
 struct VehicleTraits {
-  double length = 5.0, width = 1.8;      ///< [m]
+  double length = 5.0, width = 1.8;                        ///< [m]
   double decel = 4.5, emergency_decel = 9.0, accel = 2.6;  ///< [m/s²] > 0
-  bool yields = true;    ///< vType or vehicle parameter pedzone.yield
-  bool external = false; ///< parameter pedzone.external: perceived, never touched
+  bool yields = true;     ///< vType or vehicle parameter pedzone.yield
+  bool external = false;  ///< parameter pedzone.external: perceived, never touched
 };
 
 /// A vehicle near a zone.
@@ -30,6 +30,7 @@ struct FleetVehicle {
   bool stopped = false;          ///< at a stop of its own (also parking)
   Vec2 velocity = Vec2::Zero();  ///< [m/s] from its last two places: reversing and side-slip too
   Polyline way;                  ///< [m] from its rear along its own next lanes
+  int zone = 0;                  ///< index of the zone it is in or comes to first
   double commanded = -1.0;       ///< [m/s] speed set by us for the next step; -1: SUMO's own
   double held_up = 0.0;          ///< [s] how long people have held it up
   double intent = 0.0;           ///< [m/s] see VehicleState
@@ -41,7 +42,7 @@ struct FleetVehicle {
 /// The part of the plane that a vehicle's rectangle covers.
 struct Body {
   Vec2 centre;
-  Vec2 axis;              ///< unit vector, forward
+  Vec2 axis;                       ///< unit vector, forward
   double half_length, half_width;  ///< [m]
   /// Distance [m] from a point to the rectangle; negative inside (depth to the nearest side).
   double distance(const Vec2& point) const;
@@ -74,11 +75,13 @@ class Fleet {
   bool near_zone(const Vec2& point) const;
   const VehicleTraits& traits(const std::string& id);
   const std::vector<int>& route(const std::string& id);
-  Polyline way_ahead(const FleetVehicle& vehicle, double distance);
+  /// Sets way and zone.
+  void look_ahead(FleetVehicle& vehicle, double distance);
   int next_lane(int lane, const std::vector<int>& route, int& index) const;
 
   const Network& network_;
-  std::vector<std::pair<Vec2, Vec2>> boxes_;  ///< zones' bounds, grown
+  std::vector<int> zone_of_lane_;                   ///< -1: in no zone
+  std::vector<std::pair<Vec2, Vec2>> boxes_;        ///< zones' bounds, grown
   std::vector<std::vector<int>> connections_from_;  ///< per lane: indices of Network::connections
   std::vector<FleetVehicle> vehicles_, previous_;
   std::unordered_map<std::string, std::size_t> previous_index_;

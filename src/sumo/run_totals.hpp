@@ -16,14 +16,14 @@ namespace pedzone {
 struct RunSummary {
   struct {
     long seen = 0, controlled = 0, arrived = 0, walking = 0, lost = 0;
-    double mean_speed = 0.0;       ///< [m/s] inside the zone
-    double mean_delay_s = 0.0;     ///< [s] per person, over its free walk of the same distance
-    double mean_waiting_s = 0.0;   ///< [s] per person
+    double mean_speed = 0.0;      ///< [m/s] inside the zone
+    double mean_delay_s = 0.0;    ///< [s] per person, over its free walk of the same distance
+    double mean_waiting_s = 0.0;  ///< [s] per person
   } persons;
   struct {
     long seen = 0, yielding = 0, contacts = 0;
     double min_clearance_m = std::numeric_limits<double>::infinity();
-    double mean_delay_s = 0.0;     ///< [s] SUMO's timeLoss gathered near the zones
+    double mean_delay_s = 0.0;  ///< [s] SUMO's timeLoss gathered near the zones
   } vehicles;
   struct {
     double simulated_s = 0.0, wall_s = 0.0, sumo_s = 0.0, pedzone_s = 0.0;

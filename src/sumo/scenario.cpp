@@ -131,9 +131,9 @@ Network read_scenario_network(const Scenario& scenario) {
   const bool walkable = std::any_of(network.lanes.begin(), network.lanes.end(),
                                     [](const Lane& lane) { return lane.persons; });
   if (!walkable) {
-    throw InputError("has no lane that persons may use",
-                     {scenario.net_file, 0, "<net>", "",
-                      "a network with lanes that allow pedestrians"});
+    throw InputError(
+        "has no lane that persons may use",
+        {scenario.net_file, 0, "<net>", "", "a network with lanes that allow pedestrians"});
   }
   for (const std::string& file : scenario.additional_files) read_polygons(file, network);
   return network;

@@ -10,10 +10,10 @@
 namespace pedzone {
 
 struct Scenario {
-  std::string config;                       ///< the .sumocfg as the user named it
-  std::string net_file;                     ///< resolved against the configuration's folder
+  std::string config;    ///< the .sumocfg as the user named it
+  std::string net_file;  ///< resolved against the configuration's folder
   std::vector<std::string> additional_files, route_files;
-  std::vector<std::string> sumo_options;    ///< what the user gave after `--`
+  std::vector<std::string> sumo_options;  ///< what the user gave after `--`
 };
 
 /// Reads a configuration; options in `sumo_options` (as on SUMO's command line) win over it.

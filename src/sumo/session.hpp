@@ -17,11 +17,11 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  void step();                  ///< throws SumoError
-  void close();                 ///< flushes SUMO's outputs; throws SumoError
-  double time() const;          ///< [s]
-  double step_length() const;   ///< [s]
-  double end_time() const;      ///< [s]; negative: until nobody is left
+  void step();                 ///< throws SumoError
+  void close();                ///< flushes SUMO's outputs; throws SumoError
+  double time() const;         ///< [s]
+  double step_length() const;  ///< [s]
+  double end_time() const;     ///< [s]; negative: until nobody is left
   bool nobody_left() const;
   /// An option's value as SUMO has it.
   std::string option(const std::string& name) const;

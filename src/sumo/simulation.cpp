@@ -33,12 +33,11 @@ struct Simulation::Parts {
         zones(build_zones(network, options.zones)),
         session(options.scenario, options_for(options)),
         fleet(network, zones),
-        yielding(zones.front().parameters),
+        yielding(zones),
         seed(options.seed ? *options.seed
                           : static_cast<std::uint64_t>(number_option(session, "seed"))),
         crowds(make_crowds()),
-        takeover(network, zones, crowds,
-                 number_option(session, "pedestrian.striping.dawdling")) {
+        takeover(network, zones, crowds, number_option(session, "pedestrian.striping.dawdling")) {
     if (session.option("pedestrian.model") != "striping") {
       throw InputError("is a pedestrian model that pedzone cannot take persons over from",
                        {options.scenario.config, 0, "option pedestrian.model",
@@ -120,8 +119,7 @@ PersonView Simulation::view(const Guest& guest) const {
 }
 
 RunSummary Simulation::summary() const {
-  RunSummary summary =
-      parts_->totals.summary(parts_->takeover, parts_->yielding.yielded().size());
+  RunSummary summary = parts_->totals.summary(parts_->takeover, parts_->yielding.yielded().size());
   summary.time.simulated_s = time();
   summary.time.wall_s = seconds_since(parts_->started);
   summary.time.sumo_s = parts_->sumo_seconds;

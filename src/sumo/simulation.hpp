@@ -14,9 +14,9 @@ namespace pedzone {
 
 struct SimulationOptions {
   Scenario scenario;
-  std::vector<ZoneSpec> zones;             ///< empty: the zone is found by itself
-  std::optional<std::uint64_t> seed;       ///< of SUMO and of pedzone; unset: SUMO's
-  std::optional<double> end;               ///< [s] overrides the scenario's
+  std::vector<ZoneSpec> zones;        ///< empty: the zone is found by itself
+  std::optional<std::uint64_t> seed;  ///< of SUMO and of pedzone; unset: SUMO's
+  std::optional<double> end;          ///< [s] overrides the scenario's
 };
 
 /// Runs SUMO in this process and walks its persons through the zones. Between two steps the

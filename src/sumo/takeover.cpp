@@ -11,12 +11,12 @@
 namespace pedzone {
 namespace {
 
-constexpr double kWorthWhile = 1.5;   // [m] numerical: a shorter way to the portal stays SUMO's
-constexpr double kStray = 1.0;        // [m] numerical: SUMO's place may lie so far outside the area
-constexpr double kHandOverLook = 3.0; // [s] assumed: no hand-over before a vehicle this near ...
-constexpr double kHandOverSide = 0.5; // [m] ... whose swept area comes this near
-constexpr int kKeepRouteFree = 2;     // moveToXY: may leave the network
-constexpr double kNoMatch = -1.0;     // moveToXY matchThreshold: no lane is ever matched
+constexpr double kWorthWhile = 1.5;  // [m] numerical: a shorter way to the portal stays SUMO's
+constexpr double kStray = 1.0;       // [m] numerical: SUMO's place may lie so far outside the area
+constexpr double kHandOverLook = 3.0;  // [s] assumed: no hand-over before a vehicle this near ...
+constexpr double kHandOverSide = 0.5;  // [m] ... whose swept area comes this near
+constexpr int kKeepRouteFree = 2;      // moveToXY: may leave the network
+constexpr double kNoMatch = -1.0;      // moveToXY matchThreshold: no lane is ever matched
 
 std::size_t hash_plan(int stages_left, const std::vector<std::string>& edges) {
   std::size_t hash = static_cast<std::size_t>(stages_left);
@@ -160,8 +160,8 @@ void Takeover::add_guest(const std::string& id, int zone, const ZoneStretch& str
   guest.zone = zone;
   guest.stretch = stretch;
   guest.plan = plan;
-  guest.radius = std::clamp(
-      0.5 * std::max(api::Person::getWidth(id), api::Person::getLength(id)), 0.1, 1.0);
+  guest.radius =
+      std::clamp(0.5 * std::max(api::Person::getWidth(id), api::Person::getLength(id)), 0.1, 1.0);
   guest.preferred_speed = striping_share_ * api::Person::getMaxSpeed(id);
   NewPerson person;
   person.key = person_key(id);
@@ -192,8 +192,7 @@ void Takeover::see_others(const std::vector<std::string>& ids) {
       }
       if (!api::Person::getVehicle(id).empty()) break;  // rides
       const double heading = radians_from_sumo(api::Person::getAngle(id));
-      const double radius =
-          0.5 * std::max(api::Person::getWidth(id), api::Person::getLength(id));
+      const double radius = 0.5 * std::max(api::Person::getWidth(id), api::Person::getLength(id));
       seen_[z].push_back({position, unit(heading) * api::Person::getSpeed(id), radius});
     }
   }

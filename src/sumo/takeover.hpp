@@ -24,23 +24,23 @@ namespace pedzone {
 /// A person that pedzone walks at present.
 struct Guest {
   std::string id;
-  int zone = 0;                    ///< index into the zones
+  int zone = 0;  ///< index into the zones
   Crowd::Handle handle = 0;
   ZoneStretch stretch;
-  std::size_t plan = 0;            ///< hash of SUMO's plan for it: stages left and route
-  Vec2 position = Vec2::Zero();    ///< [m] at SUMO's present time
-  double radius = 0.24;            ///< [m]
-  double preferred_speed = 0.0;    ///< [m/s]
-  bool gone = false;               ///< no longer ours: dropped at the end of the phase
+  std::size_t plan = 0;          ///< hash of SUMO's plan for it: stages left and route
+  Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
+  double radius = 0.24;          ///< [m]
+  double preferred_speed = 0.0;  ///< [m/s]
+  bool gone = false;             ///< no longer ours: dropped at the end of the phase
 };
 
 /// Sums over all persons, for the summary.
 struct WalkTotals {
-  long controlled = 0;             ///< persons taken over at least once
-  double distance = 0.0;           ///< [m] walked while controlled
-  double time = 0.0;               ///< [s] while controlled
-  double free_time = 0.0;          ///< [s] that distance at the preferred speed
-  double waiting = 0.0;            ///< [s] waiting for vehicles or standing
+  long controlled = 0;     ///< persons taken over at least once
+  double distance = 0.0;   ///< [m] walked while controlled
+  double time = 0.0;       ///< [s] while controlled
+  double free_time = 0.0;  ///< [s] that distance at the preferred speed
+  double waiting = 0.0;    ///< [s] waiting for vehicles or standing
 };
 
 class Takeover {
@@ -63,10 +63,10 @@ class Takeover {
   void people(std::vector<PersonAhead>& out) const;
 
  private:
-  struct Past {                    ///< what is remembered of a person that is not a guest
-    std::size_t plan = 0;          ///< the plan this belongs to
-    int last = -1;                 ///< route index of the edge it was released on
-    int refused_edge = -1;         ///< edge on which it was found that it cannot be taken over
+  struct Past {             ///< what is remembered of a person that is not a guest
+    std::size_t plan = 0;   ///< the plan this belongs to
+    int last = -1;          ///< route index of the edge it was released on
+    int refused_edge = -1;  ///< edge on which it was found that it cannot be taken over
     bool was_controlled = false;
   };
 
@@ -81,13 +81,13 @@ class Takeover {
   const Network& network_;
   const std::vector<Zone>& zones_;
   std::vector<std::unique_ptr<Crowd>>& crowds_;
-  double striping_share_;                              ///< of top speed, see takeover.cpp
-  std::vector<int> zone_of_edge_;                      ///< -1: SUMO's
+  double striping_share_;          ///< of top speed, see takeover.cpp
+  std::vector<int> zone_of_edge_;  ///< -1: SUMO's
   std::vector<std::pair<Vec2, Vec2>> seen_boxes_;
-  std::vector<Guest> guests_;                          ///< in order of takeover
+  std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;
   std::unordered_map<std::string, Past> past_;
-  std::vector<std::vector<SeenPerson>> seen_;          ///< per zone
+  std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
   WalkTotals totals_;
 };
 

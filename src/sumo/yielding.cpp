@@ -7,14 +7,14 @@
 namespace pedzone {
 namespace {
 
-constexpr double kMoment = 1.0;      // [s] assumed: a driver expects people to walk on so long
-constexpr double kSample = 0.25;     // [m] numerical: sampling of the swept area
-constexpr double kStanding = 0.1;    // [m/s] SUMO's own threshold for waiting
-constexpr double kPersonDecel = 5.0; // [m/s²] assumed: a walker stops within half a metre
-constexpr double kCleared = 2.0;     // [m/s] numerical: faster than this a jam is over
-constexpr double kIntent = 1.5;      // [m/s] assumed: a held-up vehicle seeks a brisk walking pace
-constexpr int kSpeedModeDefault = 31;   // SUMO: all checks
-constexpr int kSpeedModeEmergency = 27; // the same without the bound of comfortable braking
+constexpr double kMoment = 1.0;       // [s] assumed: a driver expects people to walk on so long
+constexpr double kSample = 0.25;      // [m] numerical: sampling of the swept area
+constexpr double kStanding = 0.1;     // [m/s] SUMO's own threshold for waiting
+constexpr double kPersonDecel = 5.0;  // [m/s²] assumed: a walker stops within half a metre
+constexpr double kCleared = 2.0;      // [m/s] numerical: faster than this a jam is over
+constexpr double kIntent = 1.5;       // [m/s] assumed: a held-up vehicle seeks a brisk walking pace
+constexpr int kSpeedModeDefault = 31;    // SUMO: all checks
+constexpr int kSpeedModeEmergency = 27;  // the same without the bound of comfortable braking
 
 /// Whether the body comes within `margin` of a person when its front has gone `travelled`.
 bool touches(const FleetVehicle& vehicle, double travelled, const Vec2& person, double reach) {
@@ -23,8 +23,8 @@ bool touches(const FleetVehicle& vehicle, double travelled, const Vec2& person, 
 
 /// How far the front may go before the body touches a disc of `reach` [m] round a point; nothing
 /// when it does not within `distance`.
-std::optional<double> contact_distance(const FleetVehicle& vehicle, const Vec2& point,
-                                       double reach, double distance) {
+std::optional<double> contact_distance(const FleetVehicle& vehicle, const Vec2& point, double reach,
+                                       double distance) {
   const double length = vehicle.traits.length;
   const LineProjection at = project_on(vehicle.way, point);
   // A corner-cutting body leaves its front's way by less than this.
@@ -74,16 +74,17 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
 
 double Yielding::safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
                             double dt) const {
-  const double keep = vehicle.creeping ? parameters_.creep_gap : parameters_.yield_gap;
+  const Parameters& parameters = zones_[vehicle.zone].parameters;
+  const double keep = vehicle.creeping ? parameters.creep_gap : parameters.yield_gap;
   const double gap = std::max(0.0, ahead.distance - keep);
-  double safe = ahead.speed > kStanding
-                    ? api::Vehicle::getFollowSpeed(vehicle.id, vehicle.speed, gap, ahead.speed,
-                                                   kPersonDecel)
-                    : api::Vehicle::getStopSpeed(vehicle.id, vehicle.speed, gap);
+  double safe =
+      ahead.speed > kStanding
+          ? api::Vehicle::getFollowSpeed(vehicle.id, vehicle.speed, gap, ahead.speed, kPersonDecel)
+          : api::Vehicle::getStopSpeed(vehicle.id, vehicle.speed, gap);
   if (vehicle.creeping) {
     // What is left to the person must be left after the step, too.
-    safe = std::min({std::max(safe, ahead.distance > keep ? parameters_.creep_speed : 0.0),
-                     parameters_.creep_speed, gap / std::max(dt, 1e-3)});
+    safe = std::min({std::max(safe, ahead.distance > keep ? parameters.creep_speed : 0.0),
+                     parameters.creep_speed, gap / std::max(dt, 1e-3)});
   }
   return std::max(0.0, safe);
 }
@@ -109,10 +110,11 @@ void Yielding::give_back(FleetVehicle& vehicle) {
 }
 
 void Yielding::yield(FleetVehicle& vehicle, std::span<const PersonAhead> people, double dt) {
+  const Parameters& parameters = zones_[vehicle.zone].parameters;
   vehicle.intent = 0.0;
   const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
-  const auto ahead = first_in_way(vehicle, people, parameters_.yield_margin,
-                                  braking + vehicle.speed + parameters_.yield_horizon);
+  const auto ahead = first_in_way(vehicle, people, parameters.yield_margin,
+                                  braking + vehicle.speed + parameters.yield_horizon);
   if (!ahead) {
     vehicle.creeping = false;
     vehicle.held_up = 0.0;
@@ -122,20 +124,20 @@ void Yielding::yield(FleetVehicle& vehicle, std::span<const PersonAhead> people,
   const bool held = vehicle.commanded >= 0.0;
   if (held && vehicle.speed < kStanding) vehicle.held_up += dt;
   if (vehicle.speed > kCleared) vehicle.held_up = 0.0;
-  vehicle.creeping = vehicle.held_up >= parameters_.creep_after;
+  vehicle.creeping = vehicle.held_up >= parameters.creep_after;
   const double safe = safe_speed(vehicle, *ahead, dt);
   if (safe >= vehicle.allowed_speed) {
     give_back(vehicle);
     return;
   }
   const double comfortable = std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
-  const bool emergency = safe < comfortable &&
-                         vehicle.speed * vehicle.speed > 2.0 * vehicle.traits.decel * ahead->distance;
-  command(vehicle, emergency ? std::max(0.0, vehicle.speed - vehicle.traits.emergency_decel * dt)
-                             : safe,
+  const bool emergency = safe < comfortable && vehicle.speed * vehicle.speed >
+                                                   2.0 * vehicle.traits.decel * ahead->distance;
+  command(vehicle,
+          emergency ? std::max(0.0, vehicle.speed - vehicle.traits.emergency_decel * dt) : safe,
           emergency);
-  vehicle.intent = std::min(vehicle.allowed_speed,
-                            vehicle.creeping ? parameters_.creep_speed : kIntent);
+  vehicle.intent =
+      std::min(vehicle.allowed_speed, vehicle.creeping ? parameters.creep_speed : kIntent);
   yielded_.insert(vehicle.id);
 }
 

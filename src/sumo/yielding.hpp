@@ -19,8 +19,8 @@ struct PersonAhead {
 
 /// The first person in a vehicle's way.
 struct Obstruction {
-  double distance = 0.0;   ///< [m] ≥ 0 the front may travel before the bodies touch
-  double speed = 0.0;      ///< [m/s] of the person along the way; > 0 walks away
+  double distance = 0.0;     ///< [m] ≥ 0 the front may travel before the bodies touch
+  double speed = 0.0;        ///< [m/s] of the person along the way; > 0 walks away
   double gap_to_body = 0.0;  ///< [m] clearance now
 };
 
@@ -32,7 +32,7 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
 
 class Yielding {
  public:
-  explicit Yielding(const Parameters& parameters) : parameters_(parameters) {}
+  explicit Yielding(const std::vector<Zone>& zones) : zones_(zones) {}
 
   /// Sets the speed that each vehicle takes in the next step of `dt` [s]; gives back those that
   /// no longer need it.
@@ -47,7 +47,7 @@ class Yielding {
   void command(FleetVehicle& vehicle, double speed, bool emergency);
   void give_back(FleetVehicle& vehicle);
 
-  Parameters parameters_;
+  const std::vector<Zone>& zones_;
   std::unordered_set<std::string> held_, yielded_, in_emergency_;
 };
 

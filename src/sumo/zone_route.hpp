@@ -33,13 +33,13 @@ enum class Release {
 
 /// The part of a route that pedzone walks.
 struct ZoneStretch {
-  int last = 0;               ///< index into the route of the last edge walked
+  int last = 0;  ///< index into the route of the last edge walked
   Release release = Release::kLeave;
-  int lane = -1;              ///< Network lane the person is put on
-  int hop_lane = -1;          ///< lane of another edge (or of the same one-edge route) to hop over
-  double position = 0.0;      ///< [m] lane position of the portal or arrival
-  bool forward = true;        ///< walks along the lane's direction where it leaves
-  Destination destination;    ///< where the crowd walks it to
+  int lane = -1;            ///< Network lane the person is put on
+  int hop_lane = -1;        ///< lane of another edge (or of the same one-edge route) to hop over
+  double position = 0.0;    ///< [m] lane position of the portal or arrival
+  bool forward = true;      ///< walks along the lane's direction where it leaves
+  Destination destination;  ///< where the crowd walks it to
 };
 
 /// Plans the stretch of a walk that begins on route[first], which must be an edge of the zone.

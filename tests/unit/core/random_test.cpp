@@ -37,12 +37,13 @@ TEST(Random, is_uniform_over_steps) {
 TEST(Random, normal_numbers_have_mean_0_and_variance_1_over_persons) {
   double sum = 0.0, squares = 0.0;
   for (int i = 0; i < kDraws; ++i) {
-    const double z = random_normal(7, person_key("p" + std::to_string(i)), 0, Purpose::kHeadingNoise);
+    const double z = random_normal(7, person_key("p" + std::to_string(i)), 0,
+                                   Purpose::kHeadingNoise);
     ASSERT_TRUE(std::isfinite(z));
     sum += z;
     squares += z * z;
   }
-  EXPECT_NEAR(sum / kDraws, 0.0, 5.0 / std::sqrt(kDraws));
+  EXPECT_NEAR(sum / kDraws, 0.0, 5.0 / std::sqrt(double{kDraws}));
   EXPECT_NEAR(squares / kDraws, 1.0, 5.0 * std::sqrt(2.0 / kDraws));
 }
 
