@@ -11,10 +11,10 @@
 namespace pedzone {
 
 struct Decision {
-  double direction = 0.0;       ///< [rad] chosen walking direction
-  double speed = 0.0;           ///< [m/s] [0, preferred speed]
-  double free_distance = 0.0;   ///< [m] [0, sight] f(α) in the chosen direction
-  bool waits = false;           ///< stands for a vehicle that is about to cross
+  double direction = 0.0;      ///< [rad] chosen walking direction
+  double speed = 0.0;          ///< [m/s] [0, preferred speed]
+  double free_distance = 0.0;  ///< [m] [0, sight] f(α) in the chosen direction
+  bool waits = false;          ///< stands for a vehicle that is about to cross
 };
 
 /// A walking model. prepare() is called once a step, then decide() for disjoint ranges from many
