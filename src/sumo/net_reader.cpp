@@ -115,13 +115,14 @@ class NetworkReader {
     Lane lane;
     lane.id = file_.required(node, "id");
     lane.edge = edge;
+    lane.outline = function == EdgeFunction::kWalkingArea;
     lane.speed = file_.number(node, "speed", kSpeedRange);
     lane.length = file_.number(node, "length", kLengthRange);
     lane.width = file_.number(node, "width", kWidthRange, lane.width);
     read_permissions(node, lane);
     file_.required(node, "shape");
     lane.shape = read_shape(file_, node, &lane.z);
-    if (lane.shape.size() < 2 && function != EdgeFunction::kWalkingArea) {
+    if (lane.shape.size() < 2 && !lane.outline) {
       throw file_.error("is no line", node, "shape", node.attribute("shape").value(),
                         "two points or more");
     }
