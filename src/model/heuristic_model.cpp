@@ -290,17 +290,15 @@ bool HeuristicModel::waits(const Aware& self, float ex, float ey, const Scratch&
   const Parameters& p = *snapshot_.parameters;
   const auto distance = static_cast<float>(p.wait_distance);
   const auto time = static_cast<float>(p.wait_time);
-  // As wide as the area in which a yielding vehicle minds people: nobody waits where a vehicle
-  // waits for it.
+  // Whoever is in a vehicle's way walks out of it. Its way is at least as wide here as where a
+  // yielding vehicle minds people, so that nobody waits for a vehicle that waits for it.
   const float margin = std::max(kVehicleRoom, static_cast<float>(p.yield_margin));
-  // Whoever is inside a swept area walks out of it.
   for (const VehicleView& view : scratch.vehicles) {
-    if (in_swept_area(view, self, time, margin)) return false;
+    if (in_its_way(view, self, margin)) return false;
   }
-  return std::any_of(scratch.vehicles.begin(), scratch.vehicles.end(),
-                     [&](const VehicleView& view) {
-                       return crosses_way(view, self, ex, ey, distance, time, margin);
-                     });
+  return std::any_of(
+      scratch.vehicles.begin(), scratch.vehicles.end(),
+      [&](const VehicleView& view) { return crosses_way(view, self, ex, ey, distance, time); });
 }
 
 }  // namespace pedzone

@@ -107,7 +107,7 @@ VehicleView view_of(const VehicleShape& shape, const Onlooker& person) {
   // The room people keep shrinks with what there is: somebody squeezed between a vehicle and a
   // wall still tells directions that lead away from those that lead under it.
   const float clearance = std::max(view.distance - person.radius, 0.0F);
-  const float room = shape.moving() ? std::min(kVehicleRoom, clearance / 2.0F) : 0.0F;
+  const float room = std::min(shape.moving() ? kVehicleRoom : kParkedRoom, clearance / 2.0F);
   view.contact = std::max(std::min(person.radius + room, view.distance - kSkin), 0.0F);
   return view;
 }
@@ -179,31 +179,26 @@ float time_to_standing(const VehicleView& view, const Onlooker& person, float dx
   return enter <= leave ? enter : kNever;
 }
 
-bool in_swept_area(const VehicleView& view, const Onlooker& person, float time, float margin) {
+// A vehicle moves along its own axis (reversing: against it), so its swept area is the rectangle
+// stretched that way; `forward` is the side of its leading end.
+bool in_its_way(const VehicleView& view, const Onlooker& person, float margin) {
   const VehicleShape& s = *view.shape;
-  const Vec2f v = to_vehicle(s, s.vx, s.vy);
+  const float forward = to_vehicle(s, s.vx, s.vy).x >= 0.0F ? 1.0F : -1.0F;
   const float room = person.radius + margin;
-  float enter = 0.0F, leave = time;
-  cut_slab(view.x, -v.x, s.half_length + room, enter, leave);
-  cut_slab(view.y, -v.y, s.half_width + room, enter, leave);
-  return enter <= leave;
+  return std::abs(view.y) <= s.half_width + room && forward * view.x >= -(s.half_length + room);
 }
 
 bool crosses_way(const VehicleView& view, const Onlooker& person, float ex, float ey,
-                 float distance, float time, float margin) {
+                 float distance, float time) {
   const VehicleShape& s = *view.shape;
   const Vec2f v = to_vehicle(s, s.vx, s.vy);
   const Vec2f e = to_vehicle(s, ex, ey);
-  const float room = person.radius + margin;
-  // A vehicle moves along its own axis (reversing: against it); its swept area is the rectangle
-  // stretched that way. The way is crossed where it enters the part ahead of the body.
   const float forward = v.x >= 0.0F ? 1.0F : -1.0F;
-  const float x = forward * view.x, wx = forward * e.x;
-  const float near = s.half_length, far = s.half_length + room + std::abs(v.x) * time;
+  const float near = s.half_length, far = near + person.radius + std::abs(v.x) * time;
   const float middle = (near + far) / 2.0F, half = (far - near) / 2.0F;
   float enter = 0.0F, leave = distance;
-  cut_slab(x - middle, wx, half, enter, leave);
-  cut_slab(view.y, e.y, s.half_width + room, enter, leave);
+  cut_slab(forward * view.x - middle, forward * e.x, half, enter, leave);
+  cut_slab(view.y, e.y, s.half_width + person.radius, enter, leave);
   return enter <= leave;
 }
 

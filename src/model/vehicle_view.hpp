@@ -18,8 +18,11 @@ inline constexpr float kStandingSpeed = 0.05F;
 
 /// [m] room that people leave between their body and a moving vehicle's sides in any contact that
 /// they foresee. Calibrated: vehicle.md, the rectangle inflated by 0.25 m, on the recordings of
-/// vehicles and pedestrians. A parked vehicle has none: people pass it close.
+/// vehicles and pedestrians.
 inline constexpr float kVehicleRoom = 0.25F;
+/// [m] the same for a parked vehicle: people pass it close. Assumed: a person whose velocity lags
+/// behind its decision rounds a corner that much tighter than it meant to.
+inline constexpr float kParkedRoom = 0.1F;
 
 /// A vehicle, prepared once a step. The rectangle keeps its heading and velocity: extrapolating
 /// the yaw rate fitted the recordings no better (vehicle.md).
@@ -76,13 +79,13 @@ void add_vehicle(const VehicleView& view, const Onlooker& person, DiscList& disc
 float time_to_standing(const VehicleView& view, const Onlooker& person, float dx, float dy,
                        float from);
 
-/// Whether the person is inside the area that the vehicle sweeps within `time` [s], its own body
+/// Whether the person stands in the vehicle's way: in the band that it sweeps ahead, its own body
 /// and `margin` [m] included.
-bool in_swept_area(const VehicleView& view, const Onlooker& person, float time, float margin);
+bool in_its_way(const VehicleView& view, const Onlooker& person, float margin);
 
 /// Whether the vehicle's front reaches the first `distance` [m] of the person's way in direction
 /// (ex, ey) within `time` [s]. A way that meets the vehicle where it is now is not crossed by it.
 bool crosses_way(const VehicleView& view, const Onlooker& person, float ex, float ey,
-                 float distance, float time, float margin);
+                 float distance, float time);
 
 }  // namespace pedzone
