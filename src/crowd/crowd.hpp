@@ -13,21 +13,22 @@
 namespace pedzone {
 
 /// Where a person's walk through the zone ends: anywhere on the segment a–b (a portal as wide as
-/// the street; a = b is one point).
+/// the street; a = b is one point). Reached by crossing the segment or coming within 0.3 m of it
+/// (0.5 m of a single point), or of the nearest place inside the walls where it lies outside.
 struct Destination {
-  Vec2 a = Vec2::Zero(), b = Vec2::Zero();   ///< [m]
+  Vec2 a = Vec2::Zero(), b = Vec2::Zero();  ///< [m]
 };
 
 struct NewPerson {
-  std::uint64_t key = 0;                ///< person_key(id)
-  Vec2 position = Vec2::Zero();         ///< [m]
-  Vec2 velocity = Vec2::Zero();         ///< [m/s]
-  double heading = 0.0;                 ///< [rad]
-  double radius = 0.24;                 ///< [m]
-  double preferred_speed = 1.34;        ///< [m/s]
+  std::uint64_t key = 0;          ///< person_key(id)
+  Vec2 position = Vec2::Zero();   ///< [m]
+  Vec2 velocity = Vec2::Zero();   ///< [m/s]
+  double heading = 0.0;           ///< [rad]
+  double radius = 0.24;           ///< [m]
+  double preferred_speed = 1.34;  ///< [m/s]
   Destination destination;
-  bool place_freely = false;            ///< departs here: moved to the nearest free place if
-                                        ///< somebody or something stands there
+  bool place_freely = false;  ///< departs here: moved to the nearest free place if
+                              ///< somebody or something stands there
 };
 
 /// Somebody near the zone whom SUMO still walks: seen, not moved.
@@ -36,39 +37,53 @@ struct SeenPerson {
   double radius = 0.24;
 };
 
+/// Waiting: for a vehicle. Standing: slower than 0.1 m/s for at least a second for another reason.
 enum class Activity : std::uint8_t { kWalking, kWaiting, kStanding };
-const char* name_of(Activity activity);   ///< "walking", "waiting", "standing"
+const char* name_of(Activity activity);  ///< "walking", "waiting", "standing"
 
 /// One person, read back.
 struct PersonView {
   Vec2 position, velocity;
   double heading;
   Activity activity;
-  bool arrived;             ///< on its destination (or gave up there after its patience)
-  bool gave_up;             ///< arrived only since patience ran out near a blocked destination
+  bool arrived;  ///< on its destination (or gave up there after its patience)
+  bool gave_up;  ///< arrived only since patience ran out near a blocked destination
 };
 
 class Crowd {
  public:
-  using Handle = std::uint32_t;   ///< stable while the person is in the crowd; reused afterwards
+  using Handle = std::uint32_t;  ///< stable while the person is in the crowd; reused afterwards
 
-  /// `zone` must outlive the crowd.
+  /// Walks by the zone's model. `zone` must outlive the crowd.
   Crowd(const Zone& zone, std::uint64_t seed);
+  /// Walks by any model.
+  Crowd(const Zone& zone, std::uint64_t seed, std::unique_ptr<WalkingModel> model);
   ~Crowd();
+  Crowd(Crowd&&) noexcept;
+  Crowd& operator=(Crowd&&) noexcept;
 
+  /// Puts a person in the zone, at the place inside its walls that is nearest to the one given,
+  /// and plans its way. A radius or speed out of the range of Persons is clamped, a velocity
+  /// faster than the preferred speed shortened. Throws std::invalid_argument for a number that is
+  /// not finite.
   Handle add(const NewPerson& person);
   void remove(Handle handle);
+  /// Plans the way anew from where the person is; it has not arrived any more.
   void set_destination(Handle handle, const Destination& destination);
-  void set_preferred_speed(Handle handle, double speed);
+  void set_preferred_speed(Handle handle, double speed);  ///< [m/s]
+  /// Replaces those who are seen. They move on with their velocity until the next call.
   void see(std::span<const SeenPerson> others);
 
   /// Walks everybody for `dt` [s] in equal substeps of at most 0.1 s. `vehicles` are where they
-  /// are now; between substeps they move on with their velocity and yaw rate.
+  /// are now; between substeps they move on with their velocity and yaw rate. Results depend on
+  /// the persons' keys, not on the order in which they were added nor on the number of threads.
+  /// Never throws for what persons and vehicles do; allocates nothing once sizes have settled,
+  /// except for the ways of those who have to plan again.
   void step(double dt, std::span<const VehicleState> vehicles);
 
   PersonView view(Handle handle) const;
   std::size_t size() const;
-  std::uint64_t person_steps() const;   ///< person-substeps so far
+  std::uint64_t person_steps() const;  ///< person-substeps so far
 
  private:
   struct State;

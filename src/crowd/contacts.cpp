@@ -1,0 +1,195 @@
+// Phase 4: all bodies move at once, and those that would overlap are kept apart.
+//
+// Every pass reads the places after the pass before and writes new ones (Jacobi), and the pushes
+// on one body are summed as integers, so neither the order of persons nor the number of threads
+// can change a bit of the result. Who walks into a contact gives way in it: a standing person is
+// not shoved by one that walks up to it.
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.hpp"
+#include "crowd/parallel.hpp"
+#include "crowd/state.hpp"
+#include "crowd/vehicle_contacts.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr int kPasses = 4;             // numerical: see the pile of bodies in the tests
+constexpr double kPushPerPass = 0.05;  // [m] numerical: a pile comes apart in steps, no jumps
+constexpr double kEvenShare = 1e-4;    // [m] numerical: bodies that both stand share a push evenly
+constexpr double kCoincident = 1e-9;   // [m] numerical: no direction between centres so near
+constexpr double kUnitsPerMetre = 0x1p40;  // numerical: sums of pushes are exact to 1e-12 m
+
+/// A sum of vectors that does not depend on the order of its terms.
+class ExactSum {
+ public:
+  void add(const Vec2& v) {
+    x_ += static_cast<std::int64_t>(v.x() * kUnitsPerMetre);
+    y_ += static_cast<std::int64_t>(v.y() * kUnitsPerMetre);
+    ++terms_;
+  }
+  int terms() const { return terms_; }
+  Vec2 value() const {
+    return {static_cast<double>(x_) / kUnitsPerMetre, static_cast<double>(y_) / kUnitsPerMetre};
+  }
+
+ private:
+  std::int64_t x_ = 0, y_ = 0;
+  int terms_ = 0;
+};
+
+/// Direction in which body i leaves body j where both centres coincide: any, but the opposite of
+/// what j gets, and the same for the same pair in every order.
+Vec2 parting_direction(const CrowdState& crowd, std::size_t i, std::size_t j) {
+  const std::uint64_t key_i = crowd.persons.key[i], key_j = crowd.persons.key[j];
+  const std::uint64_t low = std::min(key_i, key_j), high = std::max(key_i, key_j);
+  const Vec2 e = unit(2.0 * kPi * random_uniform(crowd.seed ^ low, high, 0, Purpose::kTieBreak));
+  const bool forward = key_i != key_j ? key_i < key_j : i < j;
+  return forward ? e : Vec2(-e);
+}
+
+/// How far body i has to be pushed by body j, and in which direction. Zero when they do not
+/// overlap. `start` and `now` are i's place relative to j's before and after the move.
+Vec2 push_of_pair(const CrowdState& crowd, std::size_t i, std::size_t j, const Vec2& start,
+                  const Vec2& now) {
+  const double reach = crowd.persons.radius[i] + crowd.persons.radius[j];
+  const bool passed_through = now.dot(start) < 0.0;
+  if (!passed_through && now.squaredNorm() >= reach * reach) return Vec2::Zero();
+  Vec2 normal = passed_through ? start : now;
+  if (normal.norm() < kCoincident) normal = start;
+  const double length = normal.norm();
+  normal = length < kCoincident ? parting_direction(crowd, i, j) : Vec2(normal / length);
+  const double overlap = reach - now.dot(normal);
+  if (j >= crowd.persons.walking) return overlap * normal;
+  const Motion& motion = crowd.motion;
+  const double into_j = std::max(0.0, -(motion.dx[i] * normal.x() + motion.dy[i] * normal.y()));
+  const double into_i = std::max(0.0, motion.dx[j] * normal.x() + motion.dy[j] * normal.y());
+  const double share = (into_j + kEvenShare) / (into_j + into_i + 2.0 * kEvenShare);
+  return overlap * share * normal;
+}
+
+/// Lists, for every walked person, the bodies that it may touch within the substep.
+void find_neighbours(CrowdState& crowd) {
+  const Persons& persons = crowd.persons;
+  const double widest = *std::max_element(persons.radius.begin(), persons.radius.end());
+  const double slack = 2.0 * (crowd.motion.reach + kPushPerPass);
+  crowd.grid.build({persons.x, persons.y, persons.radius}, 2.0 * widest + slack);
+  crowd.first_neighbour.resize(persons.walking);
+  crowd.last_neighbour.resize(persons.walking);
+  for_each_block(persons.walking, [&](std::size_t block, std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t>& list = crowd.blocks[block].neighbours;
+    list.clear();
+    for (std::size_t i = first; i < last; ++i) {
+      crowd.first_neighbour[i] = static_cast<std::uint32_t>(list.size());
+      const Vec2 here = crowd.position(i);
+      const double own = persons.radius[i] + slack;
+      const Vec2 box = Vec2::Constant(own + widest);
+      crowd.grid.visit_box(here - box, here + box, [&](std::uint32_t j) {
+        const double reach = own + persons.radius[j];
+        if (j != i && (crowd.position(j) - here).squaredNorm() < reach * reach) list.push_back(j);
+      });
+      crowd.last_neighbour[i] = static_cast<std::uint32_t>(list.size());
+    }
+  });
+}
+
+/// Moves everybody as meant, as far as the walls let them.
+void move_freely(CrowdState& crowd) {
+  Motion& motion = crowd.motion;
+  for_each_block(
+      crowd.persons.walking, [&](std::size_t block, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+          const Vec2 from = crowd.position(i);
+          const Vec2 to = from + Vec2(motion.dx[i], motion.dy[i]);
+          const Vec2 at = kept_inside(crowd.zone.walls, from, to, crowd.persons.radius[i],
+                                      crowd.walkers[i].wall_room, crowd.blocks[block].walls);
+          motion.x[i] = at.x();
+          motion.y[i] = at.y();
+        }
+      });
+  for (std::size_t j = crowd.persons.walking; j < crowd.persons.size(); ++j) {
+    motion.x[j] = motion.next_x[j] = crowd.persons.x[j] + motion.dx[j];
+    motion.y[j] = motion.next_y[j] = crowd.persons.y[j] + motion.dy[j];
+  }
+}
+
+/// Where person i is after its contacts of one pass.
+Vec2 pushed(CrowdState& crowd, std::size_t i, BlockScratch& scratch) {
+  const Motion& motion = crowd.motion;
+  const Vec2 here(motion.x[i], motion.y[i]);
+  ExactSum sum;
+  for (std::uint32_t k = crowd.first_neighbour[i]; k < crowd.last_neighbour[i]; ++k) {
+    const std::uint32_t j = scratch.neighbours[k];
+    const Vec2 now = here - Vec2(motion.x[j], motion.y[j]);
+    const Vec2 start = crowd.position(i) - crowd.position(j);
+    const Vec2 push = push_of_pair(crowd, i, j, start, now);
+    if (push != Vec2::Zero()) sum.add(push);
+  }
+  if (sum.terms() == 0) return here;
+  scratch.touching = true;
+  // With many contacts their sum overshoots (each pair counts on itself alone).
+  Vec2 push = sum.value() * (2.0 / (sum.terms() + 1.0));
+  const double most = kPushPerPass + std::hypot(motion.dx[i], motion.dy[i]);
+  if (push.norm() > most) push *= most / push.norm();
+  return kept_inside(crowd.zone.walls, crowd.position(i), here + push, crowd.persons.radius[i],
+                     crowd.walkers[i].wall_room, scratch.walls);
+}
+
+/// One pass over all contacts; whether there were any.
+bool push_apart(CrowdState& crowd) {
+  Motion& motion = crowd.motion;
+  for_each_block(crowd.persons.walking,
+                 [&](std::size_t block, std::size_t first, std::size_t last) {
+                   BlockScratch& scratch = crowd.blocks[block];
+                   scratch.touching = false;
+                   for (std::size_t i = first; i < last; ++i) {
+                     const Vec2 at = pushed(crowd, i, scratch);
+                     motion.next_x[i] = at.x();
+                     motion.next_y[i] = at.y();
+                   }
+                 });
+  motion.x.swap(motion.next_x);
+  motion.y.swap(motion.next_y);
+  return std::any_of(crowd.blocks.begin(), crowd.blocks.end(),
+                     [](const BlockScratch& scratch) { return scratch.touching; });
+}
+
+/// Puts everybody where it got to; the motion keeps where it was. What a contact stopped is taken
+/// from the velocity; a push never adds to it.
+void commit(CrowdState& crowd) {
+  Persons& persons = crowd.persons;
+  Motion& motion = crowd.motion;
+  for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec2 way = Vec2(motion.x[i], motion.y[i]) - crowd.position(i);
+      const Vec2 push = way - Vec2(motion.dx[i], motion.dy[i]);
+      const double length = push.norm();
+      crowd.walkers[i].wall_room.spend(way.norm());
+      if (length <= kCoincident) continue;
+      const Vec2 normal = push / length;
+      const Vec2 v = crowd.velocity(i);
+      const Vec2 left = v - std::min(0.0, v.dot(normal)) * normal;
+      persons.vx[i] = left.x();
+      persons.vy[i] = left.y();
+    }
+  });
+  persons.x.swap(motion.x);
+  persons.y.swap(motion.y);
+}
+
+}  // namespace
+
+void resolve_contacts(CrowdState& crowd, double dt) {
+  if (crowd.persons.walking == 0) return;
+  crowd.blocks.resize(std::max(crowd.blocks.size(), block_count(crowd.persons.walking)));
+  find_neighbours(crowd);
+  move_freely(crowd);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    if (!push_apart(crowd)) break;
+  }
+  keep_out_of_vehicles(crowd, dt);
+  commit(crowd);
+}
+
+}  // namespace pedzone

@@ -1,0 +1,184 @@
+#include "crowd/crowd.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/random.hpp"
+#include "crowd/placement.hpp"
+#include "crowd/state.hpp"
+#include "crowd/step.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kLeastRadius = 0.05;  // [m] numerical: a body is never a point
+constexpr double kMostRadius = 1.0;    // [m] as Persons::radius
+constexpr double kLeastSpeed = 1e-3;   // [m/s] numerical: models divide by the preferred speed;
+                                       // at this one a person stands
+constexpr double kMostSpeed = 5.0;     // [m/s] as Persons::preferred_speed
+
+bool finite(const Vec2& v) { return std::isfinite(v.x()) && std::isfinite(v.y()); }
+
+bool finite(const VehicleState& v) {
+  return finite(v.centre) && finite(v.velocity) && std::isfinite(v.heading) &&
+         std::isfinite(v.yaw_rate) && std::isfinite(v.length) && std::isfinite(v.width);
+}
+
+void require(bool good, const char* what) {
+  if (!good) throw std::invalid_argument(std::string("crowd: ") + what + " is not a finite number");
+}
+
+double speed_in_range(double speed) { return std::clamp(speed, kLeastSpeed, kMostSpeed); }
+
+}  // namespace
+
+struct Crowd::State : CrowdState {
+  using CrowdState::CrowdState;
+
+  std::size_t row_of(Handle handle) const { return row[handle]; }
+
+  Handle new_handle() {
+    if (unused.empty()) {
+      row.push_back(0);
+      return static_cast<Handle>(row.size() - 1);
+    }
+    const Handle handle = unused.back();
+    unused.pop_back();
+    return handle;
+  }
+
+  /// Puts row `from` where row `to` is.
+  void copy_row(std::size_t from, std::size_t to) {
+    for (auto* column :
+         {&persons.x, &persons.y, &persons.vx, &persons.vy, &persons.heading, &persons.radius,
+          &persons.preferred_speed, &persons.goal_direction, &persons.goal_distance}) {
+      (*column)[to] = (*column)[from];
+    }
+    persons.key[to] = persons.key[from];
+    walkers[to] = std::move(walkers[from]);
+    row[walkers[to].handle] = static_cast<std::uint32_t>(to);
+  }
+
+  /// Plans the way of row i from where it stands.
+  void plan_way(std::size_t i, const Destination& destination) {
+    Walker& walker = walkers[i];
+    plan(zone, position(i), persons.radius[i], destination, walker.route);
+    walker.planned = substep;
+    walker.entered = walker.arrived = walker.gave_up = walker.waits = false;
+    walker.least_left = std::numeric_limits<double>::infinity();
+    walker.blocked = 0.0;
+    const Vec2 to_goal = heading_point(walker.route, position(i)) - position(i);
+    persons.goal_direction[i] = angle_of(to_goal);
+    persons.goal_distance[i] = to_goal.norm();
+  }
+};
+
+const char* name_of(Activity activity) {
+  switch (activity) {
+    case Activity::kWalking:
+      return "walking";
+    case Activity::kWaiting:
+      return "waiting";
+    case Activity::kStanding:
+      return "standing";
+  }
+  return "unknown";
+}
+
+Crowd::Crowd(const Zone& zone, std::uint64_t seed) : Crowd(zone, seed, make_model(zone.model)) {}
+
+Crowd::Crowd(const Zone& zone, std::uint64_t seed, std::unique_ptr<WalkingModel> model)
+    : state_(std::make_unique<State>(zone, seed, std::move(model))) {}
+
+Crowd::~Crowd() = default;
+Crowd::Crowd(Crowd&&) noexcept = default;
+Crowd& Crowd::operator=(Crowd&&) noexcept = default;
+
+Crowd::Handle Crowd::add(const NewPerson& person) {
+  State& state = *state_;
+  require(finite(person.position), "a position");
+  require(finite(person.velocity) && std::isfinite(person.heading), "a velocity or heading");
+  require(finite(person.destination.a) && finite(person.destination.b), "a destination");
+  require(std::isfinite(person.radius), "a radius");
+  require(std::isfinite(person.preferred_speed), "a preferred speed");
+  const double radius = std::clamp(person.radius, kLeastRadius, kMostRadius);
+  const double preferred = speed_in_range(person.preferred_speed);
+  Vec2 place = state.zone.walls.nearest_inside(person.position, radius);
+  if (person.place_freely) place = free_place(state, place, radius);
+
+  Persons& persons = state.persons;
+  const std::size_t i = persons.walking++;
+  resize_rows(persons, persons.walking);
+  state.walkers.emplace_back();
+  const double speed = person.velocity.norm();
+  const Vec2 velocity =
+      speed > preferred ? Vec2(person.velocity * (preferred / speed)) : person.velocity;
+  persons.x[i] = place.x();
+  persons.y[i] = place.y();
+  persons.vx[i] = velocity.x();
+  persons.vy[i] = velocity.y();
+  persons.heading[i] = wrap_angle(person.heading);
+  persons.radius[i] = radius;
+  persons.preferred_speed[i] = preferred;
+  persons.key[i] = person.key;
+  Walker& walker = state.walkers[i];
+  walker.handle = state.new_handle();
+  state.row[walker.handle] = static_cast<std::uint32_t>(i);
+  // The variation starts in its stationary state, with the number of the substep before.
+  walker.noise = state.zone.parameters.heading_noise * kPi / 180.0 *
+                 random_normal(state.seed, person.key, state.substep - 1, Purpose::kHeadingNoise);
+  state.plan_way(i, person.destination);
+  return walker.handle;
+}
+
+void Crowd::remove(Handle handle) {
+  State& state = *state_;
+  const std::size_t i = state.row_of(handle), last = state.persons.walking - 1;
+  if (i != last) state.copy_row(last, i);
+  state.walkers.pop_back();
+  state.persons.walking = last;
+  resize_rows(state.persons, last);
+  state.unused.push_back(handle);
+}
+
+void Crowd::set_destination(Handle handle, const Destination& destination) {
+  require(finite(destination.a) && finite(destination.b), "a destination");
+  state_->plan_way(state_->row_of(handle), destination);
+}
+
+void Crowd::set_preferred_speed(Handle handle, double speed) {
+  require(std::isfinite(speed), "a preferred speed");
+  state_->persons.preferred_speed[state_->row_of(handle)] = speed_in_range(speed);
+}
+
+void Crowd::see(std::span<const SeenPerson> others) {
+  state_->seen.assign(others.begin(), others.end());
+  std::erase_if(state_->seen, [](const SeenPerson& person) {
+    return !finite(person.position) || !finite(person.velocity) || !std::isfinite(person.radius);
+  });
+}
+
+void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
+  if (!(dt > 0.0) || !std::isfinite(dt)) return;
+  std::vector<VehicleState>& present = state_->vehicles;
+  present.assign(vehicles.begin(), vehicles.end());
+  std::erase_if(present, [](const VehicleState& vehicle) { return !finite(vehicle); });
+  walk(*state_, dt);
+}
+
+PersonView Crowd::view(Handle handle) const {
+  const State& state = *state_;
+  const std::size_t i = state.row_of(handle);
+  const Walker& walker = state.walkers[i];
+  const Activity activity = walker.waits                   ? Activity::kWaiting
+                            : walker.slow >= kStandingTime ? Activity::kStanding
+                                                           : Activity::kWalking;
+  return {state.position(i), state.velocity(i), state.persons.heading[i],
+          activity,          walker.arrived,    walker.gave_up};
+}
+
+std::size_t Crowd::size() const { return state_->persons.walking; }
+std::uint64_t Crowd::person_steps() const { return state_->person_steps; }
+
+}  // namespace pedzone

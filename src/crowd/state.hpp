@@ -1,0 +1,93 @@
+// Everything a crowd holds.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "crowd/body_grid.hpp"
+#include "crowd/crowd.hpp"
+#include "crowd/route.hpp"
+#include "crowd/wall_guard.hpp"
+
+namespace pedzone {
+
+/// What a walked person holds beside its row in Persons: its way and its clocks.
+struct Walker {
+  Crowd::Handle handle = 0;
+  Route route;
+  double noise = 0.0;  ///< [rad] variation of the goal direction
+  WallRoom wall_room;  ///< around where the person is
+  double least_left = std::numeric_limits<double>::infinity();  ///< [m] least way left so far
+  double blocked = 0.0;                                         ///< [s] since that was
+  double slow = 0.0;          ///< [s] since the person was last faster than standing
+  std::uint64_t planned = 0;  ///< substep of the last plan
+  bool entered = false;       ///< has been within the radius of the current waypoint
+  bool waits = false;         ///< for a vehicle
+  bool arrived = false, gave_up = false;
+};
+
+/// The motion of all bodies within one substep, in the order of Persons.
+struct Motion {
+  std::vector<double> dx, dy;          ///< [m] displacement that each body means to make
+  std::vector<double> x, y;            ///< [m] where it gets to, as far as that is known
+  std::vector<double> next_x, next_y;  ///< [m] the same after one more pass over the contacts
+  double reach = 0.0;                  ///< [m] longest displacement
+};
+
+/// What one block of persons works with; no two blocks share it.
+struct BlockScratch {
+  std::vector<std::uint32_t> neighbours;  ///< of the block's persons, one after the other
+  std::vector<std::uint32_t> walls;
+  bool touching = false;  ///< somebody of the block was pushed in the last pass
+};
+
+/// A person that a vehicle may reach within the substep.
+struct VehicleHit {
+  std::uint32_t person, vehicle;
+};
+
+struct CrowdState {
+  CrowdState(const Zone& its_zone, std::uint64_t its_seed, std::unique_ptr<WalkingModel> its_model)
+      : zone(its_zone), seed(its_seed), model(std::move(its_model)) {}
+
+  const Zone& zone;
+  std::uint64_t seed;
+  std::unique_ptr<WalkingModel> model;
+
+  Persons persons;                    ///< those pedzone walks, then, within a step, the seen
+  std::vector<Walker> walkers;        ///< of the first persons.walking rows
+  std::vector<std::uint32_t> row;     ///< of each handle
+  std::vector<Crowd::Handle> unused;  ///< handles to give out again
+  std::vector<SeenPerson> seen;
+  std::vector<VehicleState> vehicles;  ///< as they are in this substep; after a step, at its end
+
+  std::vector<Decision> decisions;
+  Motion motion;
+  BodyGrid grid;
+  std::vector<BlockScratch> blocks;
+  std::vector<std::uint32_t> first_neighbour, last_neighbour;  ///< in the list of one's block
+  std::vector<VehicleHit> hits;
+
+  std::uint64_t substep = 0;  ///< number of substeps so far: a key of random numbers
+  std::uint64_t person_steps = 0;
+
+  Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
+  Vec2 velocity(std::size_t i) const { return {persons.vx[i], persons.vy[i]}; }
+};
+
+/// [s] assumed: so long slower than walking, a person stands.
+constexpr double kStandingTime = 1.0;
+
+/// Substeps are at most this long [s].
+constexpr double kLongestSubstep = 0.1;
+
+// The phases of a substep of `dt` [s], in their order (step.cpp).
+void set_goals(CrowdState& crowd, double dt);         // goals.cpp
+void decide(CrowdState& crowd);                       // step.cpp
+void set_moves(CrowdState& crowd, double dt);         // moves.cpp
+void resolve_contacts(CrowdState& crowd, double dt);  // contacts.cpp
+void follow_waypoints(CrowdState& crowd, double dt);  // waypoints.cpp
+
+}  // namespace pedzone

@@ -1,0 +1,80 @@
+// The step: one file to see the whole loop.
+#include "crowd/step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "crowd/parallel.hpp"
+#include "crowd/state.hpp"
+#include "crowd/vehicle_motion.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kRounding = 1e-9;  // numerical: 0.3 s are three substeps, not four
+
+/// Appends those who are only seen to those who are walked.
+void append_seen(CrowdState& crowd) {
+  Persons& persons = crowd.persons;
+  resize_rows(persons, persons.walking + crowd.seen.size());
+  for (std::size_t k = 0; k < crowd.seen.size(); ++k) {
+    const SeenPerson& person = crowd.seen[k];
+    const std::size_t i = persons.walking + k;
+    persons.x[i] = person.position.x();
+    persons.y[i] = person.position.y();
+    persons.vx[i] = person.velocity.x();
+    persons.vy[i] = person.velocity.y();
+    persons.heading[i] = persons.goal_direction[i] = angle_of(person.velocity);
+    persons.goal_distance[i] = 0.0;
+    persons.radius[i] = person.radius;
+    persons.preferred_speed[i] = person.velocity.norm();
+    persons.key[i] = 0;
+  }
+}
+
+/// What pedzone does not walk moves on as it is seen to move.
+void move_others_on(CrowdState& crowd, double dt) {
+  for (SeenPerson& person : crowd.seen) person.position += person.velocity * dt;
+  for (VehicleState& vehicle : crowd.vehicles) vehicle = moved_on(vehicle, dt);
+}
+
+void walk_substep(CrowdState& crowd, double dt) {
+  append_seen(crowd);
+  set_goals(crowd, dt);
+  decide(crowd);
+  set_moves(crowd, dt);
+  resolve_contacts(crowd, dt);
+  follow_waypoints(crowd, dt);
+  move_others_on(crowd, dt);
+  crowd.person_steps += crowd.persons.walking;
+  ++crowd.substep;
+}
+
+}  // namespace
+
+void resize_rows(Persons& persons, std::size_t rows) {
+  for (auto* column :
+       {&persons.x, &persons.y, &persons.vx, &persons.vy, &persons.heading, &persons.radius,
+        &persons.preferred_speed, &persons.goal_direction, &persons.goal_distance}) {
+    column->resize(rows);
+  }
+  persons.key.resize(rows);
+}
+
+void decide(CrowdState& crowd) {
+  const Snapshot snapshot{&crowd.persons, crowd.vehicles, &crowd.zone.walls,
+                          &crowd.zone.parameters};
+  crowd.decisions.resize(crowd.persons.size());
+  crowd.model->prepare(snapshot);
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
+    crowd.model->decide(first, last, crowd.decisions);
+  });
+}
+
+void walk(CrowdState& crowd, double dt) {
+  const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
+  for (int k = 0; k < substeps; ++k) walk_substep(crowd, dt / substeps);
+  resize_rows(crowd.persons, crowd.persons.walking);
+}
+
+}  // namespace pedzone

@@ -1,0 +1,15 @@
+// The step of a crowd.
+#pragma once
+
+#include "crowd/state.hpp"
+
+namespace pedzone {
+
+/// Walks everybody for `dt` [s] among crowd.seen and crowd.vehicles, in as many equal substeps as
+/// keep each at most kLongestSubstep.
+void walk(CrowdState& crowd, double dt);
+
+/// Sets the length of every column.
+void resize_rows(Persons& persons, std::size_t rows);
+
+}  // namespace pedzone

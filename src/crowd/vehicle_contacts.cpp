@@ -1,0 +1,124 @@
+#include "crowd/vehicle_contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "crowd/vehicle_motion.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kGap = 0.05;    // [m] assumed: nobody lets a vehicle touch the clothes
+constexpr double kNoGap = 1e-3;  // [m] numerical: what counts as not touching
+constexpr double kStep = 0.2;    // [m] numerical: beyond what the vehicle itself moves, nobody is
+                                 // moved farther by it in one substep
+
+/// The vehicle's frame: x ahead, y to the left, origin at its centre.
+struct VehicleFrame {
+  explicit VehicleFrame(const VehicleState& vehicle)
+      : ahead(unit(vehicle.heading)),
+        centre(vehicle.centre),
+        half(0.5 * vehicle.length, 0.5 * vehicle.width) {}
+
+  Vec2 to_local(const Vec2& point) const {
+    const Vec2 d = point - centre;
+    return {d.dot(ahead), d.dot(left_of(ahead))};
+  }
+  Vec2 to_world(const Vec2& local) const {
+    return centre + local.x() * ahead + local.y() * left_of(ahead);
+  }
+
+  Vec2 ahead, centre, half;
+};
+
+double local_distance(const VehicleFrame& frame, const Vec2& local) {
+  return (local.cwiseAbs() - frame.half).cwiseMax(0.0).norm();
+}
+
+/// Where a body at `local` could go to have `reach` to the rectangle, the nearest first: straight
+/// away from it where it is outside, and out at each of the four sides.
+std::array<Vec2, 5> exits(const VehicleFrame& frame, const Vec2& local, double reach) {
+  const Vec2 far = frame.half + Vec2::Constant(reach);
+  const Vec2 closest = local.cwiseMax(-frame.half).cwiseMin(frame.half);
+  const Vec2 away = local - closest;
+  std::array<Vec2, 5> places{Vec2(far.x(), local.y()), Vec2(-far.x(), local.y()),
+                             Vec2(local.x(), far.y()), Vec2(local.x(), -far.y()),
+                             Vec2(far.x(), local.y())};
+  if (away.norm() > 0.0) places[4] = closest + away * (reach / away.norm());
+  std::sort(places.begin(), places.end(), [&](const Vec2& a, const Vec2& b) {
+    return (a - local).squaredNorm() < (b - local).squaredNorm();
+  });
+  return places;
+}
+
+/// Where a body of `radius` at `here` gets out of the vehicle's way: towards the nearest exit that
+/// no wall bars; where all are barred, to the place with most room that it can get to.
+Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& here, double radius,
+               double longest) {
+  const VehicleFrame frame(vehicle);
+  const Vec2 local = frame.to_local(here);
+  Vec2 best = here;
+  double best_room = local_distance(frame, local);
+  if (best_room >= radius + kGap) return here;
+  for (const Vec2& exit : exits(frame, local, radius + kGap)) {
+    Vec2 step = frame.to_world(exit) - here;
+    if (step.norm() > longest) step *= longest / step.norm();
+    const Vec2 at = walls.slide(here, here + step, radius);
+    const double room = local_distance(frame, frame.to_local(at));
+    const bool barred = (here + step - at).norm() > kNoGap;
+    if (room >= radius - kNoGap || !barred) return at;
+    if (room > best_room) {
+      best = at;
+      best_room = room;
+    }
+  }
+  return best;
+}
+
+/// Lists who may be reached by which vehicle, ordered by person.
+void find_hits(CrowdState& crowd, double dt) {
+  const Persons& persons = crowd.persons;
+  const double widest = *std::max_element(persons.radius.begin(), persons.radius.end());
+  crowd.hits.clear();
+  for (std::size_t v = 0; v < crowd.vehicles.size(); ++v) {
+    const VehicleState& vehicle = crowd.vehicles[v];
+    const double around = 0.5 * std::hypot(vehicle.length, vehicle.width) + widest + kGap +
+                          vehicle.velocity.norm() * dt + 2.0 * crowd.motion.reach + kStep;
+    const Vec2 box = Vec2::Constant(around);
+    crowd.grid.visit_box(vehicle.centre - box, vehicle.centre + box, [&](std::uint32_t i) {
+      if (i >= persons.walking) return;
+      if ((crowd.position(i) - vehicle.centre).squaredNorm() > around * around) return;
+      crowd.hits.push_back({i, static_cast<std::uint32_t>(v)});
+    });
+  }
+  std::sort(crowd.hits.begin(), crowd.hits.end(), [](const VehicleHit& a, const VehicleHit& b) {
+    return a.person != b.person ? a.person < b.person : a.vehicle < b.vehicle;
+  });
+}
+
+}  // namespace
+
+double distance_to(const VehicleState& vehicle, const Vec2& point) {
+  const VehicleFrame frame(vehicle);
+  return local_distance(frame, frame.to_local(point));
+}
+
+void keep_out_of_vehicles(CrowdState& crowd, double dt) {
+  if (crowd.vehicles.empty()) return;
+  find_hits(crowd, dt);
+  Motion& motion = crowd.motion;
+  for (const VehicleHit& hit : crowd.hits) {
+    const VehicleState& now = crowd.vehicles[hit.vehicle];
+    const VehicleState later = moved_on(now, dt);
+    const double turn = std::abs(now.yaw_rate) * 0.5 * now.length;
+    const double longest = kStep + (now.velocity.norm() + turn) * dt;
+    const Vec2 here(motion.x[hit.person], motion.y[hit.person]);
+    const Vec2 at =
+        moved_out(crowd.zone.walls, later, here, crowd.persons.radius[hit.person], longest);
+    motion.x[hit.person] = at.x();
+    motion.y[hit.person] = at.y();
+  }
+}
+
+}  // namespace pedzone
