@@ -1,6 +1,7 @@
 # One library target a layer, so that the linker enforces who may use whom.
 
 add_library(pedzone_flags INTERFACE)
+set_target_properties(pedzone_flags PROPERTIES EXPORT_NAME flags)
 target_compile_features(pedzone_flags INTERFACE cxx_std_20)
 # Same bits on every build of one instruction set: no contraction of a*b+c behind our back.
 target_compile_options(pedzone_flags INTERFACE -ffp-contract=off)
@@ -9,7 +10,9 @@ if(PEDZONE_WERROR)
   list(APPEND PEDZONE_WARNINGS -Werror)
 endif()
 if(PEDZONE_SANITIZE)
-  add_compile_options(-fsanitize=${PEDZONE_SANITIZE} -fno-omit-frame-pointer)
+  # Every finding ends the program with an error, so that a test sees it.
+  add_compile_options(-fsanitize=${PEDZONE_SANITIZE} -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer -g)
   add_link_options(-fsanitize=${PEDZONE_SANITIZE})
 endif()
 
@@ -26,4 +29,5 @@ function(pedzone_layer name)
   target_compile_options(${target} PRIVATE ${PEDZONE_WARNINGS})
   target_link_libraries(${target} PUBLIC pedzone_flags ${LAYER_DEPENDS}
                         PRIVATE ${LAYER_PRIVATE_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY PEDZONE_LAYERS ${target})
 endfunction()

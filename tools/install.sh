@@ -1,0 +1,43 @@
+#!/bin/bash
+# Installs the Debian 12 packages that pedzone needs and that are missing; nothing when none is.
+# tools/run.sh and tools/test.sh call it.
+set -euo pipefail
+
+if [[ "${1:-}" == "--help" || "${1:-}" == "-h" ]]; then
+  echo "usage: tools/install.sh   installs what is missing (Debian 12, root or sudo)"
+  exit 0
+fi
+
+packages=(
+  cmake ninja-build g++ ccache      # build
+  sumo                              # simulation, network tools, libsumo
+  libeigen3-dev                     # vectors
+  libfmt-dev                        # text
+  libcli11-dev                      # command line
+  libpugixml-dev zlib1g-dev         # SUMO's XML, plain and compressed
+  nlohmann-json3-dev                # summaries
+  libtbb-dev                        # threads
+  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
+  python3 python3-shapely python3-numpy                         # independent checks
+  librsvg2-bin                      # the picture as PNG
+)
+
+missing=()
+installed=$'\n'$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)$'\n'
+for package in "${packages[@]}"; do
+  [[ "$installed" == *$'\n'"installed $package"$'\n'* ]] || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+echo "Installing: ${missing[*]}"
+as_root=()
+if ((EUID != 0)); then
+  command -v sudo >/dev/null || {
+    echo "Error: needs root or sudo to install: ${missing[*]}" >&2
+    exit 1
+  }
+  as_root=(sudo)
+fi
+as_root+=(env DEBIAN_FRONTEND=noninteractive)
+"${as_root[@]}" apt-get update -q </dev/null
+"${as_root[@]}" apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
