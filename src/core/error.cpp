@@ -7,7 +7,7 @@ std::string message(const std::string& problem, const InputPlace& place) {
   std::string text;
   if (!place.file.empty()) {
     text += place.file;
-    if (place.line > 0) text += ":" + std::to_string(place.line);
+    if (place.line > 0) text.append(":").append(std::to_string(place.line));
     text += ": ";
   }
   if (!place.element.empty()) text += place.element + ": ";

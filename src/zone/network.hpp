@@ -23,6 +23,7 @@ struct Lane {
   bool persons_only_by_default = false;  ///< persons may use it only since nothing forbids them:
                                          ///< no `allow` in the file names them
   Polyline shape;                        ///< [m] centre line; the outline for a walking area
+  bool outline = false;                  ///< `shape` is an outline
   std::vector<double> z;  ///< [m] height of each shape point; empty when the file has none
 };
 

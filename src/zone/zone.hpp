@@ -1,8 +1,10 @@
 // A zone: the edges whose persons pedzone walks, and the space they walk in.
 #pragma once
 
+#include <set>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "geometry/way_finder.hpp"
@@ -14,25 +16,31 @@ namespace pedzone {
 /// Length of one edge type, for `pedzone inspect`.
 struct TypeLength {
   std::string type;
-  double length = 0.0;           ///< [m]
+  double length = 0.0;  ///< [m]
   int edges = 0;
-  std::string bring_in;          ///< candidates left out: the attribute that would bring them in
+  std::string bring_in;  ///< candidates left out: the attribute that would bring them in
 };
 
 struct Zone {
   std::string id;
   Parameters parameters;
   std::string model;
-  std::unordered_set<int> edges;       ///< Network::edges indices of normal edges
-  std::vector<int> lanes;              ///< lanes whose area is in the zone, those inside junctions
-                                       ///< (walking areas, crossings) included; ascending
-  Region walkable;                     ///< [m] where people may be
-  Region obstacles;                    ///< [m] buildings and the like near it, for pictures
-  WallIndex walls;                     ///< borders of walkable
-  WayFinder ways;                      ///< shortest paths in walkable
-  std::vector<std::string> warnings;   ///< one line each, naming what they are about
+  std::unordered_set<int> edges;        ///< Network::edges indices of normal edges
+  std::set<std::pair<int, int>> links;  ///< edges between which people pass inside the zone,
+                                        ///< smaller index first; see linked()
+  std::vector<int> lanes;               ///< lanes whose area is in the zone, those inside junctions
+                                        ///< (walking areas, crossings) included; ascending
+  Region walkable;                      ///< [m] where people may be
+  Region obstacles;                     ///< [m] buildings and the like near it, for pictures
+  WallIndex walls;                      ///< borders of walkable
+  WayFinder ways;                       ///< shortest paths in walkable
+  std::vector<std::string> warnings;    ///< one line each, naming what they are about
   std::vector<TypeLength> inside, left_out;
 };
+
+/// Whether people pass from one edge of the zone to the other inside it, at a junction that both
+/// have. Not over a signalled crossing: that is SUMO's, so that the zone is left before it.
+bool linked(const Zone& zone, int edge, int other);
 
 /// Body clearance that ways keep to walls [m].
 constexpr double kWayClearance = 0.3;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "world/parameters.hpp"
 
 namespace pedzone {
@@ -12,20 +13,26 @@ namespace pedzone {
 /// One <zone>. Every list is empty and every optional unset where the file says nothing.
 struct ZoneSpec {
   std::string id = "shared-space";
-  std::string file;                        ///< where it stands, for messages; empty: by default
+  std::string file;  ///< where it stands, for messages; empty: by default
   int line = 0;
-  std::vector<std::string> edges;          ///< ids
-  std::vector<std::string> edge_types;     ///< e.g. highway.service
-  std::vector<std::string> lanes;          ///< ids
-  std::vector<std::string> polygons;       ///< ids of polygons that are walkable
-  std::optional<double> open_space;        ///< [m] [0, 50]; unset: 12 on highway.pedestrian edges
+  std::vector<std::string> edges;       ///< ids
+  std::vector<std::string> edge_types;  ///< e.g. highway.service
+  std::vector<std::string> lanes;       ///< ids
+  std::vector<std::string> polygons;    ///< ids of polygons that are walkable
+  std::optional<double> open_space;     ///< [m] [0, 50]; unset: 12 on highway.pedestrian edges
   std::string model = "heuristic";
-  Parameters parameters;                   ///< defaults with the file's <param> applied
-  /// No edges, edge types, lanes or polygons named: the zone is found by the rule of zone.hpp.
-  bool automatic() const {
-    return edges.empty() && edge_types.empty() && lanes.empty() && polygons.empty();
-  }
+  Parameters parameters;  ///< defaults with the file's <param> applied
+  /// Names no edges, edge types or lanes: its edges are found by the rule of selection.hpp.
+  bool automatic() const { return edges.empty() && edge_types.empty() && lanes.empty(); }
 };
+
+/// What `openSpace` may be [m].
+constexpr double kOpenSpaceLeast = 0.0, kOpenSpaceMost = 50.0;
+
+/// The error for a zone of a zone file, or for one of its attributes.
+InputError zone_error(const ZoneSpec& zone, const std::string& problem,
+                      const std::string& attribute, const std::string& value,
+                      const std::string& allowed);
 
 /// Reads a zone file. Throws InputError naming file, line, element, value and what is allowed.
 std::vector<ZoneSpec> read_zone_file(const std::string& file);

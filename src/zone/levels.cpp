@@ -1,0 +1,92 @@
+#include "zone/levels.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "zone/shapes.hpp"
+
+namespace pedzone {
+namespace {
+
+bool has_heights(const Lane& lane) {
+  return !lane.z.empty() &&
+         std::any_of(lane.z.begin(), lane.z.end(), [](double z) { return z != 0.0; });
+}
+
+double length_of(const Network& network, int edge) {
+  const int lane = walking_lane(network, edge);
+  return lane < 0 ? 0.0 : network.lanes[lane].length;
+}
+
+/// Edge → edges of the selection that it overlaps on another level.
+std::map<int, std::set<int>> find_conflicts(const Network& network, const Selection& selection) {
+  std::vector<Box> boxes;
+  for (const int lane : selection.lanes) boxes.push_back(box_of(network.lanes[lane]));
+  std::map<int, std::set<int>> conflicts;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Lane& a = network.lanes[selection.lanes[i]];
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      const Lane& b = network.lanes[selection.lanes[j]];
+      if (a.edge == b.edge || !boxes[i].intersects(boxes[j])) continue;
+      if (!on_different_levels(a, b)) continue;
+      conflicts[a.edge].insert(b.edge);
+      conflicts[b.edge].insert(a.edge);
+    }
+  }
+  return conflicts;
+}
+
+}  // namespace
+
+double height_near(const Lane& lane, const Vec2& point) {
+  if (lane.z.empty()) return 0.0;
+  double height = lane.z.front(), nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < lane.shape.size(); ++i) {
+    const double part = nearest_part(lane.shape[i], lane.shape[i + 1], point);
+    const Vec2 foot = lane.shape[i] + (lane.shape[i + 1] - lane.shape[i]) * part;
+    const double distance = (point - foot).squaredNorm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    height = lane.z[i] + (lane.z[i + 1] - lane.z[i]) * part;
+  }
+  return height;
+}
+
+bool on_different_levels(const Lane& a, const Lane& b) {
+  if (!has_heights(a) && !has_heights(b)) return false;
+  const Region overlap = intersect(area_of(a), area_of(b));
+  for (const Polygon& polygon : overlap) {
+    for (const Vec2& point : polygon.outer) {
+      if (std::abs(height_near(a, point) - height_near(b, point)) > kLevelStep) return true;
+    }
+  }
+  return false;
+}
+
+void separate_levels(const Network& network, Selection& selection,
+                     std::vector<std::string>& warnings) {
+  auto conflicts = find_conflicts(network, selection);
+  while (!conflicts.empty()) {
+    const auto worst =
+        std::min_element(conflicts.begin(), conflicts.end(), [&](const auto& a, const auto& b) {
+          if (a.second.size() != b.second.size()) return a.second.size() > b.second.size();
+          return length_of(network, a.first) < length_of(network, b.first);
+        });
+    const int edge = worst->first;
+    std::string others;
+    for (const int other : worst->second) {
+      others += (others.empty() ? "'" : ", '") + network.edges[other].id + "'";
+      conflicts[other].erase(edge);
+    }
+    conflicts.erase(edge);
+    std::erase_if(conflicts, [](const auto& entry) { return entry.second.empty(); });
+    warnings.push_back("edge '" + network.edges[edge].id + "' is on another level than edge " +
+                       others + " that it overlaps: left out");
+    std::erase(selection.edges, edge);
+    std::erase_if(selection.lanes, [&](int lane) { return network.lanes[lane].edge == edge; });
+  }
+}
+
+}  // namespace pedzone

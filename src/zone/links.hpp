@@ -1,0 +1,41 @@
+// How zone edges hang together at junctions: where SUMO's persons pass from one to the other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "zone/network.hpp"
+
+namespace pedzone {
+
+/// A junction passage between two zone edges.
+struct Link {
+  int from = -1, to = -1;  ///< Network edges, from < to
+  std::string junction;    ///< id
+  std::vector<int> way;    ///< lanes of walking areas and crossings passed, in order; empty
+                           ///< in networks without walking areas
+};
+
+/// All passages between edges of a zone (`edges`, ascending), one per pair and junction. With
+/// walking areas: the shortest way over walking areas and crossings, none where it leads over a
+/// signalled crossing (that stays SUMO's) or only from one side of a street to the other. Without:
+/// all edges that meet at a junction, as SUMO's persons pass between them at once.
+std::vector<Link> find_links(const Network& network, const std::vector<int>& edges);
+
+/// Lanes inside junctions that belong to a zone with these lanes (ascending): walking areas that
+/// touch two edges of the zone, walking areas and crossings of its links, and the ways of vehicles
+/// between its lanes. Ascending.
+std::vector<int> inner_lanes(const Network& network, const std::vector<int>& lanes,
+                             const std::vector<Link>& links);
+
+/// Junctions whose whole area is shared: at least two edges of the zone meet there, no road that
+/// stays SUMO's does, and no signalled crossing. Indices, ascending.
+std::vector<int> shared_junctions(const Network& network, const std::vector<int>& edges);
+
+/// Whether an edge has a lane for vehicles or trains, so that it is more than a footway.
+bool is_road(const Network& network, int edge);
+
+/// The junction that an edge inside a junction belongs to: the id between ':' and the last '_'.
+std::string junction_of(const Edge& inner);
+
+}  // namespace pedzone

@@ -1,0 +1,75 @@
+#include "zone/zone.hpp"
+
+#include <algorithm>
+
+#include "zone/levels.hpp"
+#include "zone/selection.hpp"
+#include "zone/walkable_area.hpp"
+
+namespace pedzone {
+namespace {
+
+/// A zone that is being built.
+struct Draft {
+  const ZoneSpec* spec = nullptr;
+  ZoneParts parts;
+  std::vector<std::string> warnings;
+};
+
+/// Zones that name edges choose before those that take what is left; among equals the first.
+void select_all(const Network& network, std::vector<Draft>& drafts, std::vector<bool>& taken) {
+  for (const bool automatic : {false, true}) {
+    for (Draft& draft : drafts) {
+      if (draft.spec->automatic() != automatic) continue;
+      Selection& selection = draft.parts.selection;
+      selection = select_lanes(network, *draft.spec, taken);
+      separate_levels(network, selection, draft.warnings);
+      for (const int edge : selection.edges) taken[edge] = true;
+    }
+  }
+}
+
+Zone finish(const Network& network, const std::vector<bool>& taken, Draft& draft) {
+  ZoneParts& parts = draft.parts;
+  parts.links = find_links(network, parts.selection.edges);
+  parts.inner_lanes = inner_lanes(network, parts.selection.lanes, parts.links);
+  parts.shared_junctions = shared_junctions(network, parts.selection.edges);
+  WalkableArea area = build_walkable_area(network, *draft.spec, parts, taken, draft.warnings);
+
+  Zone zone;
+  zone.id = draft.spec->id;
+  zone.parameters = draft.spec->parameters;
+  zone.model = draft.spec->model;
+  zone.edges.insert(parts.selection.edges.begin(), parts.selection.edges.end());
+  for (const Link& link : parts.links) zone.links.insert({link.from, link.to});
+  std::merge(parts.selection.lanes.begin(), parts.selection.lanes.end(), parts.inner_lanes.begin(),
+             parts.inner_lanes.end(), std::back_inserter(zone.lanes));
+  zone.walkable = std::move(area.walkable);
+  zone.obstacles = std::move(area.obstacles);
+  zone.walls = WallIndex(zone.walkable);
+  zone.ways = WayFinder(zone.walkable, kWayClearance);
+  zone.warnings = std::move(draft.warnings);
+  zone.inside = lengths_inside(network, parts.selection.edges);
+  zone.left_out = lengths_left_out(network, taken);
+  return zone;
+}
+
+}  // namespace
+
+bool linked(const Zone& zone, int edge, int other) {
+  return zone.links.contains({std::min(edge, other), std::max(edge, other)});
+}
+
+std::vector<Zone> build_zones(const Network& network, const std::vector<ZoneSpec>& specs) {
+  const ZoneSpec by_rule;
+  std::vector<Draft> drafts;
+  for (const ZoneSpec& spec : specs) drafts.push_back({&spec, {}, {}});
+  if (drafts.empty()) drafts.push_back({&by_rule, {}, {}});
+  std::vector<bool> taken(network.edges.size(), false);
+  select_all(network, drafts, taken);
+  std::vector<Zone> zones;
+  for (Draft& draft : drafts) zones.push_back(finish(network, taken, draft));
+  return zones;
+}
+
+}  // namespace pedzone
