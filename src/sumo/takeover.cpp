@@ -55,6 +55,13 @@ double left_on_last(const Network& network, const ZoneStretch& stretch, const Ve
   return stretch.forward ? stretch.position - at : at - stretch.position;
 }
 
+/// A person's body as a disc [m]: as large as its rectangle and never narrower than it is.
+double body_radius(const std::string& id) {
+  const double width = api::Person::getWidth(id);
+  const double disc = std::sqrt(std::max(0.0, width * api::Person::getLength(id)) / kPi);
+  return std::clamp(std::max(0.5 * width, disc), 0.1, 1.0);
+}
+
 }  // namespace
 
 // Striping takes a random share of up to `dawdling` off the top speed in every step, so its free
@@ -160,8 +167,7 @@ void Takeover::add_guest(const std::string& id, int zone, const ZoneStretch& str
   guest.zone = zone;
   guest.stretch = stretch;
   guest.plan = plan;
-  guest.radius =
-      std::clamp(0.5 * std::max(api::Person::getWidth(id), api::Person::getLength(id)), 0.1, 1.0);
+  guest.radius = body_radius(id);
   guest.preferred_speed = striping_share_ * api::Person::getMaxSpeed(id);
   NewPerson person;
   person.key = person_key(id);
@@ -192,7 +198,7 @@ void Takeover::see_others(const std::vector<std::string>& ids) {
       }
       if (!api::Person::getVehicle(id).empty()) break;  // rides
       const double heading = radians_from_sumo(api::Person::getAngle(id));
-      const double radius = 0.5 * std::max(api::Person::getWidth(id), api::Person::getLength(id));
+      const double radius = body_radius(id);
       seen_[z].push_back({position, unit(heading) * api::Person::getSpeed(id), radius});
     }
   }
