@@ -2,17 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/polygon.hpp"
+#include "geometry/wall_grid.hpp"
 
 namespace pedzone {
-
-/// A piece of border. The walkable side is to the left of a → b.
-struct Wall {
-  Vec2 a, b;  ///< [m]
-};
 
 /// Borders of a region in a uniform grid. Immutable after construction; safe from many threads.
 class WallIndex {
@@ -29,27 +26,72 @@ class WallIndex {
   /// appended to `out` (cleared first). A superset: all that are within reach are there.
   void near(const Vec2& point, double reach, std::vector<std::uint32_t>& out) const;
 
+  /// Distance [m] to the nearest wall, or `limit` where none is nearer.
+  double room(const Vec2& point, double limit) const;
+
   /// Whether the point is inside the region (border included).
   bool inside(const Vec2& point) const;
 
   /// Whether the segment from → to meets no wall within `clearance` [m] of it.
   bool free_line(const Vec2& from, const Vec2& to, double clearance = 0.0) const;
 
+  /// Whether the segment crosses no wall. Its own ends may lie on walls; a wall's end point on
+  /// the way counts as crossed.
+  bool sees(const Vec2& from, const Vec2& to) const;
+
   /// The point nearest to `point` that is inside with `clearance` [m] to all walls where there is
   /// room for it (with what room there is elsewhere). Returns `point` itself when it qualifies.
+  /// A point inside is not moved through a wall.
   Vec2 nearest_inside(const Vec2& point, double clearance) const;
 
   /// Moves a disc of `radius` [m] from `from` (inside) towards `to`: stops or slides at walls,
-  /// never ends outside, never passes through a wall. Returns where it ends.
+  /// never ends outside, never passes through a wall. Returns where it ends. In passages narrower
+  /// than the disc its centre keeps what room there is; where it stands nearer to a wall than its
+  /// radius, it gains room with every call.
   Vec2 slide(const Vec2& from, const Vec2& to, double radius) const;
 
  private:
+  /// The place of a wall that is nearest to a point.
+  struct Nearest {
+    std::uint32_t wall = 0;
+    Vec2 point = Vec2::Zero();
+    double distance = 0.0;  ///< [m]
+  };
+  /// Where a moving disc meets a wall.
+  struct Hit {
+    double share = 0.0;          ///< of the move, [0, 1]
+    Vec2 normal = Vec2::Zero();  ///< unit, from the wall to the disc's centre
+  };
+  /// A move along walls and the two walls that ended it, if any.
+  struct Walk {
+    Vec2 end = Vec2::Zero();
+    bool jammed = false;
+    Vec2 first = Vec2::Zero(), second = Vec2::Zero();  ///< normals
+  };
+
+  void mark_cells();
+  bool reference_inside(int column, int row) const;
+  Vec2 reference(int column, int row) const;
+
+  std::optional<Nearest> nearest(const Vec2& point, double limit) const;
+  Nearest nearest_anywhere(const Vec2& point) const;
+  Vec2 away_from(const Nearest& place, const Vec2& point) const;
+
+  bool has_room(const Vec2& point, double clearance) const;
+  std::optional<Vec2> nearest_with_room(const Vec2& point, double clearance, double reach,
+                                        bool in_sight) const;
+  Vec2 just_inside(const Nearest& place) const;
+
+  std::optional<Hit> first_hit(const Vec2& from, const Vec2& move, double radius) const;
+  Walk walk_along(const Vec2& from, const Vec2& move, double radius) const;
+  Vec2 squeeze(const Vec2& from, const Vec2& move, double radius, const Walk& jam) const;
+  Vec2 push_out(const Vec2& point, double radius, double step) const;
+  Vec2 gain_room(const Vec2& point, const Vec2& push, double before) const;
+
   std::vector<Wall> walls_;
-  bool bounded_ = false;        ///< built from a region: inside() means something
-  double cell_size_ = 4.0;      ///< [m]
-  Vec2 origin_ = Vec2::Zero();  ///< [m] lower left corner of the grid
-  int columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> cell_start_, cell_walls_;  ///< compressed lists, one per cell
+  WallGrid grid_;
+  bool bounded_ = false;              ///< built from a region: inside() means something
+  std::vector<char> inside_of_cell_;  ///< whether each cell's reference point is inside
 };
 
 }  // namespace pedzone
