@@ -5,6 +5,7 @@
 #include <set>
 
 #include "zone/passage.hpp"
+#include "zone/simplify.hpp"
 #include "zone/way_cutter.hpp"
 
 namespace pedzone {
@@ -15,6 +16,9 @@ namespace {
 // junctions by the second [m].
 constexpr double kClosing = 0.1;
 constexpr double kOverlap = 0.2;
+// numerical: how far simplifying may move the border; far less than a body's radius, so that no
+// body's centre gets where it was not before [m].
+constexpr double kSimplification = 0.02;
 // numerical: passages at a junction are judged by what lies so near to it [m].
 constexpr double kJunctionMargin = 10.0;
 constexpr double kInset = 0.5;  // [m] how far inside a lane passages are looked up
@@ -58,6 +62,7 @@ class Builder {
     add_open_space(near);
     mend_links();
     drop_islands();
+    walkable_ = simplified(walkable_, kSimplification);
     return {std::move(walkable_), regions_of(polygons_.obstacles)};
   }
 

@@ -7,13 +7,11 @@
 namespace pedzone {
 namespace {
 
-// numerical: a centre line is cut where an obstacle comes nearer than half of this [m].
-constexpr double kLineWidth = 0.1;
-// assumed: an obstacle on a wide lane stays where a passage of twice this is left beside it, so
-// that a fountain on a square is no reason to warn. A lane of 4 m or less never leaves so much.
-constexpr double kBroadRoom = 1.0;  // [m]
 // assumed: corridors are as wide as the lane, up to this; what a lorry needs [m].
 constexpr double kWidestCorridor = 4.0;
+// assumed: on lanes wider than that an obstacle stays where a passage of twice this is left beside
+// it, so that a fountain on a square is no reason to cut [m].
+constexpr double kBroadRoom = 1.0;
 
 struct Cut {
   std::size_t obstacle;
@@ -22,6 +20,35 @@ struct Cut {
 
 bool meets(const ShapedPolygon& obstacle, const Region& region) {
   return obstacle.box.intersects(box_of(region)) && !intersect(obstacle.region, region).empty();
+}
+
+bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  if (!Box(a.cwiseMin(b), a.cwiseMax(b)).intersects(Box(c.cwiseMin(d), c.cwiseMax(d))))
+    return false;
+  const auto parted = [](const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
+    return cross(q - p, r - p) * cross(q - p, s - p) > 0.0;
+  };
+  return !parted(a, b, c, d) && !parted(c, d, a, b);
+}
+
+bool touches(const Ring& ring, const Vec2& a, const Vec2& b) {
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    if (segments_meet(a, b, ring[j], ring[i])) return true;
+  }
+  return false;
+}
+
+/// Whether a line has a point in a region or on its border.
+bool touches(const Region& region, const Polyline& line) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    for (const Polygon& polygon : region) {
+      if (touches(polygon.outer, line[i], line[i + 1])) return true;
+      for (const Ring& hole : polygon.holes) {
+        if (touches(hole, line[i], line[i + 1])) return true;
+      }
+    }
+  }
+  return contains(region, line.front());
 }
 
 bool passable(const Lane& lane, const Region& free, double room) {
@@ -43,13 +70,11 @@ class LaneCutter {
 
   void find_cuts(std::vector<Cut>& cuts, std::vector<std::string>& warnings) {
     if (near_.empty()) return;
-    const Region line = widen(lane_.shape, kLineWidth);
     const Region corridor =
         widen(lane_.shape, std::clamp(lane_.width, kLeastLaneWidth, kWidestCorridor));
     std::vector<std::size_t> kept;
     for (const std::size_t i : near_) {
-      if (!meets(obstacles_[i], line) ||
-          passable(lane_, subtract(area_, obstacles_[i].region), kBroadRoom)) {
+      if (!touches(obstacles_[i].region, lane_.shape) || leaves_broad_passage(obstacles_[i])) {
         kept.push_back(i);
         continue;
       }
@@ -61,6 +86,12 @@ class LaneCutter {
   }
 
  private:
+  bool leaves_broad_passage(const ShapedPolygon& obstacle) const {
+    return lane_.width > kWidestCorridor && !contains(obstacle.region, lane_.shape.front()) &&
+           !contains(obstacle.region, lane_.shape.back()) &&
+           passable(lane_, subtract(area_, obstacle.region), kBroadRoom);
+  }
+
   /// Cuts what leaves no room for a body between them.
   void widen_passage(const std::vector<std::size_t>& kept, std::vector<Cut>& cuts,
                      std::vector<std::string>& warnings) const {

@@ -1,0 +1,12 @@
+// Fewer corners: every corner of a walkable area is a wall for people and a node for their ways.
+#pragma once
+
+#include "geometry/polygon.hpp"
+
+namespace pedzone {
+
+/// The region without corners that lie within `tolerance` [m] of the border without them (Douglas
+/// and Peucker 1973, ring by ring).
+Region simplified(const Region& region, double tolerance);
+
+}  // namespace pedzone
