@@ -1,0 +1,207 @@
+#!/usr/bin/python3
+"""Recomputes from SUMO's own outputs whether a run was right; shares nothing with src/.
+
+    check_run.py town.sumocfg RUN [--plain PLAIN] [--free FREE] [limits ...]
+
+RUN is a folder with what SUMO wrote: fcd.xml[.gz], tripinfo.xml[.gz] (--tripinfo-output with
+--tripinfo-output.write-unfinished), and, as far as there: vehroute.xml[.gz], statistics.xml or
+log.txt. A trajectories.csv in it (time,id,...) only tells who was controlled when, and only adds to
+what FCD shows by itself; positions are always SUMO's. PLAIN holds the same outputs of plain SUMO for
+comparison, FREE the tripinfo of a run without persons.
+
+Exit code 0: all limits kept; 1: one broken; 2: the check could not be made.
+"""
+import argparse
+import json
+import os
+import sys
+
+import comparison
+import measures
+import outputs
+import report
+from fcd import read_fcd
+from scenario import CheckError, open_bytes, read_scenario
+from zone_area import ZoneArea, ZoneRule, read_network, read_zone_rule
+
+import numpy
+
+
+def read_controlled(path, fcd):
+    """Rows of persons that a trajectories CSV says were controlled, to half a step."""
+    numbers = {name: number for number, name in enumerate(fcd.persons.names)}
+    rows = numpy.zeros(len(fcd.persons.x), bool)
+    step = numpy.diff(fcd.times).min() if len(fcd.times) > 1 else 1.0
+    pairs = set()
+    with open_bytes(path) as stream:
+        if not stream.readline().startswith(b"time,id,"):
+            raise CheckError(f"{path}: does not begin with 'time,id,'")
+        for number, line in enumerate(stream, 2):
+            fields = line.split(b",", 2)
+            try:
+                pairs.add((round(float(fields[0]) / step), numbers.get(fields[1].decode(), -1)))
+            except (ValueError, IndexError):
+                raise CheckError(f"{path}:{number}: no time and id") from None
+    steps = numpy.rint(fcd.times / step).astype(int)[fcd.persons.step]
+    for row, pair in enumerate(zip(steps.tolist(), fcd.persons.who.tolist())):
+        rows[row] = pair in pairs
+    return rows
+
+
+class Check:
+    """One run, measured."""
+
+    def __init__(self, options):
+        self.options = options
+        self.scenario = read_scenario(options.config)
+        self.run = outputs.read_run(options.run)
+        self.plain = outputs.read_run(options.plain, False) if options.plain else None
+        self.free = outputs.read_run(options.free, False) if options.free else None
+        self.fcd = read_fcd(self.run.fcd_file)
+        if not len(self.fcd.persons.x):
+            raise CheckError(f"{self.run.fcd_file}: no persons, so there is nothing to check")
+        self.riding = measures.riding_rows(self.fcd, self.run.persons)
+        self.controlled = measures.find_detached(self.fcd)
+        trajectories = options.trajectories or outputs.find_output(
+            options.run, "trajectories", (".csv", ".csv.gz"))
+        if trajectories:
+            self.controlled |= read_controlled(trajectories, self.fcd)
+        rule = read_zone_rule(options.zone) if options.zone else ZoneRule()
+        self.area = ZoneArea(read_network(self.scenario.net_file), self.scenario.polygons, rule)
+
+    def measure(self):
+        """All figures as a dictionary fit for JSON."""
+        result = {"persons": self._persons(), "contacts": self._contacts(),
+                  "jumps": vars(self._jumps()), "outside": self._outside(),
+                  "teleports": self.run.teleports, "jams": self.run.person_jams,
+                  "nan": int((~numpy.isfinite(self.fcd.persons.x)
+                              | ~numpy.isfinite(self.fcd.persons.y)).sum())}
+        result["vehicles"] = comparison.vehicle_durations(self.run, self.plain, self.free)
+        if self.plain:
+            result["plain"] = comparison.compare_persons(self.run, self.plain)
+        return result
+
+    def _persons(self):
+        losses = measures.find_losses(self.fcd, self.run.persons)
+        on_foot = self.fcd.persons.who[self.controlled]
+        return {"departed": losses.departed, "arrived": losses.arrived,
+                "walking": losses.walking, "lost": len(losses.lost),
+                "lost_ids": losses.lost[:measures.EXAMPLES],
+                "controlled": len(numpy.unique(on_foot)),
+                "controlled_person_steps": int(self.controlled.sum()),
+                "mean_duration_s": comparison.mean_duration(self.run.persons)}
+
+    def _radius(self, name):
+        if self.options.radius is not None:
+            return self.options.radius
+        trip = self.run.persons.get(name)
+        return self.scenario.size(trip.type if trip else "DEFAULT_PEDTYPE")[1] / 2
+
+    def _own_rides(self):
+        persons = {name: i for i, name in enumerate(self.fcd.persons.names)}
+        vehicles = {name: i for i, name in enumerate(self.fcd.vehicles.names)}
+        return [(persons[name], vehicles[stage.vehicle])
+                for name, trip in self.run.persons.items() for stage in trip.stages
+                if name in persons and stage.vehicle in vehicles]
+
+    def _contacts(self):
+        fcd, fleet = self.fcd, self.fcd.vehicles
+        clearances = measures.Clearances(
+            fcd, numpy.array([self._radius(name) for name in fcd.persons.names]),
+            [self.scenario.size(name) for name in fleet.type_names])
+        found = measures.find_contacts(fcd, clearances, self.riding, self.controlled,
+                                       self._own_rides())
+        x, y = fcd.persons.x[found.rows], fcd.persons.y[found.rows]
+        controlled = self.controlled[found.rows]
+        in_zone = self.area.reach.contains(x, y) & ~self.area.roads.contains(x, y)
+
+        def figures(chosen):
+            pairs = numpy.column_stack([fcd.persons.who[found.rows[chosen]],
+                                        fleet.who[found.vehicles[chosen]]])
+            by_type = {}
+            for _, vehicle in numpy.unique(pairs, axis=0):
+                row = numpy.flatnonzero(fleet.who == vehicle)[0]
+                name = fleet.type_names[fleet.type[row]]
+                by_type[name] = by_type.get(name, 0) + 1
+            index = numpy.flatnonzero(chosen)
+            finding = measures.describe(fcd, found.rows[chosen], lambda i: {
+                "vehicle": fleet.names[fleet.who[found.vehicles[index[i]]]],
+                "depth": round(float(found.depth[index[i]]), 3)})
+            return {"pairs": len(numpy.unique(pairs, axis=0)), "frames": len(index),
+                    "pairs_by_vehicle_type": by_type,
+                    "deepest_m": float(found.depth[chosen].max(initial=0.0)),
+                    "examples": finding.examples}
+
+        return {"all": figures(numpy.ones(len(x), bool)), "controlled": figures(controlled),
+                "zone": figures(in_zone), "elsewhere": figures(~in_zone & ~controlled),
+                "min_clearance_m": found.min_clearance,
+                "min_clearance_controlled_m": found.min_clearance_controlled}
+
+    def _jumps(self):
+        jumps = measures.find_jumps(self.fcd, self.riding)
+        if self.plain and self.plain.fcd_file and len(jumps[0]):
+            plain_fcd = read_fcd(self.plain.fcd_file)
+            riding = measures.riding_rows(plain_fcd, self.plain.persons)
+            jumps = measures.without_plain_jumps(
+                self.fcd, jumps, plain_fcd, measures.find_jumps(plain_fcd, riding))
+        return measures.describe(self.fcd, jumps[0],
+                                 lambda i: {"distance": round(float(jumps[1][i]), 2)})
+
+    def _outside(self):
+        found = measures.find_outside(self.fcd, numpy.flatnonzero(self.controlled), self.area)
+        tests = {"in_building": self.area.buildings, "on_road": self.area.roads,
+                 "out_of_reach": self.area.reach}
+        result = {}
+        for name, rows in found.items():
+            x, y = self.fcd.persons.x[rows], self.fcd.persons.y[rows]
+            result[name] = vars(measures.describe(self.fcd, rows, lambda i: {
+                "depth": round(tests[name].depth(x[i], y[i]), 2)}))
+        every = numpy.unique(numpy.concatenate(list(found.values())))
+        result["events"] = len(every)
+        result["persons"] = len(numpy.unique(self.fcd.persons.who[every]))
+        return result
+
+
+def parse_arguments(arguments):
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("config", help="the scenario's sumocfg")
+    parser.add_argument("run", help="folder with the run's outputs")
+    parser.add_argument("--plain", help="folder with plain SUMO's outputs")
+    parser.add_argument("--free", help="folder with the tripinfo of a run without persons")
+    parser.add_argument("--zone", help="zone file, where the run had one")
+    parser.add_argument("--trajectories", help="CSV of who was controlled when "
+                        "(default: RUN/trajectories.csv)")
+    parser.add_argument("--radius", type=float, help="[m] of all persons, instead of half their "
+                        "type's width")
+    parser.add_argument("--json", help="write all figures to this file, or - for standard output")
+    report.add_limits(parser)
+    return parser.parse_args(arguments)
+
+
+def main(arguments=None):
+    options = parse_arguments(arguments)
+    try:
+        result = Check(options).measure()
+        broken = report.broken_limits(options, result)
+    except CheckError as error:
+        print(f"check_run: {error}", file=sys.stderr)
+        return 2
+    result["broken_limits"] = broken
+    if options.json == "-":
+        json.dump(result, sys.stdout, indent=2)
+        print()
+    else:
+        if options.json:
+            partial = options.json + ".partial"
+            with open(partial, "w", encoding="utf-8") as stream:
+                json.dump(result, stream, indent=2)
+            os.replace(partial, options.json)
+        print(report.table(result))
+    for line in broken:
+        print(f"limit broken: {line}", file=sys.stderr)
+    return 1 if broken else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

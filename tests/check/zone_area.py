@@ -1,0 +1,287 @@
+"""Where people in shared space may be, computed from the network and the polygons alone.
+
+This is deliberately not the exact walkable area but three statements that hold for any sensible one,
+each with a margin, since two implementations of a rule about dirty map data differ at the edges:
+nobody is inside a building, nobody is on a road that stays SUMO's, and nobody is farther from the
+zone's lanes, junctions and polygons than the rule lets the area reach.
+"""
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass, field
+
+import numpy
+import shapely
+from shapely.geometry import LineString, MultiPoint, Point, box
+from shapely.geometry import Polygon as Ring
+from shapely.ops import unary_union
+from shapely.prepared import prep
+from shapely.validation import make_valid
+
+from scenario import CheckError, open_bytes, parse_points, parse_xml
+
+SHARED_TYPES = ("highway.pedestrian", "highway.living_street")
+WALKABLE_POLYGONS = ("jupedsim.walkable_area", "pedzone.walkable")
+OBSTACLE_POLYGONS = ("building", "jupedsim.obstacle", "pedzone.obstacle")
+SHARED_SPEED = 5.6  # [m/s] at most on lanes that persons and vehicles share
+OPEN_SPACE = 12.0  # [m] round highway.pedestrian lanes
+LANE_WIDTH = 3.2  # [m] SUMO's, where a lane has none
+CORRIDOR = 1.0  # [m] at least, on each side of a centre line that an obstacle cuts
+ROAD_MARGIN = 1.5  # [m] round zone lanes, where a road's shape may lap into the zone
+TOLERANCE = 0.05  # [m] a centre may be beyond a border
+
+
+@dataclass
+class Lane:
+    id: str
+    edge: str
+    persons: bool
+    vehicles: bool
+    speed: float  # [m/s]
+    width: float  # [m]
+    line: LineString
+
+    def area(self, margin=0.0, cap_style=2):
+        return self.line.buffer(self.width / 2 + margin, cap_style=cap_style)
+
+
+@dataclass
+class Edge:
+    id: str
+    type: str
+    function: str
+    ends: tuple  # junction ids (from, to)
+    lanes: list
+    crossed: tuple = ()  # edges that a crossing crosses
+
+
+@dataclass
+class Network:
+    edges: dict = field(default_factory=dict)
+    junctions: dict = field(default_factory=dict)  # id -> shape
+    links: list = field(default_factory=list)  # (from lane, to lane, via lane or None)
+
+
+def _line(shape):
+    points = parse_points(shape)
+    return LineString(points if len(points) > 1 else points * 2)
+
+
+def _ring(points):
+    """A valid area, possibly empty, of a ring that may cross itself."""
+    if len(points) < 3:
+        return Ring()
+    ring = Ring(points)
+    if not ring.is_valid:
+        parts = make_valid(ring)
+        ring = unary_union([part for part in getattr(parts, "geoms", [parts]) if part.area > 0])
+    return ring
+
+
+def _read_lane(element, edge_id):
+    allow, disallow = element.get("allow"), element.get("disallow")
+    if allow is not None and allow != "all":
+        classes = set(allow.split())
+        persons, vehicles = "pedestrian" in classes, bool(classes - {"pedestrian"})
+    else:
+        refused = set((disallow or "").split())
+        persons = not refused & {"pedestrian", "all"}
+        vehicles = "all" not in refused
+    return Lane(element.get("id"), edge_id, persons, vehicles, float(element.get("speed")),
+                float(element.get("width", LANE_WIDTH)), _line(element.get("shape")))
+
+
+def read_network(path):
+    """Reads a net.xml or net.xml.gz."""
+    network = Network()
+    with open_bytes(path) as stream:
+        try:
+            for _, element in ElementTree.iterparse(stream):
+                if element.tag == "edge":
+                    name = element.get("id")
+                    lanes = [_read_lane(lane, name) for lane in element.findall("lane")]
+                    network.edges[name] = Edge(
+                        name, element.get("type", ""), element.get("function", "normal"),
+                        (element.get("from"), element.get("to")), lanes,
+                        tuple(element.get("crossingEdges", "").split()))
+                elif element.tag == "junction" and element.get("type") != "internal":
+                    network.junctions[element.get("id")] = _ring(
+                        parse_points(element.get("shape", "")))
+                elif element.tag == "connection":
+                    network.links.append((
+                        f"{element.get('from')}_{element.get('fromLane')}",
+                        f"{element.get('to')}_{element.get('toLane')}", element.get("via")))
+                if element.tag in ("edge", "junction", "connection"):
+                    element.clear()
+        except (ElementTree.ParseError, OSError, EOFError) as error:
+            raise CheckError(f"{path}: {error}") from error
+    if not network.edges:
+        raise CheckError(f"{path}: has no edges")
+    return network
+
+
+@dataclass
+class ZoneRule:
+    """What a zone file asks for; empty: the rule for networks without one."""
+    edges: set = field(default_factory=set)
+    edge_types: set = field(default_factory=set)
+    lanes: set = field(default_factory=set)
+    polygons: set = field(default_factory=set)
+    open_space: float = None  # [m] None: 12 round highway.pedestrian edges
+
+    def takes(self, edge, lane):
+        """Whether the lane is shared space."""
+        if edge.function != "normal" or not lane.persons:
+            return False
+        if self.edges or self.edge_types or self.lanes:
+            return (edge.id in self.edges or edge.type in self.edge_types
+                    or lane.id in self.lanes)
+        return edge.type in SHARED_TYPES or (lane.vehicles and lane.speed <= SHARED_SPEED)
+
+    def reach(self, edge):
+        """[m] beyond the lane's own width."""
+        if self.open_space is not None:
+            return self.open_space
+        return OPEN_SPACE if edge.type == "highway.pedestrian" else 0.0
+
+
+def read_zone_rule(path):
+    """All zones of a zone file in one rule."""
+    rule = ZoneRule()
+    for zone in parse_xml(path).iter("zone"):
+        rule.edges |= set(zone.get("edges", "").split())
+        rule.edge_types |= set(zone.get("edgeTypes", "").split())
+        rule.lanes |= set(zone.get("lanes", "").split())
+        rule.polygons |= set(zone.get("polygons", "").split())
+        if zone.get("openSpace") is not None:
+            rule.open_space = max(rule.open_space or 0.0, float(zone.get("openSpace")))
+    return rule
+
+
+class PointTest:
+    """Which of many points lie in an area; cells of a grid that it fills or misses decide most."""
+
+    _CELL = 1.0  # [m]
+
+    def __init__(self, area):
+        self.area = area
+        self.prepared = prep(area)
+
+    def contains(self, x, y):
+        """Boolean array for coordinate arrays [m]."""
+        result = numpy.zeros(len(x), bool)
+        if self.area.is_empty or not len(x):
+            return result
+        cells = numpy.column_stack([numpy.floor(x / self._CELL), numpy.floor(y / self._CELL)])
+        unique, inverse = numpy.unique(cells, axis=0, return_inverse=True)
+        state = numpy.zeros(len(unique), numpy.int8)
+        for index, (column, row) in enumerate(unique * self._CELL):
+            cell = box(column, row, column + self._CELL, row + self._CELL)
+            if self.prepared.intersects(cell):
+                state[index] = 1 if self.prepared.contains(cell) else 2
+        state = state[inverse.reshape(-1)]
+        result[state == 1] = True
+        doubtful = numpy.flatnonzero(state == 2)
+        result[doubtful] = self._contains_each(x[doubtful], y[doubtful])
+        return result
+
+    def _contains_each(self, x, y):
+        if hasattr(shapely, "contains_xy"):  # shapely 2
+            shapely.prepare(self.area)
+            return shapely.contains_xy(self.area, x, y)
+        from shapely import vectorized
+        return vectorized.contains(self.area, x, y)
+
+    def depth(self, x, y):
+        """[m] distance of one point to the area's border."""
+        return Point(x, y).distance(self.area.boundary)
+
+
+class ZoneArea:
+    """The three statements about where a person in shared space may be."""
+
+    def __init__(self, network, polygons, rule):
+        self._network = network
+        zone = {lane.id: lane for edge in network.edges.values() for lane in edge.lanes
+                if rule.takes(edge, lane)}
+        if not zone:
+            raise CheckError("the network has no shared space")
+        self.lane_count = len(zone)
+        self.length = sum(lane.line.length for lane in zone.values())  # [m]
+        walkable = [_ring(polygon.points) for polygon in polygons
+                    if polygon.type in WALKABLE_POLYGONS or polygon.id in rule.polygons]
+        obstacles = [_ring(polygon.points) for polygon in polygons
+                     if polygon.type in OBSTACLE_POLYGONS and polygon.id not in rule.polygons]
+        inner = self._junction_parts(zone)
+        lanes = [lane.area() for lane in zone.values()]
+        own = unary_union(lanes + inner)
+        open_space = [network.edges[lane.edge] for lane in zone.values()]
+        reach = [lane.area(rule.reach(edge), cap_style=1)
+                 for lane, edge in zip(zone.values(), open_space)]
+        corridors = unary_union([line.buffer(max(CORRIDOR, half) + TOLERANCE)
+                                 for line, half in self._centre_lines(zone)])
+        buildings = unary_union(obstacles).buffer(-TOLERANCE).difference(corridors)
+        roads = unary_union(self._road_parts(zone)).buffer(-TOLERANCE)
+        roads = roads.difference(unary_union([own.buffer(ROAD_MARGIN)] + walkable))
+        self.reach = PointTest(unary_union(reach + inner + walkable).buffer(TOLERANCE))
+        self.buildings = PointTest(buildings)
+        self.roads = PointTest(roads)
+
+    def _junctions_of(self, zone):
+        """Junctions at the zone's lanes: id -> whether all vehicle lanes there are the zone's."""
+        touched = {end for lane in zone.values() for end in self._network.edges[lane.edge].ends}
+        whole = dict.fromkeys(touched, True)
+        for edge in self._network.edges.values():
+            for end in edge.ends:
+                if end in whole and any(lane.vehicles and lane.id not in zone
+                                        for lane in edge.lanes):
+                    whole[end] = False
+        return whole
+
+    def _junction_parts(self, zone):
+        """Areas of junctions, walking areas and crossings that belong to the zone."""
+        network, parts = self._network, []
+        parts += [network.junctions[name] for name, whole in self._junctions_of(zone).items()
+                  if whole and name in network.junctions]
+        walking_areas = set()
+        for start, end, via in network.links:
+            if start in zone and end in zone and via:
+                parts += [lane.area() for lane in self._lanes_of(via)]
+            for lane_id, other in ((start, end), (end, start)):
+                if lane_id in zone:
+                    walking_areas.add(other.rpartition("_")[0])
+        for edge in network.edges.values():
+            if edge.function == "walkingarea" and edge.id in walking_areas:
+                parts.append(_ring(list(edge.lanes[0].line.coords)))
+            elif edge.function == "crossing" and edge.crossed and all(
+                    lane.id in zone for name in edge.crossed
+                    for lane in network.edges[name].lanes if lane.vehicles):
+                parts += [lane.area() for lane in edge.lanes]
+        return parts
+
+    def _lanes_of(self, lane_id):
+        edge = self._network.edges.get(lane_id.rpartition("_")[0])
+        return [lane for lane in edge.lanes if lane.id == lane_id] if edge else []
+
+    def _centre_lines(self, zone):
+        """(line, half width [m]): the zone's lanes and the straight ways between their ends."""
+        ends = {}
+        for lane in zone.values():
+            yield lane.line, lane.width / 2
+            start, stop = self._network.edges[lane.edge].ends
+            ends.setdefault(start, []).append(lane.line.coords[0])
+            ends.setdefault(stop, []).append(lane.line.coords[-1])
+        for points in ends.values():
+            for index, point in enumerate(points):
+                for other in points[:index]:
+                    if point != other:
+                        yield LineString([point, other]), 0.0
+            yield MultiPoint(points), 0.0
+
+    def _road_parts(self, zone):
+        """Lanes that vehicles use and the zone does not, with their ways through junctions."""
+        parts = [lane.area() for edge in self._network.edges.values()
+                 if edge.function == "normal" for lane in edge.lanes
+                 if lane.vehicles and lane.id not in zone]
+        for start, end, via in self._network.links:
+            if via and not (start in zone and end in zone):
+                parts += [lane.area() for lane in self._lanes_of(via) if lane.vehicles]
+        return parts
