@@ -1,0 +1,46 @@
+#include "app/inspect.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "core/error.hpp"
+#include "output/complete_file.hpp"
+#include "sumo/scenario.hpp"
+#include "view/zone_report.hpp"
+#include "view/zone_svg.hpp"
+
+namespace pedzone {
+namespace {
+
+void report(const InspectOptions& options) {
+  const Scenario scenario = read_scenario(options.config, options.sumo_options);
+  std::vector<ZoneSpec> specs;
+  if (!options.zone_file.empty()) specs = read_zone_file(options.zone_file);
+  std::unique_ptr<CompleteFile> picture;
+  if (!options.svg.empty()) picture = std::make_unique<CompleteFile>(options.svg, "--svg");
+  const Network network = read_scenario_network(scenario);
+  const std::vector<Zone> zones = build_zones(network, specs);
+  if (picture) {
+    picture->write(zone_svg(network, zones));
+    picture->finish();
+  }
+  fmt::print("{}", zone_report(network, zones));
+}
+
+}  // namespace
+
+int inspect(const InspectOptions& options) {
+  try {
+    report(options);
+    return 0;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "Error: {}\n", error.what());
+    return kExitInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "Error: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace pedzone
