@@ -51,58 +51,63 @@ class Band {
   Band(Overlay& out, double radius, Corners corners)
       : out_(out), radius_(radius), corners_(corners) {}
 
-  /// The quadrangle to the right of a → b (left: negative `side`).
-  void edge(const Vec2& a, const Vec2& b, double side) {
-    const Vec2 offset = -left_of((b - a).normalized()) * (side * radius_);
-    out_.add_turned({a, a + offset, b + offset, b}, Operand::kB, false);
-  }
-
-  /// The fan at b between the quadrangles of a → b and b → c where they gape.
-  void corner(const Vec2& a, const Vec2& b, const Vec2& c, double side) {
-    const Vec2 in = (b - a).normalized(), out = (c - b).normalized();
-    const double turn = std::atan2(cross(in, out), in.dot(out));
-    // A full turn back gapes on both sides.
-    const bool back = kPi - std::abs(turn) < kSmallestTurn;
-    if (!back && turn * side < kSmallestTurn) return;
-    const double sweep = side * std::abs(turn);
-    const double start = angle_of(-left_of(in) * side);
-    Ring fan{b, b - left_of(in) * (side * radius_)};
-    arc(b, start, sweep, fan);
-    fan.push_back(b - left_of(out) * (side * radius_));
-    out_.add_turned(fan, Operand::kB, false);
+  /// Adds the pieces to the right of a line or ring (to the left: negative `side`).
+  void add(const std::vector<Vec2>& points, bool closed, double side) {
+    const std::size_t count = points.size();
+    if (count < 2) return;
+    std::vector<Ring> rims(count);
+    for (std::size_t i = closed ? 0 : 1; i < (closed ? count : count - 1); ++i) {
+      rims[i] = rim(points[(i + count - 1) % count], points[i], points[(i + 1) % count], side);
+      if (rims[i].size() < 2) continue;
+      Ring fan = rims[i];
+      fan.push_back(points[i]);
+      out_.add_turned(fan, Operand::kB, false);
+    }
+    for (std::size_t i = 0; i < (closed ? count : count - 1); ++i) {
+      const std::size_t j = (i + 1) % count;
+      const Vec2 offset = outward(points[j] - points[i], side);
+      const Vec2 start = rims[i].empty() ? Vec2(points[i] + offset) : rims[i].back();
+      const Vec2 end = rims[j].empty() ? Vec2(points[j] + offset) : rims[j].front();
+      out_.add_turned({points[i], start, end, points[j]}, Operand::kB, false);
+    }
   }
 
  private:
-  void arc(const Vec2& centre, double start, double sweep, Ring& fan) const {
+  Vec2 outward(const Vec2& edge, double side) const {
+    return -left_of(edge.normalized()) * (side * radius_);
+  }
+
+  /// The rim round b from the border beside a → b to the one beside b → c, where these gape.
+  Ring rim(const Vec2& a, const Vec2& b, const Vec2& c, double side) const {
+    const Vec2 in = b - a, out = c - b;
+    const double turn = std::atan2(cross(in, out), in.dot(out));
+    // A full turn back gapes on both sides.
+    const bool back = kPi - std::abs(turn) < kSmallestTurn;
+    if (!back && turn * side < kSmallestTurn) return {};
+    const double sweep = side * std::abs(turn);
+    const double start = angle_of(outward(in, side));
+    Ring points;
     if (corners_ == Corners::kMitred) {
       // One point outside the circle for each quarter turn: its tangents keep the distance.
       const int count = static_cast<int>(std::ceil(std::abs(sweep) / (0.5 * kPi) - kSmallestTurn));
       const double part = sweep / count;
       const double reach = radius_ / std::cos(0.5 * part);
-      for (int i = 0; i < count; ++i)
-        fan.push_back(centre + unit(start + (i + 0.5) * part) * reach);
-      return;
+      for (int i = 0; i < count; ++i) points.push_back(b + unit(start + (i + 0.5) * part) * reach);
+      return points;
     }
     const int count = static_cast<int>(std::ceil(std::abs(sweep) / chord_angle(radius_)));
-    for (int i = 1; i < count; ++i)
-      fan.push_back(centre + unit(start + sweep * i / count) * radius_);
+    // A slight turn: one point as far outside the arc as a chord would be inside.
+    if (count == 1) return {b + unit(start + 0.5 * sweep) * (radius_ / std::cos(0.5 * sweep))};
+    points.push_back(b + outward(in, side));
+    for (int i = 1; i < count; ++i) points.push_back(b + unit(start + sweep * i / count) * radius_);
+    points.push_back(b + outward(out, side));
+    return points;
   }
 
   Overlay& out_;
   double radius_;
   Corners corners_;
 };
-
-void add_band(const Ring& ring, double side, Band& band) {
-  const std::vector<Vec2> points = distinct(ring, true);
-  const std::size_t count = points.size();
-  if (count < 2) return;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 &a = points[i], &b = points[(i + 1) % count], &c = points[(i + 2) % count];
-    band.edge(a, b, side);
-    band.corner(a, b, c, side);
-  }
-}
 
 }  // namespace
 
@@ -111,12 +116,7 @@ Region widen(const Polyline& line, double width) {
   Overlay pieces;
   if (width > 0.0) {
     Band band(pieces, 0.5 * width, Corners::kRound);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      for (const double side : {1.0, -1.0}) {
-        band.edge(points[i], points[i + 1], side);
-        if (i + 2 < points.size()) band.corner(points[i], points[i + 1], points[i + 2], side);
-      }
-    }
+    for (const double side : {1.0, -1.0}) band.add(points, false, side);
   }
   const Region region = pieces.result([](const Winding& w) { return w.b != 0; });
   return unite(region, {});
@@ -130,8 +130,8 @@ Region grow(const Region& region, double distance, Corners corners) {
   const double side = distance > 0.0 ? 1.0 : -1.0;
   Band band(overlay, std::abs(distance), corners);
   for (const Polygon& polygon : valid) {
-    add_band(polygon.outer, side, band);
-    for (const Ring& hole : polygon.holes) add_band(hole, side, band);
+    band.add(distinct(polygon.outer, true), true, side);
+    for (const Ring& hole : polygon.holes) band.add(distinct(hole, true), true, side);
   }
   const Region result = distance > 0.0
                             ? overlay.result([](const Winding& w) { return w.a != 0 || w.b != 0; })

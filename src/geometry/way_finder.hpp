@@ -17,19 +17,30 @@ class WayFinder {
   WayFinder(const Region& walkable, double clearance);
 
   /// The points to head for in turn, `to` last (`from` not included): a shortest path.
-  /// `from` and `to` are first moved to the nearest place with clearance where they have none.
+  /// `from` and `to` are first moved to the nearest place with clearance where they have none;
+  /// where the way on cannot be seen from `from` itself, that place is the first point.
   /// Nothing when no way exists. Const and safe from many threads.
   std::optional<Polyline> way(const Vec2& from, const Vec2& to) const;
 
-  /// Length [m] of the way; infinity when there is none.
+  /// Length [m] of the way, from `from` on; infinity when there is none.
   double distance(const Vec2& from, const Vec2& to) const;
 
  private:
   struct Node {
     Vec2 point;
+    Vec2 before, after;                         ///< unit vectors to the corner's neighbours
+    int component = 0;                          ///< polygon it belongs to
     std::vector<std::pair<int, double>> edges;  ///< (node, length [m]), node ascending
   };
+  class Search;
+
+  void add_corners(const Ring& ring, int component);
+  void link_corners();
+  static bool is_taut(const Node& node, const Vec2& direction);
+  Vec2 place_near(const Vec2& point) const;
+
   double clearance_ = 0.3;
+  WallIndex area_;           ///< borders of the walkable area itself
   WallIndex walls_;          ///< borders of the shrunk area
   std::vector<Node> nodes_;  ///< its reflex corners
 };
