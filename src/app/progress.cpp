@@ -51,7 +51,7 @@ void Progress::update(double time, std::size_t controlled) {
     }
   }
   line += fmt::format(", {:.1f}x real time, {} persons controlled{}", factor, controlled, left);
-  fmt::print(stderr, terminal_ ? "\r\x1b[K{}" : "{}\n", line);
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", line, terminal_ ? "" : "\n");
   std::fflush(stderr);
   shown_ = true;
 }
