@@ -45,6 +45,24 @@ Winding step_of(Overlay::Operand operand, int turns) {
   return operand == Overlay::Operand::kA ? Winding{turns, 0} : Winding{0, turns};
 }
 
+/// Whether a polygon keeps what polygon.hpp promises, so that its winding numbers are 0 and 1.
+bool is_valid(std::vector<Edge> edges) {
+  merge(edges);
+  if (!is_arranged(edges)) return false;
+  label(edges);
+  return std::ranges::all_of(edges, [](const Edge& edge) {
+    const int below = edge.below.a + edge.below.b;
+    const int above = below + edge.step.a + edge.step.b;
+    return std::min(below, above) == 0 && std::max(below, above) == 1;
+  });
+}
+
+Region even_odd(const Ring& ring) {
+  Overlay one;
+  one.add(ring, Overlay::Operand::kA);
+  return one.result([](const Winding& w) { return w.a % 2 != 0; });
+}
+
 }  // namespace
 
 void Overlay::add(const Ring& ring, Operand operand) {
@@ -59,10 +77,27 @@ void Overlay::add_turned(const Ring& ring, Operand operand, bool hole) {
   add_edges(points, step_of(operand, turn ? -1 : 1), edges_);
 }
 
+void Overlay::add(const Polygon& polygon, Operand operand) {
+  add_turned(polygon.outer, operand, false);
+  for (const Ring& hole : polygon.holes) add_turned(hole, operand, true);
+}
+
 void Overlay::add(const Region& region, Operand operand) {
   for (const Polygon& polygon : region) {
-    add_turned(polygon.outer, operand, false);
-    for (const Ring& hole : polygon.holes) add_turned(hole, operand, true);
+    Overlay alone;
+    alone.add(polygon, operand);
+    if (is_valid(alone.edges_)) {
+      edges_.insert(edges_.end(), alone.edges_.begin(), alone.edges_.end());
+      continue;
+    }
+    // Winding numbers of crossed rings could cancel out those of other polygons.
+    Overlay repaired;
+    repaired.add(even_odd(polygon.outer), Operand::kA);
+    for (const Ring& hole : polygon.holes) repaired.add(even_odd(hole), Operand::kB);
+    for (const Polygon& part :
+         repaired.result([](const Winding& w) { return w.a != 0 && w.b == 0; })) {
+      add(part, operand);
+    }
   }
 }
 

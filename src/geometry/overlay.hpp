@@ -48,6 +48,12 @@ void arrange(std::vector<Edge>& edges);
 /// `from`, or -1.
 std::vector<int> label(std::vector<Edge>& edges);
 
+/// Whether the edges of a sorted, merged list meet in end points only.
+bool is_arranged(const std::vector<Edge>& edges);
+
+/// Sorts, and merges equal edges; those whose steps cancel out go.
+void merge(std::vector<Edge>& edges);
+
 /// Which winding numbers are inside.
 using Inside = bool (*)(const Winding&);
 
@@ -63,11 +69,14 @@ class Overlay {
   void add(const Ring& ring, Operand operand);
   /// The ring turned counter-clockwise (clockwise if `hole`) first.
   void add_turned(const Ring& ring, Operand operand, bool hole);
+  /// What is within the outer rings and in no hole, whatever crosses or overlaps.
   void add(const Region& region, Operand operand);
 
   Region result(Inside inside);
 
  private:
+  void add(const Polygon& polygon, Operand operand);
+
   std::vector<Edge> edges_;
 };
 
