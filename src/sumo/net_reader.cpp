@@ -48,10 +48,12 @@ void read_permissions(const pugi::xml_node& node, Lane& lane) {
   lane.persons_only_by_default = lane.persons;
 }
 
-/// Points "x,y" or "x,y,z" separated by spaces; heights go to `z` when all points have one.
+/// Points "x,y" or "x,y,z" separated by spaces. Heights go to `z` when any point has one; SUMO
+/// leaves out those that are 0.
 Polyline read_shape(const XmlFile& file, const pugi::xml_node& node, std::vector<double>* z) {
   Polyline shape;
   std::vector<double> heights;
+  bool has_heights = false;
   for (const std::string& word : split_words(node.attribute("shape").value())) {
     const auto parts = split_words(word, ',');
     std::array<double, 3> number{};
@@ -62,9 +64,10 @@ Polyline read_shape(const XmlFile& file, const pugi::xml_node& node, std::vector
                        "points \"x,y\" or \"x,y,z\" in metres, separated by spaces");
     }
     shape.emplace_back(number[0], number[1]);
-    if (parts.size() == 3) heights.push_back(number[2]);
+    heights.push_back(number[2]);
+    has_heights |= parts.size() == 3;
   }
-  if (z && heights.size() == shape.size()) *z = std::move(heights);
+  if (z && has_heights) *z = std::move(heights);
   return shape;
 }
 

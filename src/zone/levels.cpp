@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "zone/links.hpp"
 #include "zone/shapes.hpp"
 
 namespace pedzone {
@@ -38,6 +39,20 @@ std::map<int, std::set<int>> find_conflicts(const Network& network, const Select
   return conflicts;
 }
 
+/// How many edges that persons may use each edge is linked to.
+std::vector<int> count_links(const Network& network) {
+  std::vector<int> edges, links(network.edges.size(), 0);
+  for (int edge = 0; edge < static_cast<int>(network.edges.size()); ++edge) {
+    const bool normal = network.edges[edge].function == EdgeFunction::kNormal;
+    if (normal && walking_lane(network, edge) >= 0) edges.push_back(edge);
+  }
+  for (const Link& link : find_links(network, edges)) {
+    ++links[link.from];
+    ++links[link.to];
+  }
+  return links;
+}
+
 }  // namespace
 
 double height_near(const Lane& lane, const Vec2& point) {
@@ -68,10 +83,13 @@ bool on_different_levels(const Lane& a, const Lane& b) {
 void separate_levels(const Network& network, Selection& selection,
                      std::vector<std::string>& warnings) {
   auto conflicts = find_conflicts(network, selection);
+  if (conflicts.empty()) return;
+  const auto links = count_links(network);
   while (!conflicts.empty()) {
     const auto worst =
         std::min_element(conflicts.begin(), conflicts.end(), [&](const auto& a, const auto& b) {
           if (a.second.size() != b.second.size()) return a.second.size() > b.second.size();
+          if (links[a.first] != links[b.first]) return links[a.first] < links[b.first];
           return length_of(network, a.first) < length_of(network, b.first);
         });
     const int edge = worst->first;

@@ -19,7 +19,8 @@ double height_near(const Lane& lane, const Vec2& point);
 bool on_different_levels(const Lane& a, const Lane& b);
 
 /// Removes edges from the selection until no two of its lanes overlap on different levels: each
-/// time the edge with the most conflicts, of those the shortest. One warning each.
+/// time the edge with the most conflicts, of those the one with the fewest links to edges that
+/// persons may use, of those the shortest. One warning each.
 void separate_levels(const Network& network, Selection& selection,
                      std::vector<std::string>& warnings);
 

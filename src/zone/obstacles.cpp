@@ -34,6 +34,10 @@ bool crosses_itself(const Ring& ring, const Region& repaired) {
   return repaired.size() > 1 || std::abs(wound_area(ring) - area(repaired)) > kAreaTolerance;
 }
 
+bool is_walkable(const MapPolygon& polygon, const ZoneSpec& spec) {
+  return is_any(polygon.id, spec.polygons) || is_any(polygon.type, kWalkableTypes);
+}
+
 ShapedPolygon shaped(const MapPolygon& polygon, std::vector<std::string>& warnings) {
   ShapedPolygon result{polygon.id, repair(polygon.shape), {}};
   result.box = box_of(result.region);
@@ -70,21 +74,20 @@ ZonePolygons sort_polygons(const Network& network, const ZoneSpec& spec, const B
                            std::vector<std::string>& warnings) {
   check_named(network, spec);
   ZonePolygons sorted;
-  for (const MapPolygon& polygon : network.polygons) {
-    std::vector<ShapedPolygon>* kind = nullptr;
-    if (is_any(polygon.id, spec.polygons) || is_any(polygon.type, kWalkableTypes)) {
-      kind = &sorted.walkable;
-    } else if (!near.intersects(box_of(polygon.shape))) {
-      continue;
-    } else if (is_any(polygon.type, kObstacleTypes)) {
-      kind = &sorted.obstacles;
-    } else if (is_any(polygon.type, kWaterTypes)) {
-      kind = &sorted.water;
-    } else {
-      continue;
-    }
+  Box reach = near;
+  const auto add = [&](const MapPolygon& polygon, std::vector<ShapedPolygon>& kind) {
     ShapedPolygon result = shaped(polygon, warnings);
-    if (!result.region.empty()) kind->push_back(std::move(result));
+    if (!result.region.empty()) kind.push_back(std::move(result));
+  };
+  for (const MapPolygon& polygon : network.polygons) {
+    if (!is_walkable(polygon, spec)) continue;
+    add(polygon, sorted.walkable);
+    reach.extend(box_of(polygon.shape));
+  }
+  for (const MapPolygon& polygon : network.polygons) {
+    if (is_walkable(polygon, spec) || !reach.intersects(box_of(polygon.shape))) continue;
+    if (is_any(polygon.type, kObstacleTypes)) add(polygon, sorted.obstacles);
+    if (is_any(polygon.type, kWaterTypes)) add(polygon, sorted.water);
   }
   return sorted;
 }

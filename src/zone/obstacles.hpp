@@ -23,9 +23,9 @@ struct ZonePolygons {
 };
 
 /// Sorts the network's polygons by what they mean; obstacles and water only where their box meets
-/// `near`. Those that cross themselves are repaired, those without an area left out, with a
-/// warning. Throws InputError for polygons that the zone file names and that are unknown, have no
-/// area or cross themselves.
+/// `near` or a walkable polygon. Those that cross themselves are repaired, those without an area
+/// left out, with a warning. Throws InputError for polygons that the zone file names and that are
+/// unknown, have no area or cross themselves.
 ZonePolygons sort_polygons(const Network& network, const ZoneSpec& spec, const Box& near,
                            std::vector<std::string>& warnings);
 

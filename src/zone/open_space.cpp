@@ -11,6 +11,7 @@
 namespace pedzone {
 namespace {
 
+constexpr double kLevelSampling = 5.0;  // [m] numerical: heights along a lane change little in this
 constexpr double kInset = 0.5;  // [m] numerical: how far inside a lane its parts are looked up
 
 /// The height of the zone at a place: that of its nearest lane.
@@ -26,16 +27,21 @@ double zone_height(const Network& network, const Selection& selection, const Vec
   return height;
 }
 
-/// A bridge over the zone or a tunnel under it: no point near the zone is on the zone's level.
+/// A bridge over the zone or a tunnel under it: no place near the zone is on the zone's level.
 bool on_another_level(const Network& network, const Selection& selection, const Lane& lane,
                       const Box& near) {
   if (lane.z.empty()) return false;
   bool apart = false;
-  for (std::size_t i = 0; i < lane.shape.size(); ++i) {
-    if (!near.contains(lane.shape[i])) continue;
-    const double step = lane.z[i] - zone_height(network, selection, lane.shape[i]);
-    if (std::abs(step) <= kLevelStep) return false;
-    apart = true;
+  for (std::size_t i = 0; i + 1 < lane.shape.size(); ++i) {
+    const Vec2 along = lane.shape[i + 1] - lane.shape[i];
+    const int steps = 1 + static_cast<int>(along.norm() / kLevelSampling);
+    for (int k = 0; k <= steps; ++k) {
+      const Vec2 place = lane.shape[i] + along * (static_cast<double>(k) / steps);
+      if (!near.contains(place)) continue;
+      const double step = height_near(lane, place) - zone_height(network, selection, place);
+      if (std::abs(step) <= kLevelStep) return false;
+      apart = true;
+    }
   }
   return apart;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "zone/levels.hpp"
+#include "zone/road_overlaps.hpp"
 #include "zone/selection.hpp"
 #include "zone/walkable_area.hpp"
 
@@ -31,6 +32,7 @@ void select_all(const Network& network, std::vector<Draft>& drafts, std::vector<
 
 Zone finish(const Network& network, const std::vector<bool>& taken, Draft& draft) {
   ZoneParts& parts = draft.parts;
+  warn_of_roads_under_lanes(network, parts.selection, draft.warnings);
   parts.links = find_links(network, parts.selection.edges);
   parts.inner_lanes = inner_lanes(network, parts.selection.lanes, parts.links);
   parts.shared_junctions = shared_junctions(network, parts.selection.edges);

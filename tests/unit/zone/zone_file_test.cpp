@@ -1,0 +1,149 @@
+// The zone file: what it means, and what every mistake is told as.
+#include "zone/zone_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "core/error.hpp"
+
+namespace pedzone {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+class ZoneFile : public ::testing::Test {
+ protected:
+  ~ZoneFile() override { std::remove(path_.c_str()); }
+
+  std::vector<ZoneSpec> read(const std::string& text) {
+    std::ofstream(path_) << text;
+    return read_zone_file(path_);
+  }
+
+  /// The message without the name of the file: "line: ...".
+  std::string error(const std::string& text) {
+    try {
+      read(text);
+    } catch (const InputError& problem) {
+      const std::string what = problem.what();
+      EXPECT_EQ(what.substr(0, path_.size() + 1), path_ + ":");
+      return what.substr(path_.size() + 1);
+    }
+    return "no error";
+  }
+
+  const std::string path_ = ::testing::TempDir() + "zone_file_test_" +
+                            ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+                            ".xml";
+};
+
+TEST_F(ZoneFile, reads_every_attribute) {
+  const auto zones = read(R"(<?xml version="1.0"?>
+<zones xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation="zones.xsd">
+  <zone id="old-town" edges="e1   e2
+     e4" edgeTypes="highway.service" lanes="e3_0" polygons="market" openSpace="7.5" model="heuristic">
+    <param key="sight" value="12.5"/>
+    <param key="creepAfter" value="0"/>
+  </zone>
+  <!-- all by default -->
+  <zone id="rest"/>
+</zones>)");
+  ASSERT_EQ(zones.size(), 2u);
+  EXPECT_EQ(zones[0].id, "old-town");
+  EXPECT_EQ(zones[0].line, 3);
+  EXPECT_EQ(zones[0].file, path_);
+  EXPECT_THAT(zones[0].edges, ElementsAre("e1", "e2", "e4"));
+  EXPECT_THAT(zones[0].edge_types, ElementsAre("highway.service"));
+  EXPECT_THAT(zones[0].lanes, ElementsAre("e3_0"));
+  EXPECT_THAT(zones[0].polygons, ElementsAre("market"));
+  EXPECT_EQ(zones[0].open_space, 7.5);
+  EXPECT_FALSE(zones[0].automatic());
+  EXPECT_EQ(zones[0].parameters.sight, 12.5);
+  EXPECT_EQ(zones[0].parameters.creep_after, 0.0);
+  EXPECT_EQ(zones[0].parameters.hearing, Parameters().hearing);
+  EXPECT_EQ(zones[1].line, 9);
+  EXPECT_TRUE(zones[1].automatic());
+  EXPECT_EQ(zones[1].open_space, std::nullopt);
+  EXPECT_EQ(zones[1].model, "heuristic");
+}
+
+TEST_F(ZoneFile, polygons_alone_leave_the_choice_of_edges_to_the_rule) {
+  EXPECT_TRUE(read(R"(<zones><zone id="a" polygons="market"/></zones>)")[0].automatic());
+}
+
+TEST_F(ZoneFile, takes_the_limits_of_every_parameter_and_nothing_beyond) {
+  for (const ParameterInfo& info : parameter_list()) {
+    const auto with = [&](double value) {
+      char text[64];
+      std::snprintf(text, sizeof text, "%.17g", value);
+      return "<zones>\n<zone id=\"a\">\n<param key=\"" + std::string(info.key) + "\" value=\"" +
+             text + "\"/></zone></zones>";
+    };
+    EXPECT_EQ(read(with(info.least))[0].parameters.*info.member, info.least) << info.key;
+    EXPECT_EQ(read(with(info.most))[0].parameters.*info.member, info.most) << info.key;
+    EXPECT_THAT(error(with(info.most + 1)), HasSubstr("is out of range; allowed: ")) << info.key;
+    EXPECT_THAT(error(with(info.least - 1)),
+                HasSubstr("3: <param key=\"" + std::string(info.key) + "\"> attribute value: '"))
+        << info.key;
+  }
+}
+
+TEST_F(ZoneFile, names_line_element_value_and_what_is_allowed) {
+  EXPECT_EQ(error("<zones>\n\n<zone id=\"a\" openSpace=\"51\"/></zones>"),
+            "3: <zone id=\"a\"> attribute openSpace: '51' is out of range; allowed: 0 to 50");
+  EXPECT_EQ(error("<zones>\n<zone id=\"a\" openSpace=\"wide\"/></zones>"),
+            "2: <zone id=\"a\"> attribute openSpace: 'wide' is not a number; allowed: 0 to 50");
+  EXPECT_THAT(error("<zones>\n<zone id=\"a\" openSpace=\"nan\"/></zones>"),
+              HasSubstr("'nan' is not a number"));
+  EXPECT_THAT(error("<zones>\n<zone id=\"a\" openspace=\"12\"/></zones>"),
+              HasSubstr("2: <zone id=\"a\">: 'openspace' is an unknown attribute; allowed: id, "
+                        "edges, edgeTypes, lanes, polygons, openSpace, model"));
+  EXPECT_EQ(error("<zones>\n<zone id=\"a\" model=\"orca\"/></zones>"),
+            "2: <zone id=\"a\"> attribute model: 'orca' is no walking model; allowed: heuristic");
+  EXPECT_THAT(error("<zones><zone id=\"a\">\n<param key=\"site\" value=\"3\"/></zone></zones>"),
+              HasSubstr("2: <param> attribute key: 'site' is no parameter; allowed: sight, "));
+}
+
+TEST_F(ZoneFile, rejects_what_is_missing_empty_or_twice) {
+  EXPECT_EQ(error("<zones>\n<zone/></zones>"), "2: <zone> attribute id: is missing");
+  EXPECT_EQ(error("<zones>\n<zone id=\"\"/></zones>"), "2: <zone> attribute id: is empty");
+  EXPECT_EQ(error("<zones>\n<zone id=\"a\"/>\n<zone id=\"a\"/></zones>"),
+            "3: <zone> attribute id: 'a' is used twice; allowed: a new id");
+  EXPECT_EQ(error("<zones>\n</zones>"), "1: <zones>: has no <zone>; allowed: one <zone> or more");
+  EXPECT_THAT(error("<zones><zone id=\"a\" edges=\" \"/></zones>"), HasSubstr("edges: is empty"));
+  EXPECT_THAT(error("<zones><zone id=\"a\" edges=\"e e\"/></zones>"),
+              HasSubstr("edges: 'e' is named twice"));
+  EXPECT_THAT(error("<zones><zone id=\"a\"><param key=\"sight\"/></zone></zones>"),
+              HasSubstr("<param key=\"sight\"> attribute value: is missing"));
+  EXPECT_THAT(error("<zones><zone id=\"a\"><param key=\"sight\" value=\"3\"/>\n"
+                    "<param key=\"sight\" value=\"4\"/></zone></zones>"),
+              HasSubstr("2: <param> attribute key: 'sight' is given twice"));
+}
+
+TEST_F(ZoneFile, rejects_other_elements_and_broken_files) {
+  EXPECT_EQ(error("<zones>\n<area id=\"a\"/></zones>"),
+            "2: <area id=\"a\">: is not allowed in <zones>; allowed: zone");
+  EXPECT_THAT(error("<zones><zone id=\"a\">\n<parameter/></zone></zones>"),
+              HasSubstr("2: <parameter>: is not allowed in <zone>; allowed: param"));
+  EXPECT_EQ(error("<net>\n</net>"),
+            "1: document element: 'net' is not the document element expected; allowed: zones");
+  EXPECT_THAT(error("<zones>\n<zone id=\"a\">\n</zones>"), HasSubstr("3: is not well-formed XML"));
+  EXPECT_THAT(error("<zones>all of it</zones>"), HasSubstr("1: <zones>: 'all of it' holds text"));
+  EXPECT_THAT(error(""), HasSubstr("is not well-formed XML"));
+}
+
+TEST_F(ZoneFile, a_missing_file_is_named) {
+  try {
+    read_zone_file("/nowhere/zones.xml");
+    FAIL();
+  } catch (const InputError& problem) {
+    EXPECT_STREQ(problem.what(), "/nowhere/zones.xml: cannot be opened");
+  }
+}
+
+}  // namespace
+}  // namespace pedzone
