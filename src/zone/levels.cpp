@@ -23,6 +23,9 @@ double length_of(const Network& network, int edge) {
 
 /// Edge → edges of the selection that it overlaps on another level.
 std::map<int, std::set<int>> find_conflicts(const Network& network, const Selection& selection) {
+  const bool flat = std::none_of(selection.lanes.begin(), selection.lanes.end(),
+                                 [&](int lane) { return has_heights(network.lanes[lane]); });
+  if (flat) return {};
   std::vector<Box> boxes;
   for (const int lane : selection.lanes) boxes.push_back(box_of(network.lanes[lane]));
   std::map<int, std::set<int>> conflicts;

@@ -75,8 +75,9 @@ ZonePolygons sort_polygons(const Network& network, const ZoneSpec& spec, const B
   check_named(network, spec);
   ZonePolygons sorted;
   Box reach = near;
+  std::vector<std::string> unheard;  // a brook drawn as a line is no mistake
   const auto add = [&](const MapPolygon& polygon, std::vector<ShapedPolygon>& kind) {
-    ShapedPolygon result = shaped(polygon, warnings);
+    ShapedPolygon result = shaped(polygon, &kind == &sorted.water ? unheard : warnings);
     if (!result.region.empty()) kind.push_back(std::move(result));
   };
   for (const MapPolygon& polygon : network.polygons) {

@@ -77,7 +77,8 @@ class Builder {
     return lanes;
   }
 
-  Region united_shapes() const {
+  /// All shapes of the zone; those at a junction are remembered for mend_links.
+  Region united_shapes() {
     std::set<std::pair<int, std::string>> linked;
     for (const Link& link : parts_.links) {
       linked.insert({link.from, link.junction});
@@ -87,32 +88,42 @@ class Builder {
     for (const int index : parts_.selection.lanes) {
       Lane lane = network_.lanes[index];
       const Edge& edge = network_.edges[lane.edge];
-      lane.shape = extended(lane.shape, linked.contains({lane.edge, edge.from}) ? kOverlap : 0.0,
-                            linked.contains({lane.edge, edge.to}) ? kOverlap : 0.0);
+      const bool from = linked.contains({lane.edge, edge.from});
+      const bool to = linked.contains({lane.edge, edge.to});
+      lane.shape = extended(lane.shape, from ? kOverlap : 0.0, to ? kOverlap : 0.0);
       shapes.push_back(area_of(lane));
+      if (from) at_junction_[edge.from].push_back(shapes.back());
+      if (to && edge.to != edge.from) at_junction_[edge.to].push_back(shapes.back());
     }
+    const auto add = [&](const std::string& junction, Region shape) {
+      at_junction_[junction].push_back(shape);
+      shapes.push_back(std::move(shape));
+    };
     for (const int index : parts_.inner_lanes) {
       Lane lane = network_.lanes[index];
       if (!lane.outline) lane.shape = extended(lane.shape, kOverlap, kOverlap);
-      shapes.push_back(area_of(lane));
+      add(junction_of(network_.edges[lane.edge]), area_of(lane));
     }
-    for (const int junction : parts_.shared_junctions) {
-      shapes.push_back(repair(network_.junctions[junction].shape));
+    for (const int index : parts_.shared_junctions) {
+      add(network_.junctions[index].id, repair(network_.junctions[index].shape));
     }
-    add_straight_links(shapes);
+    for (const Link& link : parts_.links) {
+      if (link.way.empty()) add(link.junction, straight(link));
+    }
     for (const ShapedPolygon& polygon : polygons_.walkable) shapes.push_back(polygon.region);
-    return grow(grow(unite(shapes), kClosing, Corners::kMitred), -kClosing, Corners::kMitred);
+    return closed(unite(shapes));
+  }
+
+  static Region closed(const Region& region) {
+    return grow(grow(region, kClosing, Corners::kMitred), -kClosing, Corners::kMitred);
   }
 
   /// Networks without walking areas: from lane end to lane end.
-  void add_straight_links(std::vector<Region>& shapes) const {
-    for (const Link& link : parts_.links) {
-      if (!link.way.empty()) continue;
-      const LaneEnd a = end_at(network_, link.from, link.junction);
-      const LaneEnd b = end_at(network_, link.to, link.junction);
-      const double width = std::max(kClearWidth, std::min(a.lane->width, b.lane->width));
-      shapes.push_back(widen({a.inside(), a.point(), b.point(), b.inside()}, width));
-    }
+  Region straight(const Link& link) const {
+    const LaneEnd a = end_at(network_, link.from, link.junction);
+    const LaneEnd b = end_at(network_, link.to, link.junction);
+    const double width = std::max(kClearWidth, std::min(a.lane->width, b.lane->width));
+    return widen({a.inside(), a.point(), b.point(), b.inside()}, width);
   }
 
   static Region regions_of(const std::vector<ShapedPolygon>& polygons) {
@@ -128,30 +139,53 @@ class Builder {
     walkable_ = with_open_space(network_, reach_, walkable_, unite(blocked));
   }
 
-  /// Checks the links of each junction within the area round it, and mends them.
+  /// Checks the links of each junction and mends those that nobody gets through.
   void mend_links() {
     std::map<std::string, std::vector<const Link*>> by_junction;
     for (const Link& link : parts_.links) by_junction[link.junction].push_back(&link);
     std::vector<Region> corridors;
     for (const auto& [junction, links] : by_junction) {
-      Box box;
-      for (const Link* link : links) {
-        for (const int edge : {link->from, link->to}) {
-          const LaneEnd end = end_at(network_, edge, junction);
-          box.extend(end.point()).extend(end.inside());
-        }
-        for (const int lane : link->way) box.extend(box_of(network_.lanes[lane]));
-      }
-      const Passages passages(clip(walkable_, grown(box, kJunctionMargin)));
-      for (const Link* link : links) {
-        const Vec2 a = end_at(network_, link->from, junction).inside();
-        const Vec2 b = end_at(network_, link->to, junction).inside();
-        if (!passages.joins(a, b)) corridors.push_back(mend(*link));
-      }
+      for (const Link* link : blocked_links(junction, links)) corridors.push_back(mend(*link));
     }
     if (corridors.empty()) return;
     corridors.push_back(walkable_);
     walkable_ = unite(corridors);
+  }
+
+  std::vector<const Link*> blocked_links(const std::string& junction,
+                                         std::vector<const Link*> links) const {
+    const auto keep_blocked = [&](const Passages& passages) {
+      std::erase_if(links, [&](const Link* link) {
+        return passages.joins(end_at(network_, link->from, junction).inside(),
+                              end_at(network_, link->to, junction).inside());
+      });
+    };
+    // The junction's own shapes are few and mostly enough; only then the whole area is looked at,
+    // since there may be a way round over open space.
+    const Region own = closed(unite(at_junction_.at(junction)));
+    keep_blocked(Passages(subtract(own, obstacles_near(box_of(own)))));
+    if (!links.empty()) keep_blocked(Passages(clip(walkable_, box_round(junction, links))));
+    return links;
+  }
+
+  Region obstacles_near(const Box& box) const {
+    std::vector<Region> regions;
+    for (const ShapedPolygon& obstacle : polygons_.obstacles) {
+      if (box.intersects(obstacle.box)) regions.push_back(obstacle.region);
+    }
+    return unite(regions);
+  }
+
+  Box box_round(const std::string& junction, const std::vector<const Link*>& links) const {
+    Box box;
+    for (const Link* link : links) {
+      for (const int edge : {link->from, link->to}) {
+        const LaneEnd end = end_at(network_, edge, junction);
+        box.extend(end.point()).extend(end.inside());
+      }
+      for (const int lane : link->way) box.extend(box_of(network_.lanes[lane]));
+    }
+    return grown(box, kJunctionMargin);
   }
 
   /// A corridor along the link: straight from lane end to lane end, by way of its crossings.
@@ -208,6 +242,7 @@ class Builder {
   std::vector<std::string>& warnings_;
   OpenSpaceReach reach_;
   ZonePolygons polygons_;
+  std::map<std::string, std::vector<Region>> at_junction_;  ///< shapes that meet there
   Region walkable_;
 };
 
