@@ -41,10 +41,11 @@ struct Outputs {
     }
   }
 
-  void step(const Simulation& simulation) {
+  /// `time` [s] before the step, by which SUMO's own outputs name a step's result.
+  void step(double time, const Simulation& simulation) {
     if (!trajectories) return;
     for (const Guest& guest : simulation.guests()) {
-      trajectories->row(simulation.time(), guest.id, simulation.view(guest));
+      trajectories->row(time, guest.id, simulation.view(guest));
     }
   }
 
@@ -71,8 +72,9 @@ void simulate(const RunOptions& options) {
   }
   Progress progress(simulation.time(), simulation.end_time());
   while (!simulation.finished()) {
+    const double time = simulation.time();
     simulation.step();
-    outputs.step(simulation);
+    outputs.step(time, simulation);
     progress.update(simulation.time(), simulation.guests().size());
   }
   progress.finish();
