@@ -16,8 +16,6 @@ bool on_foot_inside(const Edge& edge) {
   return edge.function == EdgeFunction::kWalkingArea || edge.function == EdgeFunction::kCrossing;
 }
 
-bool opposite(const Edge& a, const Edge& b) { return a.from == b.to && a.to == b.from; }
-
 /// Walking areas and crossings (as edges), who touches whom, and which zone edges they touch.
 struct FootGraph {
   std::map<int, std::set<int>> neighbours;  ///< among walking areas and crossings
@@ -113,15 +111,13 @@ std::vector<Link> links_on_foot(const Network& network, const std::vector<int>& 
   for (const auto& [key, entry] : best) {
     const auto& [junction, from, to] = key;
     Link link{from, to, junction, {}};
-    bool crossing = false, signalled = false;
+    bool signalled = false;
     for (const int edge : entry.second) {
       const Edge& inner = network.edges[edge];
-      crossing |= inner.function == EdgeFunction::kCrossing;
       signalled |= inner.signalled;
       link.way.push_back(inner.lanes[0]);
     }
-    if (signalled || (crossing && opposite(network.edges[from], network.edges[to]))) continue;
-    links.push_back(std::move(link));
+    if (!signalled) links.push_back(std::move(link));
   }
   return links;
 }

@@ -18,8 +18,8 @@ struct Link {
 
 /// All passages between edges of a zone (`edges`, ascending), one per pair and junction. With
 /// walking areas: the shortest way over walking areas and crossings, none where it leads over a
-/// signalled crossing (that stays SUMO's) or only from one side of a street to the other. Without:
-/// all edges that meet at a junction, as SUMO's persons pass between them at once.
+/// signalled crossing (that stays SUMO's). Without: all edges that meet at a junction, as SUMO's
+/// persons pass between them at once.
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges);
 
 /// Lanes inside junctions that belong to a zone with these lanes (ascending): walking areas that

@@ -7,12 +7,14 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/xml.hpp"
+#include "world/model_names.hpp"
 
 namespace pedzone {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::EndsWith;
+using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 
 class ZoneFile : public ::testing::Test {
@@ -134,6 +136,46 @@ TEST_F(ZoneFile, rejects_other_elements_and_broken_files) {
   EXPECT_THAT(error("<zones>\n<zone id=\"a\">\n</zones>"), HasSubstr("3: is not well-formed XML"));
   EXPECT_THAT(error("<zones>all of it</zones>"), HasSubstr("1: <zones>: 'all of it' holds text"));
   EXPECT_THAT(error(""), HasSubstr("is not well-formed XML"));
+}
+
+TEST_F(ZoneFile, the_schema_says_the_same) {
+  pugi::xml_document schema;
+  ASSERT_TRUE(schema.load_file(PEDZONE_ZONES_XSD));
+  const auto type = [&](const char* name) {
+    return schema.document_element().find_child_by_attribute("xsd:complexType", "name", name);
+  };
+  const auto names = [](const pugi::xml_node& node) {
+    std::vector<std::string> list;
+    for (const auto& attribute : node.children("xsd:attribute")) {
+      list.push_back(attribute.attribute("name").value());
+    }
+    return list;
+  };
+  // What the reader takes is what its message lists for an unknown attribute.
+  const auto allowed = [&](const std::string& text) {
+    const std::string message = error(text);
+    return split_words(message.substr(message.find("allowed: ") + 9), ',');
+  };
+  EXPECT_EQ(names(type("zoneType")), allowed("<zones><zone id=\"a\" x=\"\"/></zones>"));
+  EXPECT_EQ(names(type("paramType")),
+            allowed("<zones><zone id=\"a\"><param x=\"\"/></zone></zones>"));
+  const auto attribute = [&](const char* name) {
+    return type("zoneType").find_child_by_attribute("xsd:attribute", "name", name);
+  };
+  const auto limit = [&](const char* name) {
+    return attribute("openSpace")
+        .select_node((".//xsd:" + std::string(name)).c_str())
+        .node()
+        .attribute("value")
+        .as_double();
+  };
+  EXPECT_EQ(limit("minInclusive"), kOpenSpaceLeast);
+  EXPECT_EQ(limit("maxInclusive"), kOpenSpaceMost);
+  std::vector<std::string> models;
+  for (const auto& model : attribute("model").select_nodes(".//xsd:enumeration")) {
+    models.push_back(model.node().attribute("value").value());
+  }
+  EXPECT_THAT(models, ElementsAreArray(kModelNames));
 }
 
 TEST_F(ZoneFile, a_missing_file_is_named) {
