@@ -84,6 +84,8 @@ class WallIndex {
 
   std::optional<Hit> first_hit(const Vec2& from, const Vec2& move, double radius) const;
   Walk walk_along(const Vec2& from, const Vec2& move, double radius) const;
+  std::optional<Vec2> way_through(const Vec2& from, const Vec2& move, double radius,
+                                  double room_kept, const Walk& jam) const;
   Vec2 squeeze(const Vec2& from, const Vec2& move, double radius, const Walk& jam) const;
   Vec2 push_out(const Vec2& point, double radius, double step) const;
   Vec2 gain_room(const Vec2& point, const Vec2& push, double before) const;

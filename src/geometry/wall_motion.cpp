@@ -25,7 +25,7 @@ constexpr double kSqueezeRoom = 0.1;  // [m]
 // numerical: a push has to give this much room for its length; less, and it would drift along walls
 // that are nearly parallel.
 constexpr double kWorthwhileGain = 0.05;
-// numerical: below this length the sum of two walls' normals gives no direction: they are parallel.
+// numerical: cosine (and length of a sum of unit vectors) below which a direction does not count.
 constexpr double kParallel = 0.1;
 // numerical: walls in turn that one move may touch; a step is shorter than any three corners.
 constexpr int kMostTouches = 6;
@@ -108,20 +108,32 @@ WallIndex::Walk WallIndex::walk_along(const Vec2& from, const Vec2& move, double
   return walk;
 }
 
+/// A direction that leads on from a jam through a gap between its two walls: the wished one, the
+/// one between them, or one along either of them.
+std::optional<Vec2> WallIndex::way_through(const Vec2& from, const Vec2& move, double radius,
+                                           double room_kept, const Walk& jam) const {
+  for (const Vec2& direction :
+       {move, Vec2(-jam.first - jam.second), left_of(jam.first), Vec2(-left_of(jam.first)),
+        left_of(jam.second), Vec2(-left_of(jam.second))}) {
+    if (direction.dot(move) < kParallel * direction.norm() * move.norm()) continue;
+    const Vec2 ahead = direction.normalized();
+    if (free_line(from, from + (radius + move.dot(ahead)) * ahead, room_kept)) return ahead;
+  }
+  return std::nullopt;
+}
+
 /// Goes on from a jam through the gap between its two walls, if there is one that leads on.
 Vec2 WallIndex::squeeze(const Vec2& from, const Vec2& move, double radius, const Walk& jam) const {
-  const Vec2 between = -(jam.first + jam.second);
-  const Vec2 ahead = between.norm() > kParallel ? between.normalized() : move.normalized();
-  const double forward = move.dot(ahead);
-  if (forward <= kTouch) return from;
+  if (move.norm() <= kTouch) return from;
   const double room_kept = std::min(kSqueezeRoom, room(from, radius));
-  if (!free_line(from, from + (radius + forward) * ahead, room_kept)) return from;
-  const Vec2 end = walk_along(from, forward * ahead, room_kept).end;
+  const std::optional<Vec2> ahead = way_through(from, move, radius, room_kept, jam);
+  if (!ahead) return from;
+  const Vec2 end = walk_along(from, move.dot(*ahead) * *ahead, room_kept).end;
   // Towards the middle of the gap, never back out of it.
   const std::optional<Nearest> place = nearest(end, radius);
   if (!place) return end;
   const Vec2 away = away_from(*place, end);
-  const Vec2 sideways = away - away.dot(ahead) * ahead;
+  const Vec2 sideways = away - away.dot(*ahead) * *ahead;
   return gain_room(end, sideways * std::min(kPushStep, radius - place->distance), place->distance);
 }
 
@@ -179,9 +191,8 @@ Vec2 WallIndex::slide(const Vec2& from, const Vec2& to, double radius) const {
   const Walk walk = walk_along(from, move, std::clamp(room_here, kLeastRoom, size));
   Vec2 end = walk.end;
   if (walk.jammed) {
-    const Vec2 wish = to - walk.end;
-    const double left = move.norm() - (walk.end - from).norm();
-    end = squeeze(walk.end, wish * std::min(1.0, left / wish.norm()), size, walk);
+    const double left = std::max(0.0, move.norm() - (walk.end - from).norm());
+    end = squeeze(walk.end, left * (to - walk.end).normalized(), size, walk);
   }
   if (end == walk.end) end = push_out(end, size, kPushStep);
   return inside(end) ? end : from;

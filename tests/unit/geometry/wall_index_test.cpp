@@ -321,6 +321,19 @@ TEST_P(Passage, lets_a_disc_through_that_is_wider) {
 
 INSTANTIATE_TEST_SUITE_P(Widths, Passage, testing::Values(0.41, 0.45, 0.5, 0.55, 0.59, 0.61, 0.8));
 
+TEST(WallIndexSlide, passes_between_a_wall_and_a_corner) {
+  // The gap is 0.42 m wide and leads straight on, not between the two walls' normals.
+  const Region tip = repair({{-5.0, 4.4}, {0.0, 3.2}, {-3.0, 2.0}});
+  const WallIndex index(subtract(box_region(-10, 0, 0.42, 10), tip));
+  Vec2 place(0.12, 2.0);
+  int steps = 0;
+  for (; place.y() < 4.0 && steps < 100; ++steps) {
+    place = index.slide(place, place + 0.13 * (Vec2(0.2, 5.0) - place).normalized(), 0.3);
+    ASSERT_TRUE(index.inside(place));
+  }
+  EXPECT_LT(steps, 100) << place.transpose();
+}
+
 /// Random walks over 10⁵ moves: never outside, never across a wall.
 void walk_randomly(const WallIndex& index, const Region& scene, Random& random, double size,
                    int moves) {
