@@ -13,6 +13,14 @@ inline constexpr double kRestStepDegrees = 5.0;
 /// Directions are stored in groups of this many, the widest vector in use.
 inline constexpr std::size_t kDirectionGroup = 8;
 
+/// The tables of Candidates, for the kernel.
+struct CandidateView {
+  const float *cosine, *sine;            ///< of the offset
+  const float *half_cosine, *half_sine;  ///< of half the offset
+  const float* unused;                   ///< 0; infinity in the padding
+  std::size_t padded;                    ///< length of the tables
+};
+
 /// Offsets and the trigonometry of them. The main directions, right (clockwise) to left, stand at
 /// [0, 61); the rest of the circle from main_padded() on: right ones, then left ones, then 180°.
 /// Of two mirrored directions the right one has the lower index. Tables are mirror images to the
@@ -32,8 +40,10 @@ class Candidates {
   double offset(std::size_t k) const { return offset_[k]; }
   const float* cosine() const { return cosine_.data(); }
   const float* sine() const { return sine_.data(); }
-  const float* half_cosine() const { return half_cosine_.data(); }  ///< cos(offset/2)
-  const float* half_sine() const { return half_sine_.data(); }      ///< sin(offset/2)
+  CandidateView view() const {
+    return {cosine_.data(),    sine_.data(),   half_cosine_.data(),
+            half_sine_.data(), unused_.data(), offset_.size()};
+  }
 
  private:
   void put(std::size_t k, double offset);
@@ -41,7 +51,7 @@ class Candidates {
   double field_;
   std::size_t rest_count_ = 0;
   std::vector<double> offset_;
-  std::vector<float> cosine_, sine_, half_cosine_, half_sine_;
+  std::vector<float> cosine_, sine_, half_cosine_, half_sine_, unused_;
 };
 
 /// Most directions there can be (field 10°), padding included.

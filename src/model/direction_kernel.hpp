@@ -1,6 +1,8 @@
-// Chooses one person's direction: the inner loop of everything.
+// Chooses one person's direction: the inner loop of everything. Plain data in and out, so that the
+// code behind it can be built for several instruction sets.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "model/candidates.hpp"
@@ -8,59 +10,102 @@
 
 namespace pedzone {
 
-/// One person's choice, ready to be computed.
+/// The persons of a grid, by slot; kSlotGroup more may be read behind the last.
+struct PersonSlots {
+  const std::int32_t *x, *y;  ///< lattice
+  const float *vx, *vy;       ///< [m/s]
+  const float* speed2;        ///< [m²/s²] vx² + vy²
+  const float* radius;        ///< [m]
+};
+
+/// Slots are looked at in groups of this many.
+inline constexpr std::uint32_t kSlotGroup = 8;
+
+/// Slots [first, first + 8); bit i of `used` says whether slot first + i is meant.
+struct SlotGroup {
+  std::uint32_t first, used;
+};
+
+/// What one person sees of others.
+struct Sight {
+  std::int32_t x, y;  ///< lattice, the person
+  float heading_cos, heading_sin;
+  float field_cos;      ///< of the half field of view
+  float beyond, reach;  ///< [m] others are this far away: more than `beyond`, at most `reach`
+  float radius;         ///< [m] of the person's body
+  float speed;          ///< [m/s] V, preferred
+  float horizon;        ///< [s]
+  float static_reach;   ///< [m] who stands farther away than this does not count
+};
+
+/// One person's choice, ready to be computed. All of it is avoided; what stands in the "near"
+/// lists is looked at first, the rest only for directions that may still be the best.
 struct DirectionTask {
-  const Candidates* candidates = nullptr;
+  CandidateView candidates;
   float heading_cos = 1.0F, heading_sin = 0.0F;
   /// cos and sin of α0 − heading (Eq. 1) or of half of it (Eq. 2).
   float goal_cos = 1.0F, goal_sin = 0.0F;
-  bool half_angle = true;                  ///< Eq. 2
-  float speed = 1.34F;                     ///< [m/s] V, preferred
-  float horizon = 7.5F;                    ///< [s] d_max/V
-  float static_horizon = 7.5F;             ///< [s] contacts with what stands still count up to here
-  const DiscList* moving_discs = nullptr;  ///< persons, corners of moving vehicles
-  const FaceList* moving_faces = nullptr;  ///< sides of moving vehicles
-  const DiscList* static_discs = nullptr;  ///< ends of walls, corners of parked vehicles
-  const FaceList* static_faces = nullptr;  ///< walls, sides of parked vehicles
+  bool half_angle = true;       ///< Eq. 2
+  float speed = 1.34F;          ///< [m/s] V, preferred
+  float horizon = 7.5F;         ///< [s] d_max/V
+  float static_horizon = 7.5F;  ///< [s] contacts with what stands still count up to here
+  DiscView near_discs{};        ///< persons near by (in far_discs again)
+  DiscView far_discs{};         ///< persons
+  DiscView vehicle_discs{};     ///< corners of moving vehicles
+  FaceView vehicle_faces{};     ///< sides of moving vehicles
+  DiscView still_discs{};       ///< ends of walls, corners of parked vehicles
+  FaceView still_faces{};       ///< walls, sides of parked vehicles
 };
 
-/// A candidate and its value. Of two candidates the smaller value wins; then the one nearer to
-/// the goal; then the lower index, which is the right-hand one of a mirrored pair.
+/// A candidate and its value.
 struct DirectionChoice {
   std::uint32_t index = 0;  ///< in Candidates
   float time = 0.0F;        ///< [s] until the first contact, at most the horizon
   float value = 0.0F;  ///< [s²] t² − t·D, D = 2·horizon·cos((α0 − α)/x): Eq. 1 or 2 over V²
   float weight = 0.0F;  ///< [s] D
-
-  bool better_than(const DirectionChoice& other) const {
-    if (value != other.value) return value < other.value;
-    if (weight != other.weight) return weight > other.weight;
-    return index < other.index;
-  }
 };
 
-/// Time [s] of the first contact, at most `horizon`, for every direction, Candidates::padded() of
-/// them.
+/// Of two candidates the smaller value wins; then the one nearer to the goal; then the lower index,
+/// which is the right-hand one of a mirrored pair. (Always inlined: no instruction set may own it.)
+[[gnu::always_inline]] constexpr bool better(const DirectionChoice& a, const DirectionChoice& b) {
+  if (a.value != b.value) return a.value < b.value;
+  if (a.weight != b.weight) return a.weight > b.weight;
+  return a.index < b.index;
+}
+
+inline constexpr std::uint32_t kNoDirection = ~0U;
+
+/// Time [s] of the first contact, at most the horizon, and D, for every direction.
 struct DirectionTimes {
   float all[kMaxDirections];     ///< with anything
   float still[kMaxDirections];   ///< with what stands still
   float weight[kMaxDirections];  ///< D of DirectionChoice
 };
 
-/// The best of the main directions, or of the rest of the circle; or all there is to know.
+/// The operations behind which vector code stands.
 struct DirectionKernel {
-  DirectionChoice (*best_main)(const DirectionTask& task);
-  DirectionChoice (*best_rest)(const DirectionTask& task);
-  void (*times)(const DirectionTask& task, DirectionTimes& out);
-  /// `out[k]`: time [s] until the first contact with these alone, at most the task's horizon.
-  void (*times_of)(const DirectionTask& task, const DiscList& discs, const FaceList& faces,
-                   float* out);
   const char* name;
+  /// Writes those of the groups whom the person sees and could touch within its horizon, from
+  /// `out[already]` on, and returns how many there are then; fills the last group of `out` with
+  /// discs nobody touches. `already` is 0 or what the last call with this `out` returned.
+  std::size_t (*see)(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
+                     const Sight& sight, DiscSpace out, std::size_t already);
+  /// The best of the directions [first, first + count) and of `best`, which may be none
+  /// (index kNoDirection); `first` is a multiple of kDirectionGroup.
+  DirectionChoice (*choose)(const DirectionTask& task, std::size_t first, std::size_t count,
+                            DirectionChoice best);
+  /// All that can be known about every direction.
+  void (*times)(const DirectionTask& task, DirectionTimes& out);
+  /// `out[k]`: time [s] until the first contact with these alone, at most the horizon.
+  void (*times_of)(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
+                   float* out);
 };
 
+/// For every x86-64 processor.
 const DirectionKernel& baseline_kernel();
-/// nullptr where this processor (or this build) has no AVX2.
-const DirectionKernel* avx2_kernel();
+/// To be used only where has_avx2().
+const DirectionKernel& avx2_kernel();
+bool has_avx2();
 /// The fastest one that this processor can run.
 const DirectionKernel& fastest_kernel();
 

@@ -1,14 +1,14 @@
-// Built with -mavx2. Nothing here runs before the processor was asked.
+// Built with -mavx2. Nothing here runs before has_avx2() was asked.
 #include "model/direction_kernel_impl.hpp"
 #include "model/simd.hpp"
 
 namespace pedzone {
 
-const DirectionKernel* avx2_kernel() {
+const DirectionKernel& avx2_kernel() {
   using Impl = KernelImpl<simd::Float8>;
-  static constexpr DirectionKernel kKernel{Impl::best_main, Impl::best_rest, Impl::times,
-                                           Impl::times_of, "avx2"};
-  return __builtin_cpu_supports("avx2") ? &kKernel : nullptr;
+  static constexpr DirectionKernel kKernel{"avx2", Impl::see, Impl::choose, Impl::times,
+                                           Impl::times_of};
+  return kKernel;
 }
 
 }  // namespace pedzone

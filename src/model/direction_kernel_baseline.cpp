@@ -1,3 +1,4 @@
+// For every x86-64 processor.
 #include "model/direction_kernel_impl.hpp"
 #include "model/simd.hpp"
 
@@ -5,14 +6,9 @@ namespace pedzone {
 
 const DirectionKernel& baseline_kernel() {
   using Impl = KernelImpl<simd::Float4>;
-  static constexpr DirectionKernel kKernel{Impl::best_main, Impl::best_rest, Impl::times,
-                                           Impl::times_of, "baseline"};
+  static constexpr DirectionKernel kKernel{"baseline", Impl::see, Impl::choose, Impl::times,
+                                           Impl::times_of};
   return kKernel;
-}
-
-const DirectionKernel& fastest_kernel() {
-  const DirectionKernel* avx2 = avx2_kernel();
-  return avx2 != nullptr ? *avx2 : baseline_kernel();
 }
 
 }  // namespace pedzone

@@ -1,9 +1,19 @@
 // The direction kernel for one kind of vector. Included by one source file for each instruction
 // set; everything is a template on the vector, so that no code built for a newer processor can be
 // linked into what runs on an older one.
+//
+// Exactness: whatever order contacts are looked at in, each goes through the same arithmetic and
+// the largest inverse time is free of order, so every short cut gives the brute-force choice to the
+// bit as long as it only leaves out what cannot be the answer:
+// (1) `see` drops who cannot be touched before the horizon: somebody no faster than V, since then
+//     |p + v·t| ≤ R + V·t at some t ≤ T needs |p + v·T| ≤ R + V·T;
+// (2) fewer obstacles give a later first contact: with t from the near ones alone, g(t') for the
+//     true t' ≤ t is at least g(min(t, D/2)), since g(t) = t² − t·D falls until D/2. A direction
+//     whose bound lies above the best value found is out.
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "model/direction_kernel.hpp"
 
@@ -11,31 +21,181 @@ namespace pedzone {
 
 template <class Float>
 struct KernelImpl {
-  static Float inverse_time_discs(const DiscList& discs, Float ex, Float ey, Float u) {
-    for (std::size_t j = 0; j < discs.size; ++j) {
-      const Float beta =
-          Float::all(discs.px[j]) * ex + Float::all(discs.py[j]) * ey - Float::all(discs.q[j]);
-      const Float alpha =
-          Float::all(discs.a[j]) - (Float::all(discs.wx[j]) * ex + Float::all(discs.wy[j]) * ey);
-      u = larger(beta + sqrt(beta * beta - alpha), u);
+  static constexpr std::size_t kLanes = Float::kLanes;
+
+  /// [m] plus a share of the distance seen: protects from rounding in (1), where near-grazing
+  /// contacts lose half of their digits (3e-4 of the time to contact).
+  static constexpr float kReachMargin = 0.01F, kReachShare = 0.001F;
+  /// Share of the largest g by which bounds are lowered: protects from rounding in (2), 1e-7.
+  static constexpr float kBoundShare = 4e-6F;
+  /// [s] protects from dividing by zero.
+  static constexpr float kLeastTime = 1e-30F;
+
+  // ---- perceiving persons -------------------------------------------------------------------
+
+  /// What `see` compares with, in vectors.
+  struct Seer {
+    std::int32_t x, y;
+    Float heading_cos, heading_sin, field, reach2, beyond2, radius, speed2, horizon, walk,
+        static_reach;
+
+    explicit Seer(const Sight& s)
+        : x(s.x),
+          y(s.y),
+          heading_cos(Float::all(s.heading_cos)),
+          heading_sin(Float::all(s.heading_sin)),
+          field(Float::all(s.field_cos * (s.field_cos < 0.0F ? -s.field_cos : s.field_cos))),
+          reach2(Float::all(s.reach * s.reach)),
+          beyond2(Float::all(s.beyond * s.beyond)),
+          radius(Float::all(s.radius)),
+          speed2(Float::all(s.speed * s.speed)),
+          horizon(Float::all(s.horizon)),
+          walk(Float::all(s.speed * s.horizon * (1.0F + kReachShare) + kReachMargin)),
+          static_reach(Float::all(s.static_reach)) {}
+  };
+
+  static std::size_t see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
+                         const Sight& sight, DiscSpace out, std::size_t already) {
+    const Seer seer(sight);
+    const PersonSlots persons = slots;
+    std::size_t n = already;
+    for (std::size_t g = 0; g < count; ++g) {
+      for (std::uint32_t half = 0; half < kSlotGroup; half += kLanes) {
+        const std::uint32_t used = groups[g].used >> half & ((1U << kLanes) - 1U);
+        n += see_lanes(persons, groups[g].first + half, used, seer, out, n);
+      }
     }
+    std::size_t end = n;
+    for (; end % kObstacleGroup != 0; ++end) nobody(out, end);
+    for (std::size_t j = already; j < end; j += kLanes) finish_discs(out, j, seer.speed2);
+    return n;
+  }
+
+  /// Raw form of who is seen: p in px, py; v in wx, wy; R in q.
+  static std::size_t see_lanes(const PersonSlots& slots, std::size_t first, std::uint32_t used,
+                               const Seer& s, DiscSpace out, std::size_t n) {
+    const Float x = Float::metres(slots.x + first, s.x), y = Float::metres(slots.y + first, s.y);
+    const Float d2 = x * x + y * y;
+    // cos of the angle to the heading ≥ cos of the half field, both squared with their signs.
+    const Float ahead = x * s.heading_cos + y * s.heading_sin;
+    const Float seen = both(both(at_least(s.reach2, d2), more(d2, s.beyond2)),
+                            at_least(ahead * absolute(ahead), s.field * d2));
+
+    const Float vx = Float::load(slots.vx + first), vy = Float::load(slots.vy + first);
+    const Float v2 = Float::load(slots.speed2 + first);
+    const Float contact = s.radius + Float::load(slots.radius + first);
+    const Float fx = x + vx * s.horizon, fy = y + vy * s.horizon;
+    const Float far = contact + s.walk, still = contact + s.static_reach;
+    const Float touchable = either(at_least(far * far, fx * fx + fy * fy), more(v2, s.speed2));
+    const Float counts = either(at_least(v2, Float::all(kStandingSpeed * kStandingSpeed)),
+                                at_least(still * still, d2));
+
+    const std::uint32_t lanes = bits(both(both(seen, touchable), counts)) & used;
+    const typename Float::Packer pack(lanes);
+    pack.store(x, out.px + n);
+    pack.store(y, out.py + n);
+    pack.store(vx, out.wx + n);
+    pack.store(vy, out.wy + n);
+    pack.store(contact, out.q + n);
+    return static_cast<std::size_t>(__builtin_popcount(lanes));
+  }
+
+  /// Somebody nobody touches: far away and standing.
+  static void nobody(DiscSpace out, std::size_t j) {
+    out.px[j] = out.py[j] = 1e6F;
+    out.wx[j] = out.wy[j] = out.q[j] = 0.0F;
+  }
+
+  static void finish_discs(DiscSpace out, std::size_t j, Float speed2) {
+    const Float x = Float::load(out.px + j), y = Float::load(out.py + j);
+    const Float vx = Float::load(out.wx + j), vy = Float::load(out.wy + j);
+    const Float contact = Float::load(out.q + j);
+    const Float apart = x * x + y * y;
+    const Float soft = larger(Float::all(kSoftness) * apart, Float::all(kLeastDiscGap));
+    const Float gamma = Float::all(1.0F) / larger(apart - contact * contact, soft);
+    (gamma * x).store(out.px + j);
+    (gamma * y).store(out.py + j);
+    (gamma * (x * vx + y * vy)).store(out.q + j);
+    (gamma * (speed2 + (vx * vx + vy * vy))).store(out.a + j);
+    (Float::all(2.0F) * gamma * vx).store(out.wx + j);
+    (Float::all(2.0F) * gamma * vy).store(out.wy + j);
+  }
+
+  // ---- inverse times of contact: lanes are directions -----------------------------------------
+
+  static Float of_disc(const DiscView& discs, std::size_t j, Float ex, Float ey) {
+    const Float beta =
+        Float::all(discs.px[j]) * ex + Float::all(discs.py[j]) * ey - Float::all(discs.q[j]);
+    const Float alpha =
+        Float::all(discs.a[j]) - (Float::all(discs.wx[j]) * ex + Float::all(discs.wy[j]) * ey);
+    return beta + sqrt(beta * beta - alpha);
+  }
+
+  static Float of_face(const FaceView& faces, std::size_t j, Float ex, Float ey) {
+    const Float contact =
+        Float::all(faces.nv[j]) - (Float::all(faces.nx[j]) * ex + Float::all(faces.ny[j]) * ey);
+    const Float along =
+        Float::all(faces.x[j]) * contact +
+        (Float::all(faces.dx[j]) * ex + Float::all(faces.dy[j]) * ey - Float::all(faces.dv[j]));
+    return both(both(at_least(along, Float::all(0.0F)),
+                     at_least(Float::all(faces.length[j]) * contact, along)),
+                contact);
+  }
+
+  static Float of_discs(const DiscView& discs, Float ex, Float ey, Float u) {
+    for (std::size_t j = 0; j < discs.size; ++j) u = larger(of_disc(discs, j, ex, ey), u);
     return u;
   }
 
-  static Float inverse_time_faces(const FaceList& faces, Float ex, Float ey, Float u) {
-    const Float zero = Float::all(0.0F);
-    for (std::size_t j = 0; j < faces.size; ++j) {
-      const Float contact =
-          Float::all(faces.nv[j]) - (Float::all(faces.nx[j]) * ex + Float::all(faces.ny[j]) * ey);
-      const Float along =
-          Float::all(faces.x[j]) * contact +
-          (Float::all(faces.dx[j]) * ex + Float::all(faces.dy[j]) * ey - Float::all(faces.dv[j]));
-      const Float met =
-          both(at_least(along, zero), at_least(Float::all(faces.length[j]) * contact, along));
-      u = larger(both(met, contact), u);
-    }
+  static Float of_faces(const FaceView& faces, Float ex, Float ey, Float u) {
+    for (std::size_t j = 0; j < faces.size; ++j) u = larger(of_face(faces, j, ex, ey), u);
     return u;
   }
+
+  // ---- inverse times of contact: lanes are obstacles ------------------------------------------
+
+  static Float of_disc_group(const DiscView& discs, std::size_t j, Float ex, Float ey) {
+    const Float beta =
+        Float::load(discs.px + j) * ex + Float::load(discs.py + j) * ey - Float::load(discs.q + j);
+    const Float alpha = Float::load(discs.a + j) -
+                        (Float::load(discs.wx + j) * ex + Float::load(discs.wy + j) * ey);
+    return beta + sqrt(beta * beta - alpha);
+  }
+
+  static Float of_face_group(const FaceView& faces, std::size_t j, Float ex, Float ey) {
+    const Float contact = Float::load(faces.nv + j) -
+                          (Float::load(faces.nx + j) * ex + Float::load(faces.ny + j) * ey);
+    const Float along = Float::load(faces.x + j) * contact +
+                        (Float::load(faces.dx + j) * ex + Float::load(faces.dy + j) * ey -
+                         Float::load(faces.dv + j));
+    return both(both(at_least(along, Float::all(0.0F)),
+                     at_least(Float::load(faces.length + j) * contact, along)),
+                contact);
+  }
+
+  /// Inverse time in one direction with everything that the near ones left out; anything from
+  /// `enough` on where it is at least that.
+  static float rest_of(const DirectionTask& task, float ex_k, float ey_k, float u_k,
+                       float enough_k) {
+    const Float ex = Float::all(ex_k), ey = Float::all(ey_k), enough = Float::all(enough_k);
+    Float u = Float::all(u_k);
+    Float still = Float::all(0.0F);
+    for (std::size_t j = 0; j < task.still_discs.size; j += kLanes) {
+      still = larger(of_disc_group(task.still_discs, j, ex, ey), still);
+    }
+    for (std::size_t j = 0; j < task.still_faces.size; j += kLanes) {
+      still = larger(of_face_group(task.still_faces, j, ex, ey), still);
+    }
+    u = larger(both(at_least(still, Float::all(1.0F / task.static_horizon)), still), u);
+    for (std::size_t j = 0; j < task.far_discs.size; j += 2 * kLanes) {
+      if (bits(at_least(u, enough)) != 0) break;
+      const Float second = of_disc_group(task.far_discs, j + kLanes, ex, ey);
+      u = larger(of_disc_group(task.far_discs, j, ex, ey), larger(second, u));
+    }
+    return largest(u);
+  }
+
+  // ---- directions -----------------------------------------------------------------------------
 
   /// Walking velocities V·e of kLanes directions.
   struct Velocity {
@@ -44,75 +204,146 @@ struct KernelImpl {
   static Velocity velocity(const DirectionTask& task, std::size_t k) {
     const Float hc = Float::all(task.heading_cos * task.speed);
     const Float hs = Float::all(task.heading_sin * task.speed);
-    const Float oc = Float::load(task.candidates->cosine() + k);
-    const Float os = Float::load(task.candidates->sine() + k);
+    const Float oc = Float::load(task.candidates.cosine + k);
+    const Float os = Float::load(task.candidates.sine + k);
     return {hc * oc - hs * os, hs * oc + hc * os};
   }
 
   /// D of Eq. 1 or Eq. 2.
   static Float weight(const DirectionTask& task, std::size_t k) {
-    const Candidates& c = *task.candidates;
+    const CandidateView& c = task.candidates;
     const Float gc = Float::all(task.goal_cos * (2.0F * task.horizon));
     const Float gs = Float::all(task.goal_sin * (2.0F * task.horizon));
     if (task.half_angle) {
-      return absolute(gc * Float::load(c.half_cosine() + k) + gs * Float::load(c.half_sine() + k));
+      return absolute(gc * Float::load(c.half_cosine + k) + gs * Float::load(c.half_sine + k));
     }
-    return gc * Float::load(c.cosine() + k) + gs * Float::load(c.sine() + k);
+    return gc * Float::load(c.cosine + k) + gs * Float::load(c.sine + k);
   }
 
-  /// Inverse time to what stands still; 0 beyond the static horizon.
-  static Float inverse_time_still(const DirectionTask& task, Velocity e) {
-    Float u = inverse_time_discs(*task.static_discs, e.x, e.y, Float::all(0.0F));
-    u = inverse_time_faces(*task.static_faces, e.x, e.y, u);
-    return both(at_least(u, Float::all(1.0F / task.static_horizon)), u);
+  /// One person's directions while it chooses.
+  struct Directions {
+    alignas(32) float ex[kMaxDirections], ey[kMaxDirections];
+    alignas(32) float weight[kMaxDirections];
+    alignas(32) float u[kMaxDirections];      ///< inverse time with the near ones
+    alignas(32) float bound[kMaxDirections];  ///< of g from below
+  };
+
+  static Float slack(const DirectionTask& task) {
+    return Float::all(kBoundShare * task.horizon * task.horizon);
   }
 
-  static void times_at(const DirectionTask& task, std::size_t k, float* all, float* still) {
+  /// Lower bound of g = t² − t·D for all t ≤ `time`.
+  static Float bound_of(const DirectionTask& task, std::size_t k, Float time, Float d) {
+    const Float t = larger(smaller(time, Float::all(0.5F) * d), Float::all(0.0F));
+    return t * (t - d) - slack(task) + Float::load(task.candidates.unused + k);
+  }
+
+  /// Inverse of the time below which g exceeds `value` for certain.
+  static float enough_for(const DirectionTask& task, float value, float d) {
+    const float half = 0.5F * d;
+    const float square = half * half + (value + kBoundShare * task.horizon * task.horizon);
+    const float t = half - __builtin_sqrtf(square > 0.0F ? square : 0.0F);
+    return 1.0F / (t > kLeastTime ? t : kLeastTime);
+  }
+
+  static void look_near(const DirectionTask& task, std::size_t k, Directions& dirs) {
     const Velocity e = velocity(task, k);
     Float u = Float::all(1.0F / task.horizon);
-    const Float u_still = larger(inverse_time_still(task, e), u);
-    u = inverse_time_discs(*task.moving_discs, e.x, e.y, u_still);
-    u = inverse_time_faces(*task.moving_faces, e.x, e.y, u);
-    (Float::all(1.0F) / u).store(all);
-    (Float::all(1.0F) / u_still).store(still);
+    u = of_discs(task.near_discs, e.x, e.y, u);
+    u = of_discs(task.vehicle_discs, e.x, e.y, u);
+    u = of_faces(task.vehicle_faces, e.x, e.y, u);
+    e.x.store(dirs.ex + k);
+    e.y.store(dirs.ey + k);
+    u.store(dirs.u + k);
+    bound_of(task, k, Float::all(1.0F) / u, Float::load(dirs.weight + k)).store(dirs.bound + k);
   }
 
-  static DirectionChoice best(const DirectionTask& task, std::size_t first, std::size_t count) {
-    DirectionChoice best;
-    for (std::size_t k = first; k < first + count; k += Float::kLanes) {
-      float time[Float::kLanes], still[Float::kLanes], d[Float::kLanes];
-      times_at(task, k, time, still);
-      weight(task, k).store(d);
-      for (std::size_t i = 0; i < Float::kLanes && k + i < first + count; ++i) {
-        const DirectionChoice choice{static_cast<std::uint32_t>(k + i), time[i],
-                                     time[i] * (time[i] - d[i]), d[i]};
-        if (k + i == first || choice.better_than(best)) best = choice;
+  /// First of kLanes directions from k on with the lowest bound.
+  static std::size_t lowest(const Directions& dirs, std::size_t k) {
+    const Float bound = Float::load(dirs.bound + k);
+    const std::uint32_t lanes = bits(at_least(Float::all(smallest(bound)), bound));
+    return k + static_cast<std::size_t>(__builtin_ctz(lanes));
+  }
+
+  static void try_direction(const DirectionTask& task, const Directions& dirs, std::size_t k,
+                            float enough, DirectionChoice& best) {
+    const float t = 1.0F / rest_of(task, dirs.ex[k], dirs.ey[k], dirs.u[k], enough);
+    const float d = dirs.weight[k];
+    const DirectionChoice choice{static_cast<std::uint32_t>(k), t, t * (t - d), d};
+    if (best.index == kNoDirection || better(choice, best)) best = choice;
+  }
+
+  /// Tries what may still be the best of the kLanes directions from k on, best first.
+  static void try_block(const DirectionTask& task, Directions& dirs, std::size_t k,
+                        DirectionChoice& best) {
+    constexpr float kTried = std::numeric_limits<float>::infinity();
+    while (true) {
+      const std::size_t next = lowest(dirs, k);
+      if (best.index != kNoDirection && dirs.bound[next] > best.value) return;
+      const float enough = best.index == kNoDirection ? kTried : enough_for(task, best.value, dirs.weight[next]);
+      try_direction(task, dirs, next, enough, best);
+      dirs.bound[next] = kTried;
+    }
+  }
+
+  static DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t count,
+                                DirectionChoice best) {
+    constexpr float kNeverEnough = std::numeric_limits<float>::infinity();
+    Directions dirs;
+    const std::size_t blocks = (count + kLanes - 1) / kLanes;
+    std::size_t start = 0;  // the block that promises most
+    float promise = kNeverEnough;
+    for (std::size_t b = 0; b < blocks; ++b) {
+      const std::size_t k = first + b * kLanes;
+      const Float d = weight(task, k);
+      const Float bound = bound_of(task, k, Float::all(task.horizon), d);
+      d.store(dirs.weight + k);
+      bound.store(dirs.bound + k);
+      const float least = smallest(bound);
+      start = least < promise ? b : start;
+      promise = least < promise ? least : promise;
+    }
+    // From there outwards, alternately left and right.
+    for (std::size_t i = 0; i < 2 * blocks; ++i) {
+      const std::size_t step = (i + 1) / 2;
+      if (i % 2 != 0 ? start + step >= blocks : step > start) continue;
+      const std::size_t k = first + (i % 2 != 0 ? start + step : start - step) * kLanes;
+      if (best.index != kNoDirection &&
+          bits(at_least(Float::all(best.value), Float::load(dirs.bound + k))) == 0) {
+        continue;
       }
+      look_near(task, k, dirs);
+      try_block(task, dirs, k, best);
     }
     return best;
   }
 
-  static DirectionChoice best_main(const DirectionTask& task) {
-    return best(task, 0, task.candidates->main_count());
-  }
-  static DirectionChoice best_rest(const DirectionTask& task) {
-    return best(task, task.candidates->main_padded(), task.candidates->rest_count());
-  }
+  // ---- everything, for the few who need it ------------------------------------------------------
 
   static void times(const DirectionTask& task, DirectionTimes& out) {
-    for (std::size_t k = 0; k < task.candidates->padded(); k += Float::kLanes) {
-      times_at(task, k, out.all + k, out.still + k);
+    for (std::size_t k = 0; k < task.candidates.padded; k += kLanes) {
+      const Velocity e = velocity(task, k);
+      const Float horizon = Float::all(1.0F / task.horizon);
+      Float still = of_discs(task.still_discs, e.x, e.y, Float::all(0.0F));
+      still = of_faces(task.still_faces, e.x, e.y, still);
+      still = both(at_least(still, Float::all(1.0F / task.static_horizon)), still);
+      still = larger(still, horizon);
+      Float u = of_discs(task.near_discs, e.x, e.y, still);
+      u = of_discs(task.far_discs, e.x, e.y, u);
+      u = of_discs(task.vehicle_discs, e.x, e.y, u);
+      u = of_faces(task.vehicle_faces, e.x, e.y, u);
+      (Float::all(1.0F) / u).store(out.all + k);
+      (Float::all(1.0F) / still).store(out.still + k);
       weight(task, k).store(out.weight + k);
     }
   }
 
-  static void times_of(const DirectionTask& task, const DiscList& discs, const FaceList& faces,
+  static void times_of(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
                        float* out) {
-    for (std::size_t k = 0; k < task.candidates->padded(); k += Float::kLanes) {
+    for (std::size_t k = 0; k < task.candidates.padded; k += kLanes) {
       const Velocity e = velocity(task, k);
-      Float u = Float::all(1.0F / task.horizon);
-      u = inverse_time_discs(discs, e.x, e.y, u);
-      u = inverse_time_faces(faces, e.x, e.y, u);
+      Float u = of_discs(discs, e.x, e.y, Float::all(1.0F / task.horizon));
+      u = of_faces(faces, e.x, e.y, u);
       (Float::all(1.0F) / u).store(out + k);
     }
   }

@@ -38,8 +38,9 @@ Segment segment_of(const WallFace& wall, const LatticePoint& at) {
 
 /// What one thread needs while it decides; reused from person to person and step to step.
 struct HeuristicModel::Scratch {
-  DiscList moving_discs, static_discs, one_discs;
-  FaceList moving_faces, static_faces, one_faces;
+  DiscList near_persons, persons, vehicle_discs, still_discs, one_discs;
+  FaceList vehicle_faces, still_faces, one_faces;
+  std::vector<SlotGroup> groups;
   std::vector<VehicleView> vehicles;  ///< moving ones that the person is aware of
   std::vector<Segment> segments;
   DirectionTimes times;
@@ -79,7 +80,7 @@ void HeuristicModel::prepare(const Snapshot& snapshot) {
     known_count_ = walls.size();
     known_reach_ = parameters.sight;
   }
-  grid_.build(*snapshot.persons, origin_);
+  grid_.build(*snapshot.persons, origin_, parameters.sight, parameters.field_of_view * kDegree);
   vehicles_.clear();
   for (const VehicleState& vehicle : snapshot.vehicles) {
     vehicles_.push_back(shape_of(vehicle, origin_));
@@ -112,16 +113,18 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   self.static_reach = static_cast<float>(std::min(
       std::max(persons.goal_distance[i], speed * parameters.collision_time), parameters.sight));
 
-  scratch.moving_discs.clear();
-  scratch.moving_faces.clear();
-  scratch.static_discs.clear();
-  scratch.static_faces.clear();
-  perceive_persons(self, scratch);
+  scratch.vehicle_discs.clear();
+  scratch.vehicle_faces.clear();
+  scratch.still_discs.clear();
+  scratch.still_faces.clear();
+  perceive_persons(self, heading, scratch);
   perceive_walls(self, scratch);
   perceive_vehicles(self, scratch);
+  scratch.still_discs.fill_group();
+  scratch.still_faces.fill_group();
 
   DirectionTask task;
-  task.candidates = &candidates_;
+  task.candidates = candidates_.view();
   task.heading_cos = self.heading_cos;
   task.heading_sin = self.heading_sin;
   task.half_angle = parameters.equation >= 1.5;
@@ -132,21 +135,23 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   task.speed = self.speed;
   task.horizon = self.senses.sight / self.speed;
   task.static_horizon = self.static_reach / self.speed;
-  task.moving_discs = &scratch.moving_discs;
-  task.moving_faces = &scratch.moving_faces;
-  task.static_discs = &scratch.static_discs;
-  task.static_faces = &scratch.static_faces;
+  task.near_discs = scratch.near_persons.view();
+  task.far_discs = scratch.persons.view();
+  task.vehicle_discs = scratch.vehicle_discs.view();
+  task.vehicle_faces = scratch.vehicle_faces.view();
+  task.still_discs = scratch.still_discs.view();
+  task.still_faces = scratch.still_faces.view();
 
   DirectionChoice choice;
   if (scratch.threatened) {
     choice = make_way(self, task, scratch);
   } else {
-    choice = kernel_.best_main(task);
+    choice.index = kNoDirection;
+    choice = kernel_.choose(task, 0, candidates_.main_count(), choice);
     const bool blocked = choice.time * self.speed < static_cast<float>(parameters.near_distance);
     const bool goal_outside = std::abs(to_goal) > candidates_.field() * kDegree;
     if ((blocked || goal_outside || scratch.heard) && candidates_.rest_count() > 0) {
-      const DirectionChoice rest = kernel_.best_rest(task);
-      if (rest.better_than(choice)) choice = rest;
+      choice = kernel_.choose(task, candidates_.main_padded(), candidates_.rest_count(), choice);
     }
   }
 
@@ -161,26 +166,33 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   return decision;
 }
 
-void HeuristicModel::perceive_persons(const Aware& self, Scratch& scratch) const {
-  const float sight2 = self.senses.sight * self.senses.sight;
-  const float speed2 = self.speed * self.speed;
-  const std::int32_t* xs = grid_.x();
-  const std::int32_t* ys = grid_.y();
-  grid_.runs(self.at, self.senses.sight, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t j = first; j < last; ++j) {
-      const float x = lattice_difference(xs[j], self.at.x);
-      const float y = lattice_difference(ys[j], self.at.y);
-      const float d2 = x * x + y * y;
-      if (d2 > sight2 || d2 == 0.0F) continue;
-      const float d = std::sqrt(d2);
-      if (x * self.heading_cos + y * self.heading_sin < self.senses.field_cos * d) continue;
-      const float vx = grid_.vx()[j], vy = grid_.vy()[j];
-      const float contact = self.radius + grid_.radius()[j];
-      const bool stands = vx * vx + vy * vy < kStandingSpeed * kStandingSpeed;
-      if (stands && d - contact > self.static_reach) continue;
-      scratch.moving_discs.add(x, y, vx, vy, contact, speed2);
-    }
-  });
+void HeuristicModel::perceive_persons(const Aware& self, double heading, Scratch& scratch) const {
+  Sight sight;
+  sight.x = self.at.x;
+  sight.y = self.at.y;
+  sight.heading_cos = self.heading_cos;
+  sight.heading_sin = self.heading_sin;
+  sight.field_cos = self.senses.field_cos;
+  sight.reach = self.senses.sight;
+  sight.radius = self.radius;
+  sight.speed = self.speed;
+  sight.horizon = self.senses.sight / self.speed;
+  sight.static_reach = self.static_reach;
+  float from = 0.0F;
+  const auto see = [&](Belt belt, double border, DiscList& discs) {
+    sight.beyond = from;
+    sight.reach = std::min(static_cast<float>(border), self.senses.sight);
+    from = sight.reach;
+    const auto groups = grid_.groups(belt, self.at, heading, scratch.groups);
+    discs.reserve(discs.size + groups.size() * kSlotGroup);
+    discs.size =
+        kernel_.see(grid_.slots(), groups.data(), groups.size(), sight, discs.space(), discs.size);
+  };
+  scratch.near_persons.clear();
+  scratch.persons.clear();
+  see(Belt::kNear, kBeltBorders[0], scratch.near_persons);
+  see(Belt::kMiddle, kBeltBorders[1], scratch.persons);
+  see(Belt::kFar, snapshot_.parameters->sight, scratch.persons);
 }
 
 void HeuristicModel::perceive_walls(const Aware& self, Scratch& scratch) const {
@@ -200,19 +212,19 @@ void HeuristicModel::perceive_walls(const Aware& self, Scratch& scratch) const {
     const Segment& s = scratch.segments[i];
     if (s.distance > reach) continue;
     const WallFace& wall = walls_.walls()[near[i]];
-    scratch.static_faces.add({.nx = s.nx,
-                              .ny = s.ny,
-                              .dx = wall.dx,
-                              .dy = wall.dy,
-                              .vx = 0.0F,
-                              .vy = 0.0F,
-                              .gap = s.h - contact,
-                              .x = s.x,
-                              .length = wall.length});
-    if (wall.begin) scratch.static_discs.add(s.px, s.py, 0.0F, 0.0F, contact, speed2);
+    scratch.still_faces.add({.nx = s.nx,
+                             .ny = s.ny,
+                             .dx = wall.dx,
+                             .dy = wall.dy,
+                             .vx = 0.0F,
+                             .vy = 0.0F,
+                             .gap = s.h - contact,
+                             .x = s.x,
+                             .length = wall.length});
+    if (wall.begin) scratch.still_discs.add(s.px, s.py, 0.0F, 0.0F, contact, speed2);
     if (wall.end) {
-      scratch.static_discs.add(s.px + wall.dx * wall.length, s.py + wall.dy * wall.length, 0.0F,
-                               0.0F, contact, speed2);
+      scratch.still_discs.add(s.px + wall.dx * wall.length, s.py + wall.dy * wall.length, 0.0F,
+                              0.0F, contact, speed2);
     }
   }
 }
@@ -232,11 +244,11 @@ void HeuristicModel::perceive_vehicles(const Aware& self, Scratch& scratch) cons
     if (aware == Awareness::kNone) continue;
     if (!shape.moving()) {
       if (view.distance <= self.static_reach + view.contact) {
-        add_vehicle(view, self, scratch.static_discs, scratch.static_faces);
+        add_vehicle(view, self, scratch.still_discs, scratch.still_faces);
       }
       continue;
     }
-    add_vehicle(view, self, scratch.moving_discs, scratch.moving_faces);
+    add_vehicle(view, self, scratch.vehicle_discs, scratch.vehicle_faces);
     scratch.vehicles.push_back(view);
     scratch.heard = scratch.heard || aware == Awareness::kHeard;
     scratch.threatened =
@@ -259,12 +271,12 @@ DirectionChoice HeuristicModel::make_way(const Aware& self, const DirectionTask&
     scratch.one_discs.clear();
     scratch.one_faces.clear();
     add_vehicle(view, self, scratch.one_discs, scratch.one_faces);
-    kernel_.times_of(task, scratch.one_discs, scratch.one_faces, scratch.one);
+    kernel_.times_of(task, scratch.one_discs.view(), scratch.one_faces.view(), scratch.one);
     for (std::size_t k = 0; k < count; ++k) {
       float hit = scratch.one[k];
       const float stop = scratch.times.still[k];
       if (stop < hit) {
-        const float c = candidates_.cosine()[k], s = candidates_.sine()[k];
+        const float c = task.candidates.cosine[k], s = task.candidates.sine[k];
         const float dx = (self.heading_cos * c - self.heading_sin * s) * (self.speed * stop);
         const float dy = (self.heading_sin * c + self.heading_cos * s) * (self.speed * stop);
         hit = time_to_standing(view, self, dx, dy, stop);
@@ -278,7 +290,7 @@ DirectionChoice HeuristicModel::make_way(const Aware& self, const DirectionTask&
     if (k >= main && k < candidates_.main_padded()) continue;
     const float time = scratch.times.all[k], d = scratch.times.weight[k];
     const DirectionChoice choice{static_cast<std::uint32_t>(k), time, time * (time - d), d};
-    if (scratch.hit[k] > best_hit || (scratch.hit[k] == best_hit && choice.better_than(best))) {
+    if (scratch.hit[k] > best_hit || (scratch.hit[k] == best_hit && better(choice, best))) {
       best = choice;
       best_hit = scratch.hit[k];
     }

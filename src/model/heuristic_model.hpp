@@ -26,7 +26,7 @@ class HeuristicModel : public WalkingModel {
   struct Aware;
 
   Decision decide_one(std::size_t person, Scratch& scratch) const;
-  void perceive_persons(const Aware& self, Scratch& scratch) const;
+  void perceive_persons(const Aware& self, double heading, Scratch& scratch) const;
   void perceive_walls(const Aware& self, Scratch& scratch) const;
   void perceive_vehicles(const Aware& self, Scratch& scratch) const;
 

@@ -23,16 +23,42 @@
 
 namespace pedzone {
 
+/// [m/s] slower than this a vehicle is parked, a person stands: static obstacles. From the issue
+/// this model was built for; SUMO's own threshold for halting is 0.1 m/s.
+inline constexpr float kStandingSpeed = 0.05F;
+
 /// [m²] least p² − R²: two bodies that touch count as 1 mm apart, so that contact "now" stays a
 /// number. Numerical: halving it lets rounding (1e-7) show in α of equal velocities.
 inline constexpr float kLeastDiscGap = 1e-3F;
+/// Share of p² that p² − R² is at least: bodies that touch give way like soft ones, so a contact
+/// counts within acos(√share) ≈ 72° of the other's direction. Numerical: with hard bodies a queue
+/// in which everybody touches the one ahead and the one behind has no free direction left (seen:
+/// nine persons at a wall stood for ever); at half the value people still pass.
+inline constexpr float kSoftness = 0.1F;
 /// [m] least gap to a face, for the same reason.
 inline constexpr float kLeastFaceGap = 1e-3F;
 /// [m] a body that touches a wall or vehicle is taken to be this much thinner, so that walking
 /// along it, past its joints, is free. Numerical: far above rounding, far below what one sees.
 inline constexpr float kSkin = 0.01F;
 /// Discs and faces are read in groups of this many; the arrays are filled up with harmless ones.
-inline constexpr std::size_t kObstacleGroup = 8;
+inline constexpr std::size_t kObstacleGroup = 16;
+
+/// The arrays of a DiscList, for the kernel.
+struct DiscView {
+  const float *px, *py, *q, *a, *wx, *wy;
+  std::size_t size;
+};
+
+/// The same, to be filled.
+struct DiscSpace {
+  float *px, *py, *q, *a, *wx, *wy;
+};
+
+/// The arrays of a FaceList.
+struct FaceView {
+  const float *nx, *ny, *nv, *dx, *dy, *dv, *x, *length;
+  std::size_t size;
+};
 
 /// Discs as seen by one person. V is that person's preferred speed.
 struct DiscList {
@@ -47,6 +73,10 @@ struct DiscList {
   /// p [m], v [m/s], contact distance R [m], V² [m²/s²].
   void add(float x, float y, float vx, float vy, float contact, float speed_squared);
   void fill_group();  ///< up to the next multiple of kObstacleGroup with discs nobody touches
+  DiscView view() const {
+    return {px.data(), py.data(), q.data(), a.data(), wx.data(), wy.data(), size};
+  }
+  DiscSpace space() { return {px.data(), py.data(), q.data(), a.data(), wx.data(), wy.data()}; }
 };
 
 /// Faces as seen by one person.
@@ -66,7 +96,11 @@ struct FaceList {
     float x, length;  ///< [m]
   };
   void add(const Face& face);
-  void fill_group();
+  void fill_group();  ///< with faces nobody touches
+  FaceView view() const {
+    return {nx.data(), ny.data(), nv.data(),     dx.data(), dy.data(),
+            dv.data(), x.data(),  length.data(), size};
+  }
 };
 
 inline void DiscList::reserve(std::size_t n) {
@@ -78,8 +112,10 @@ inline void DiscList::reserve(std::size_t n) {
 inline void DiscList::add(float x, float y, float vx, float vy, float contact,
                           float speed_squared) {
   reserve(size + 1);
-  const float free = (x * x + y * y) - contact * contact;
-  const float gamma = 1.0F / (free > kLeastDiscGap ? free : kLeastDiscGap);
+  const float apart = x * x + y * y;
+  const float soft = kSoftness * apart > kLeastDiscGap ? kSoftness * apart : kLeastDiscGap;
+  const float free = apart - contact * contact;
+  const float gamma = 1.0F / (free > soft ? free : soft);
   px[size] = gamma * x;
   py[size] = gamma * y;
   q[size] = gamma * (x * vx + y * vy);

@@ -1,66 +1,133 @@
 #include "model/person_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pedzone {
 namespace {
 
-/// [m] side of a cell. Numerical: smaller cells cost more rows, larger ones more persons that are
-/// looked at in vain.
-constexpr double kCellSize = 1.0;
+/// [m] smallest cell: narrow, since a row's cells are read in one go, so that width costs only
+/// persons looked at in vain, while height also costs rows. Numerical, by timing.
+constexpr double kCellWidth = 0.75;
+constexpr double kCellHeight = 1.5;
 /// At most so many cells a person (plus a few), so that memory follows the number of persons.
 constexpr double kCellsPerPerson = 8.0;
-constexpr double kCellsAtLeast = 1024.0;
+constexpr double kCellsAtLeast = 4096.0;
+constexpr std::uint32_t kGroup = kSlotGroup;
+constexpr std::uint32_t kAllSlots = (1U << kGroup) - 1U;
 
 }  // namespace
 
-int PersonGrid::cell_of(std::int64_t distance, int count) const {
-  const double cell = static_cast<double>(distance) * cells_per_lattice_;
-  return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(count - 1)));
+const PersonGrid::Level& PersonGrid::level(double scale) {
+  for (level_ = 0; level_ < levels_.size(); ++level_) {
+    if (levels_[level_].scale == scale) return levels_[level_];
+  }
+  Level fresh;
+  fresh.scale = scale;
+  double from = 0.0;
+  for (std::size_t r = 0; r < 3; ++r) {
+    const double to = r < 2 ? std::min(kBeltBorders[r], sight_) : sight_;
+    fresh.cells[r] = ViewCells({from, to}, half_field_, kCellWidth * scale, kCellHeight * scale);
+    from = to;
+  }
+  levels_.push_back(std::move(fresh));
+  return levels_[level_];
 }
 
-void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin) {
-  const std::size_t n = persons.size();
-  columns_ = rows_ = 0;
-  for (auto* array : {&x_, &y_}) array->resize(n);
-  for (auto* array : {&vx_, &vy_, &radius_}) array->resize(n);
-  for (auto* array : {&person_, &cell_}) array->resize(n);
-  point_.resize(n);
-  if (n == 0) return;
+PersonGrid::Cell PersonGrid::cell_of(const LatticePoint& point) const {
+  const Level& level = levels_[level_];
+  const double x = static_cast<double>(static_cast<std::int64_t>(point.x) - x_least_);
+  const double y = static_cast<double>(static_cast<std::int64_t>(point.y) - y_least_);
+  return {static_cast<int>(x * columns_per_lattice_) + level.widest().columns(),
+          static_cast<int>(y * rows_per_lattice_) + level.widest().rows()};
+}
 
-  for (std::size_t i = 0; i < n; ++i) point_[i] = to_lattice(persons.x[i], persons.y[i], origin);
-  std::int32_t x_most = x_least_ = point_[0].x, y_most = y_least_ = point_[0].y;
-  for (const LatticePoint& p : point_) {
-    x_least_ = std::min(x_least_, p.x);
-    x_most = std::max(x_most, p.x);
-    y_least_ = std::min(y_least_, p.y);
-    y_most = std::max(y_most, p.y);
+void PersonGrid::choose_cells(double scale, std::int64_t width, std::int64_t height) {
+  const Level& chosen = level(scale);
+  columns_per_lattice_ = 1.0 / (kCellWidth * scale * kLatticePerMetre);
+  rows_per_lattice_ = 1.0 / (kCellHeight * scale * kLatticePerMetre);
+  columns_ = static_cast<int>(static_cast<double>(width) * columns_per_lattice_) + 1 +
+             2 * chosen.widest().columns();
+  rows_ = static_cast<int>(static_cast<double>(height) * rows_per_lattice_) + 1 +
+          2 * chosen.widest().rows();
+}
+
+void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, double sight,
+                       double half_field) {
+  if (sight != sight_ || half_field != half_field_) {
+    sight_ = sight;
+    half_field_ = half_field;
+    levels_.clear();
   }
-  const double width = (static_cast<double>(x_most) - x_least_) / kLatticePerMetre;
-  const double height = (static_cast<double>(y_most) - y_least_) / kLatticePerMetre;
-  const double most_cells = kCellsPerPerson * static_cast<double>(n) + kCellsAtLeast;
-  double size = std::max(kCellSize, std::sqrt(width * height / most_cells));
-  size = std::max(size, std::max(width, height) / most_cells);
-  cells_per_lattice_ = 1.0 / (size * kLatticePerMetre);
-  columns_ = static_cast<int>(width / size) + 1;
-  rows_ = static_cast<int>(height / size) + 1;
+  size_ = persons.size();
+  for (auto* array : {&x_, &y_}) array->resize(size_ + kGroup);
+  for (auto* array : {&vx_, &vy_, &speed2_, &radius_}) array->resize(size_ + kGroup);
+  cell_.resize(size_);
+  point_.resize(size_);
+  if (size_ == 0) return;
+
+  for (std::size_t i = 0; i < size_; ++i) {
+    point_[i] = to_lattice(persons.x[i], persons.y[i], origin);
+  }
+  LatticePoint least = point_[0], most = point_[0];
+  for (const LatticePoint& p : point_) {
+    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+  }
+  x_least_ = least.x;
+  y_least_ = least.y;
+  const std::int64_t width = static_cast<std::int64_t>(most.x) - least.x;
+  const std::int64_t height = static_cast<std::int64_t>(most.y) - least.y;
+  const double most_cells = kCellsPerPerson * static_cast<double>(size_) + kCellsAtLeast;
+  double scale = 1.0;
+  choose_cells(scale, width, height);
+  while (static_cast<double>(columns_) * rows_ > most_cells && columns_ > 3 && rows_ > 3 &&
+         kCellWidth * scale < sight_) {
+    scale *= 2.0;
+    choose_cells(scale, width, height);
+  }
 
   // Counting sort: count, prefix sums (cell_start_[c + 1] is where cell c is filled next), place.
-  cell_start_.assign(static_cast<std::size_t>(columns_) * rows_ + 2, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    cell_[i] = static_cast<std::uint32_t>(row(point_[i].y) * columns_ + column(point_[i].x));
+  cell_start_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 2, 0);
+  for (std::size_t i = 0; i < size_; ++i) {
+    const Cell cell = cell_of(point_[i]);
+    cell_[i] = static_cast<std::uint32_t>(cell.row * columns_ + cell.column);
     ++cell_start_[cell_[i] + 2];
   }
   for (std::size_t c = 2; c < cell_start_.size(); ++c) cell_start_[c] += cell_start_[c - 1];
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < size_; ++i) {
     const std::uint32_t slot = cell_start_[cell_[i] + 1]++;
     x_[slot] = point_[i].x;
     y_[slot] = point_[i].y;
     vx_[slot] = static_cast<float>(persons.vx[i]);
     vy_[slot] = static_cast<float>(persons.vy[i]);
+    speed2_[slot] = vx_[slot] * vx_[slot] + vy_[slot] * vy_[slot];
     radius_[slot] = static_cast<float>(persons.radius[i]);
-    person_[slot] = static_cast<std::uint32_t>(i);
   }
+}
+
+std::span<const SlotGroup> PersonGrid::groups(Belt belt, const LatticePoint& point, double heading,
+                                              std::vector<SlotGroup>& space) const {
+  // Groups are written before it is known whether a row has so many: that costs less than a
+  // branch that goes either way.
+  constexpr std::uint32_t kBlind = 3;
+  const auto runs = levels_[level_].cells[static_cast<std::size_t>(belt)].runs(heading);
+  const std::size_t most = size_ / kGroup + runs.size() + kBlind;
+  if (space.size() < most) space.resize(most);
+  const Cell cell = cell_of(point);
+  const std::uint32_t* own =
+      cell_start_.data() + static_cast<std::ptrdiff_t>(cell.row) * columns_ + cell.column;
+  SlotGroup* out = space.data();
+  for (const CellRun& run : runs) {
+    const std::uint32_t* row = own + static_cast<std::ptrdiff_t>(run.row) * columns_;
+    const std::uint32_t first = row[run.left], count = row[run.right + 1] - first;
+    const std::uint32_t groups = (count + kGroup - 1) / kGroup;
+    for (std::uint32_t g = 0; g < kBlind; ++g) out[g] = {first + g * kGroup, kAllSlots};
+    for (std::uint32_t g = kBlind; g < groups; ++g) out[g] = {first + g * kGroup, kAllSlots};
+    if (groups > 0) out[groups - 1].used = kAllSlots >> (groups * kGroup - count);
+    out += groups;
+  }
+  return {space.data(), out};
 }
 
 }  // namespace pedzone

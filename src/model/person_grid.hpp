@@ -2,61 +2,67 @@
 // of one cell stand next to each other in memory, as do the cells of one row.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "model/direction_kernel.hpp"
 #include "model/fixed_point.hpp"
+#include "model/view_cells.hpp"
 #include "world/snapshot.hpp"
 
 namespace pedzone {
 
+/// How far away others are looked for at once. The belts tile what a person sees.
+enum class Belt : std::size_t { kNear, kMiddle, kFar };
+/// [m] outer border of the near and the middle belt; that of the far one is the sight. Numerical,
+/// by timing: near persons are tried on all directions at once, since they decide most of them;
+/// the middle ones come before the far ones.
+inline constexpr double kBeltBorders[] = {2.5, 4.5};
+
 class PersonGrid {
  public:
-  /// Sorts the persons. No allocation once sizes have settled.
-  void build(const Persons& persons, const LatticeOrigin& origin);
+  /// Sorts the persons. `sight` [m] and `half_field` [rad] are what every person sees. No
+  /// allocation once sizes have settled.
+  void build(const Persons& persons, const LatticeOrigin& origin, double sight, double half_field);
 
-  /// Calls visit(first, last) for runs of slots that together hold everybody within `reach` [m]
-  /// of a point (and others).
-  template <class Visit>
-  void runs(const LatticePoint& point, float reach, Visit&& visit) const;
+  /// Groups of slots that together hold everybody whom a person at `point` (the place of one of
+  /// `persons`) sees in `heading` [rad] within the belt, and others. They stand in `space`.
+  std::span<const SlotGroup> groups(Belt belt, const LatticePoint& point, double heading,
+                                    std::vector<SlotGroup>& space) const;
 
-  // By slot.
-  const std::int32_t* x() const { return x_.data(); }  ///< lattice
-  const std::int32_t* y() const { return y_.data(); }
-  const float* vx() const { return vx_.data(); }  ///< [m/s]
-  const float* vy() const { return vy_.data(); }
-  const float* radius() const { return radius_.data(); }          ///< [m]
-  const std::uint32_t* person() const { return person_.data(); }  ///< index in Persons
-  std::size_t size() const { return person_.size(); }
+  PersonSlots slots() const {
+    return {x_.data(), y_.data(), vx_.data(), vy_.data(), speed2_.data(), radius_.data()};
+  }
+  std::size_t size() const { return size_; }
 
  private:
-  /// Column or row of a lattice coordinate, clamped to the grid.
-  int column(std::int64_t x) const { return cell_of(x - x_least_, columns_); }
-  int row(std::int64_t y) const { return cell_of(y - y_least_, rows_); }
-  int cell_of(std::int64_t distance, int count) const;
+  /// The cells that people see for one size of cell.
+  struct Level {
+    double scale = 0.0;  ///< cells are this many times the smallest
+    ViewCells cells[3];  ///< of each belt
+    const ViewCells& widest() const { return cells[2]; }
+  };
+  struct Cell {
+    int column, row;
+  };
 
-  std::int32_t x_least_ = 0, y_least_ = 0;
-  double cells_per_lattice_ = 1.0;
-  int columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> cell_start_;
-  std::vector<std::uint32_t> cell_;  ///< of each person, while sorting
+  const Level& level(double scale);
+  Cell cell_of(const LatticePoint& point) const;
+  void choose_cells(double scale, std::int64_t width, std::int64_t height);
+  double sight_ = 0.0, half_field_ = 0.0;
+  std::vector<Level> levels_;
+  std::size_t level_ = 0;                   ///< in use
+  std::int32_t x_least_ = 0, y_least_ = 0;  ///< lattice, of the persons
+  double columns_per_lattice_ = 1.0, rows_per_lattice_ = 1.0;
+  int columns_ = 0, rows_ = 0;  ///< of the grid, its empty border included
+  std::size_t size_ = 0;
+  std::vector<std::uint32_t> cell_start_;  ///< slot at which each cell begins
+  std::vector<std::uint32_t> cell_;        ///< of each person, while sorting
   std::vector<LatticePoint> point_;
-  std::vector<std::int32_t> x_, y_;
-  std::vector<float> vx_, vy_, radius_;
-  std::vector<std::uint32_t> person_;
+  std::vector<std::int32_t> x_, y_;  ///< by slot, as the rest
+  std::vector<float> vx_, vy_, speed2_, radius_;
 };
-
-template <class Visit>
-void PersonGrid::runs(const LatticePoint& point, float reach, Visit&& visit) const {
-  if (columns_ == 0) return;
-  const auto span =
-      static_cast<std::int64_t>(std::ceil(static_cast<double>(reach) * kLatticePerMetre));
-  const int left = column(point.x - span), right = column(point.x + span);
-  const int low = row(point.y - span), high = row(point.y + span);
-  for (int r = low; r <= high; ++r) {
-    const std::uint32_t* start = cell_start_.data() + static_cast<std::size_t>(r) * columns_;
-    visit(start[left], start[right + 1]);
-  }
-}
 
 }  // namespace pedzone

@@ -12,10 +12,6 @@
 
 namespace pedzone {
 
-/// [m/s] slower than this a vehicle is parked, a person stands: static obstacles. From the issue
-/// this model was built for; SUMO's own threshold for halting is 0.1 m/s.
-inline constexpr float kStandingSpeed = 0.05F;
-
 /// [m] room that people leave between their body and a moving vehicle's sides in any contact that
 /// they foresee. Calibrated: vehicle.md, the rectangle inflated by 0.25 m, on the recordings of
 /// vehicles and pedestrians.
