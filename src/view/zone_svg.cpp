@@ -13,6 +13,7 @@ namespace pedzone {
 namespace {
 
 constexpr double kMargin = 25.0;  // [m] shown round the zones
+constexpr double kColumn = 48.0;  // width of a column of the legend in units of the picture
 
 /// How a zone is filled; zones take them in turn.
 constexpr std::array<const char*, 6> kZoneColours{"#bfe3b4", "#f7dd9b", "#c9d7f5",
@@ -38,7 +39,8 @@ class Picture {
       : network_(network),
         zones_(zones),
         layers_(layers),
-        unit_(extent(network, zones).sizes().maxCoeff() / 100.0),
+        unit_(unit_of(extent(network, zones).sizes())),
+        columns_(extent(network, zones).sizes().x() >= 2.0 * kColumn * unit_ ? 2 : 1),
         page_(extent(network, zones), panel_height()) {}
 
   std::string draw() {
@@ -60,6 +62,11 @@ class Picture {
       for (const Lane& lane : network.lanes) box.extend(box_of(lane.shape));
     }
     return grown(box, kMargin);
+  }
+
+  /// A hundredth of the picture; less where a column of the legend would not fit.
+  static double unit_of(const Vec2& sizes) {
+    return std::min(sizes.maxCoeff() / 100.0, sizes.x() / kColumn);
   }
 
   std::vector<LegendEntry> legend() const {
@@ -91,10 +98,12 @@ class Picture {
                        kZoneColours[zone % kZoneColours.size()], kWalkableBorder);
   }
 
-  /// Two columns of entries under a heading.
-  double panel_height() const {
-    return unit_ * (5.0 + 2.2 * std::ceil(0.5 * static_cast<double>(legend().size())));
+  std::size_t rows() const {
+    const std::size_t columns = static_cast<std::size_t>(columns_);
+    return (legend().size() + columns - 1) / columns;
   }
+
+  double panel_height() const { return unit_ * (5.0 + 2.2 * static_cast<double>(rows())); }
 
   void draw_roads() {
     std::unordered_set<int> inside;
@@ -142,7 +151,8 @@ class Picture {
       const Lane& lane = network_.lanes[index];
       const Edge& edge = network_.edges[lane.edge];
       if (lane.outline || edge.function == EdgeFunction::kInternal) continue;
-      page_.line(lane.shape, stroke(lane.vehicles ? kSharedLaneColour : kFootLaneColour, lane_width),
+      page_.line(lane.shape,
+                 stroke(lane.vehicles ? kSharedLaneColour : kFootLaneColour, lane_width),
                  lane.id + " " + edge.type);
     }
     page_.end_group();
@@ -167,10 +177,9 @@ class Picture {
                  "fill=\"#ffffff\"");
     page_.line({corner, {opposite.x(), corner.y()}}, stroke("#666666", 0.1 * unit_));
     const auto entries = legend();
-    const std::size_t rows = (entries.size() + 1) / 2;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      const double right = unit_ * 2.0 + (i < rows ? 0.0 : 0.5 * width);
-      draw_entry(entries[i], right, unit_ * (2.2 + 2.2 * static_cast<double>(i % rows)));
+      const double right = unit_ * 2.0 + (i < rows() ? 0.0 : 0.5 * width);
+      draw_entry(entries[i], right, unit_ * (2.2 + 2.2 * static_cast<double>(i % rows())));
     }
     draw_scale_bar();
   }
@@ -209,7 +218,8 @@ class Picture {
   const Network& network_;
   const std::vector<Zone>& zones_;
   const std::vector<PathLayer>& layers_;
-  double unit_;  ///< [m] a hundredth of the picture: sizes of text and legend
+  double unit_;  ///< [m] sizes of text and legend are multiples of it
+  int columns_;  ///< of the legend
   SvgPage page_;
 };
 
