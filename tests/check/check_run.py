@@ -67,12 +67,13 @@ class Check:
         if trajectories:
             self.controlled |= read_controlled(trajectories, self.fcd)
         rule = read_zone_rule(options.zone) if options.zone else ZoneRule()
-        self.area = ZoneArea(read_network(self.scenario.net_file), self.scenario.polygons, rule)
+        self.network = read_network(self.scenario.net_file)
+        self.area = ZoneArea(self.network, self.scenario.polygons, rule)
 
     def measure(self):
         """All figures as a dictionary fit for JSON."""
         result = {"persons": self._persons(), "contacts": self._contacts(),
-                  "jumps": vars(self._jumps()), "outside": self._outside(),
+                  "jumps": self._jumps(), "outside": self._outside(),
                   "teleports": self.run.teleports, "jams": self.run.person_jams,
                   "nan": int((~numpy.isfinite(self.fcd.persons.x)
                               | ~numpy.isfinite(self.fcd.persons.y)).sum())}
@@ -138,14 +139,18 @@ class Check:
                 "min_clearance_controlled_m": found.min_clearance_controlled}
 
     def _jumps(self):
-        jumps = measures.find_jumps(self.fcd, self.riding)
-        if self.plain and self.plain.fcd_file and len(jumps[0]):
+        jumps = measures.without_steps_aside(
+            self.fcd, measures.find_jumps(self.fcd, self.riding), self.run.persons, self.network)
+        if self.plain and self.plain.fcd_file and len(jumps.rows):
             plain_fcd = read_fcd(self.plain.fcd_file)
             riding = measures.riding_rows(plain_fcd, self.plain.persons)
-            jumps = measures.without_plain_jumps(
-                self.fcd, jumps, plain_fcd, measures.find_jumps(plain_fcd, riding))
-        return measures.describe(self.fcd, jumps[0],
-                                 lambda i: {"distance": round(float(jumps[1][i]), 2)})
+            jumps = measures.without_plain_jumps(self.fcd, jumps, self.controlled, plain_fcd,
+                                                 measures.find_jumps(plain_fcd, riding))
+        result = vars(measures.describe(
+            self.fcd, jumps.rows, lambda i: {"distance": round(float(jumps.distance[i]), 2)}))
+        result["controlled"] = int((self.controlled[jumps.rows]
+                                    | self.controlled[jumps.before]).sum())
+        return result
 
     def _outside(self):
         found = measures.find_outside(self.fcd, numpy.flatnonzero(self.controlled), self.area)

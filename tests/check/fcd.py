@@ -48,7 +48,8 @@ class Rows:
 class PersonRows(Rows):
     speed: numpy.ndarray  # [m/s]
     position: numpy.ndarray  # [m] along the edge on which SUMO has the person
-    edge: numpy.ndarray  # number of that edge
+    edge: numpy.ndarray  # index into edge_names
+    edge_names: list
 
 
 @dataclass
@@ -135,7 +136,7 @@ def read_fcd(path):
         numpy.array(times),
         PersonRows(persons.names[0].decoded(), numpy.concatenate(persons.steps),
                    persons.column(0), persons.column(1), persons.column(2), persons.column(3),
-                   persons.column(4), persons.column(5)),
+                   persons.column(4), persons.column(5), persons.names[5].decoded()),
         VehicleRows(vehicles.names[0].decoded(), numpy.concatenate(vehicles.steps),
                     vehicles.column(0), vehicles.column(1), vehicles.column(2),
                     vehicles.column(3), vehicles.column(4), vehicles.names[4].decoded()))

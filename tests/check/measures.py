@@ -6,7 +6,9 @@ import numpy
 CONTACT_DEPTH = 0.01  # [m] a disc may lap into a rectangle: SUMO writes positions to 0.01 m
 JUMP_SPEED = 2.0  # [m/s]
 JUMP_DISTANCE = 3.0  # [m] on top of what JUMP_SPEED allows in a step
-SAME_JUMP = 10.0  # [m] within which a jump counts as the one that plain SUMO makes
+SAME_PERSON_JUMP = 10.0  # [m] within which a jump is the one that plain SUMO makes with the person
+SAME_PLACE_JUMP = 2.0  # [m] within which it is the one that plain SUMO makes with somebody
+STEP_ASIDE_ALONG = 1.0  # [m] that a step aside may lead along the street
 STILL = 0.025  # [m] walked in a step that need not show in a position written to 0.01 m
 EXAMPLES = 20  # kept of each finding
 
@@ -155,8 +157,20 @@ def find_contacts(fcd, clearances, riding, controlled, own_rides):
                     None if numpy.isinf(least_controlled) else float(least_controlled))
 
 
+@dataclass
+class Jumps:
+    """Rows at which a person has jumped since its row before."""
+    rows: numpy.ndarray
+    before: numpy.ndarray  # the rows before
+    distance: numpy.ndarray  # [m]
+
+    def only(self, kept):
+        kept = numpy.array(kept, bool)
+        return Jumps(self.rows[kept], self.before[kept], self.distance[kept])
+
+
 def find_jumps(fcd, riding):
-    """(rows at which a person has jumped, [m] jumped), against its row before."""
+    """Every jump of a person that does not ride."""
     rows = fcd.persons
     order, same = by_person(rows)
     x, y, times = rows.x[order], rows.y[order], fcd.times[rows.step[order]]
@@ -166,23 +180,44 @@ def find_jumps(fcd, riding):
     distance[1:] = numpy.hypot(numpy.diff(x), numpy.diff(y))
     jumped[1:] = distance[1:] > JUMP_SPEED * numpy.diff(times) + JUMP_DISTANCE
     jumped[1:] &= same[1:] & on_foot[1:] & on_foot[:-1]
-    return order[jumped], distance[jumped]
+    found = numpy.flatnonzero(jumped)
+    return Jumps(order[found], order[found - 1], distance[found])
 
 
-def without_plain_jumps(fcd, jumps, plain_fcd, plain_jumps):
-    """The jumps that plain SUMO does not make: same person, within SAME_JUMP of the same place."""
-    places = {}
-    for row in plain_jumps[0]:
-        name = plain_fcd.persons.names[plain_fcd.persons.who[row]]
-        places.setdefault(name, []).append((plain_fcd.persons.x[row], plain_fcd.persons.y[row]))
-    kept = []
-    for row, _ in zip(*jumps):
-        name = fcd.persons.names[fcd.persons.who[row]]
-        x, y = fcd.persons.x[row], fcd.persons.y[row]
-        kept.append(not any(numpy.hypot(x - px, y - py) <= SAME_JUMP
-                            for px, py in places.get(name, ())))
-    kept = numpy.array(kept, bool)
-    return jumps[0][kept], jumps[1][kept]
+def without_steps_aside(fcd, jumps, trips, network):
+    """Leaves out SUMO's own step across the street, to the side at a stop and back after it."""
+    persons, kept = fcd.persons, []
+    for row, before in zip(jumps.rows, jumps.before):
+        name, time = persons.names[persons.who[row]], fcd.times[persons.step[row]]
+        elapsed = time - fcd.times[persons.step[before]]
+        at_stop = name in trips and any(
+            abs(time - moment) <= 1.5 * elapsed
+            for index, stage in enumerate(trips[name].stages) if stage.kind == "stop"
+            for moment in (trips[name].stages[index - 1].arrival if index else None,
+                           stage.arrival) if moment is not None)
+        along = network.distance_along(
+            persons.edge_names[persons.edge[row]], (persons.x[before], persons.y[before]),
+            (persons.x[row], persons.y[row])) if at_stop else None
+        kept.append(along is None or along > JUMP_SPEED * elapsed + STEP_ASIDE_ALONG)
+    return jumps.only(kept)
+
+
+def without_plain_jumps(fcd, jumps, controlled, plain_fcd, plain_jumps):
+    """Leaves out what plain SUMO does too.
+
+    That is a jump of the same person at about the same place, or, of somebody whom SUMO walks, a jump
+    of anybody at the same place: striping jumps on some walking areas.
+    """
+    plain, persons, kept = plain_fcd.persons, fcd.persons, []
+    names = [plain.names[number] for number in plain.who[plain_jumps.rows]]
+    x, y = plain.x[plain_jumps.rows], plain.y[plain_jumps.rows]
+    for row, before in zip(jumps.rows, jumps.before):
+        apart = numpy.hypot(x - persons.x[row], y - persons.y[row])
+        own = [name == persons.names[persons.who[row]] for name in names]
+        by_sumo = not controlled[row] and not controlled[before]
+        kept.append(not (apart[own] <= SAME_PERSON_JUMP).any()
+                    and not (by_sumo and (apart <= SAME_PLACE_JUMP).any()))
+    return jumps.only(kept)
 
 
 def find_outside(fcd, rows, area):

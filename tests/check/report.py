@@ -10,6 +10,7 @@ _MAXIMA = {
                             "pairs in contact, controlled persons"),
     "zone-contacts": (("contacts", "zone", "pairs"), "pairs in contact, in shared space"),
     "jumps": (("jumps", "events"), "jumps"),
+    "controlled-jumps": (("jumps", "controlled"), "jumps of controlled persons"),
     "outside": (("outside", "persons"), "persons outside the walkable area"),
     "teleports": (("teleports",), "teleports of vehicles"),
     "nan": (("nan",), "positions that are no numbers"),
@@ -140,7 +141,8 @@ def table(result):
         ("  mean duration", f"{_number(persons['mean_duration_s'], 1)} s"),
         ("  jams", "-" if result["jams"] is None else str(result["jams"])),
         ("contacts", ""), *_contact_lines(result["contacts"]),
-        ("jumps", f"{result['jumps']['events']} of {result['jumps']['persons']} persons"),
+        ("jumps", f"{result['jumps']['events']} of {result['jumps']['persons']} persons, "
+         f"{result['jumps']['controlled']} of them controlled"),
         ("outside", f"{outside['persons']} persons in {outside['events']} frames")]
     lines += [(f"  {name.replace('_', ' ')}", f"{outside[name]['persons']} persons in "
                f"{outside[name]['events']} frames")

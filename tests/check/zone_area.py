@@ -59,6 +59,14 @@ class Network:
     junctions: dict = field(default_factory=dict)  # id -> shape
     links: list = field(default_factory=list)  # (from lane, to lane, via lane or None)
 
+    def distance_along(self, edge_id, start, end):
+        """[m] between two points in the direction of an edge; None where there is none such."""
+        edge = self.edges.get(edge_id)
+        if edge is None or not edge.lanes:
+            return None
+        line = edge.lanes[0].line
+        return abs(line.project(Point(end)) - line.project(Point(start)))
+
 
 def _line(shape):
     points = parse_points(shape)
@@ -219,9 +227,10 @@ class ZoneArea:
         corridors = unary_union([line.buffer(max(CORRIDOR, half) + TOLERANCE)
                                  for line, half in self._centre_lines(zone)])
         buildings = unary_union(obstacles).buffer(-TOLERANCE).difference(corridors)
+        passages = list(self._passages(zone))
         roads = unary_union(self._road_parts(zone)).buffer(-TOLERANCE)
-        roads = roads.difference(unary_union([own.buffer(ROAD_MARGIN)] + walkable))
-        self.reach = PointTest(unary_union(reach + inner + walkable).buffer(TOLERANCE))
+        roads = roads.difference(unary_union([own.buffer(ROAD_MARGIN)] + walkable + passages))
+        self.reach = PointTest(unary_union(reach + inner + walkable + passages).buffer(TOLERANCE))
         self.buildings = PointTest(buildings)
         self.roads = PointTest(roads)
 
@@ -275,6 +284,22 @@ class ZoneArea:
                     if point != other:
                         yield LineString([point, other]), 0.0
             yield MultiPoint(points), 0.0
+
+    def _passages(self, zone):
+        """Junctions without walking areas: SUMO's persons pass from lane end to lane end there, and
+        the way between is as wide as the narrower lane."""
+        with_areas = {name[1:].rpartition("_")[0] for name, edge in self._network.edges.items()
+                      if edge.function == "walkingarea"}
+        ends = {}
+        for lane in zone.values():
+            edge = self._network.edges[lane.edge]
+            for junction, point in zip(edge.ends, (lane.line.coords[0], lane.line.coords[-1])):
+                if junction not in with_areas:
+                    ends.setdefault(junction, []).append((point, max(CORRIDOR, lane.width / 2)))
+        for places in ends.values():
+            for index, (point, half) in enumerate(places):
+                for other, other_half in places[:index]:
+                    yield LineString([point, other]).buffer(min(half, other_half))
 
     def _road_parts(self, zone):
         """Lanes that vehicles use and the zone does not, with their ways through junctions."""
