@@ -13,28 +13,29 @@ namespace pedzone {
 /// All persons of a zone as arrays of equal length: those pedzone walks first ([0, walking)),
 /// then those it only sees (SUMO still walks them, near the zone).
 struct Persons {
-  std::vector<double> x, y;              ///< [m] centre of the body
-  std::vector<double> vx, vy;            ///< [m/s]
-  std::vector<double> heading;           ///< [rad] (-pi, pi] where the body faces
-  std::vector<double> radius;            ///< [m] (0, 1] body as a disc
-  std::vector<double> preferred_speed;   ///< [m/s] (0, 5]
-  std::vector<double> goal_direction;    ///< [rad] α0: towards the current waypoint
-  std::vector<double> goal_distance;     ///< [m] to the current waypoint
-  std::vector<std::uint64_t> key;        ///< person_key(id)
-  std::size_t walking = 0;               ///< how many pedzone walks
+  std::vector<double> x, y;             ///< [m] centre of the body
+  std::vector<double> vx, vy;           ///< [m/s]
+  std::vector<double> heading;          ///< [rad] (-pi, pi] where the body faces
+  std::vector<double> radius;           ///< [m] (0, 1] body as a disc
+  std::vector<double> preferred_speed;  ///< [m/s] (0, 5]
+  std::vector<double> goal_direction;   ///< [rad] α0: towards the current waypoint
+  std::vector<double> goal_distance;    ///< [m] to the current waypoint
+  std::vector<std::uint64_t> key;       ///< person_key(id)
+  std::size_t walking = 0;              ///< how many pedzone walks
 
   std::size_t size() const { return x.size(); }
 };
 
 /// A vehicle: its rectangle and how that moves.
 struct VehicleState {
-  Vec2 centre = Vec2::Zero();            ///< [m] of the rectangle
-  double heading = 0.0;                  ///< [rad]
-  Vec2 velocity = Vec2::Zero();          ///< [m/s] of the centre; against the heading: reversing
-  double yaw_rate = 0.0;                 ///< [rad/s]
-  double intent = 0.0;                   ///< [m/s] speed along the heading that a vehicle held up by
-                                         ///< people seeks: they expect it to move at least so fast
-  double length = 5.0, width = 1.8;      ///< [m]
+  Vec2 centre = Vec2::Zero();        ///< [m] of the rectangle
+  double heading = 0.0;              ///< [rad]
+  Vec2 velocity = Vec2::Zero();      ///< [m/s] of the centre; against the heading: reversing
+  double yaw_rate = 0.0;             ///< [rad/s]
+  Vec2 intent = Vec2::Zero();        ///< [m/s] velocity that a vehicle held up by people seeks
+                                     ///< along its way; zero for one that is not. People
+                                     ///< expect it to move so as soon as it can
+  double length = 5.0, width = 1.8;  ///< [m]
 };
 
 struct Snapshot {
