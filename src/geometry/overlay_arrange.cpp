@@ -14,8 +14,8 @@ namespace {
 __extension__ using Wide = __int128;  // products of coordinate differences
 
 constexpr double kGridPerMetre = 1000.0;
-// Coordinates beyond it are clamped: 3 · (2 · 10¹²)³ still fits into 127 bits.
-constexpr double kLargest = 1e12;
+// Coordinates beyond it are clamped [mm]: 8 · (2 · 10¹¹)³, the largest product, fits into 127 bits.
+constexpr double kLargest = 1e11;
 // One round does it by theory; more are a guard.
 constexpr int kMaxRounds = 20;
 
@@ -30,14 +30,15 @@ Wide cross(const GridPoint& origin, const GridPoint& p, const GridPoint& q) {
 
 int sign(Wide value) { return (value > 0) - (value < 0); }
 
+/// Halves are rounded up, as grid cells are half-open.
 std::int64_t divide_rounded(Wide numerator, Wide denominator) {
   if (denominator < 0) {
     numerator = -numerator;
     denominator = -denominator;
   }
-  const Wide half = denominator / 2;
-  return static_cast<std::int64_t>(numerator >= 0 ? (numerator + half) / denominator
-                                                  : -((-numerator + half) / denominator));
+  const Wide twice = 2 * numerator + denominator;
+  const Wide quotient = twice / (2 * denominator);
+  return static_cast<std::int64_t>(quotient - (twice < quotient * 2 * denominator));
 }
 
 /// Where two properly crossing edges meet, rounded to the grid.

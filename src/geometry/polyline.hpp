@@ -1,0 +1,29 @@
+// Places on lines: how far along, how far to the side.
+#pragma once
+
+#include <span>
+
+#include "core/vec.hpp"
+
+namespace pedzone {
+
+/// Length of a line [m].
+double length_of(std::span<const Vec2> line);
+
+/// A point on a line and the direction there.
+struct LinePoint {
+  Vec2 point;      ///< [m]
+  Vec2 direction;  ///< unit vector along the line
+};
+
+/// The point at `offset` [m] along a line, clamped to its ends.
+LinePoint point_on(std::span<const Vec2> line, double offset);
+
+/// Where a point projects on a line.
+struct LineProjection {
+  double offset;   ///< [m] along the line, of the nearest point
+  double lateral;  ///< [m] signed distance, positive to the left
+};
+LineProjection project_on(std::span<const Vec2> line, const Vec2& point);
+
+}  // namespace pedzone
