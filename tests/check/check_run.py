@@ -112,9 +112,9 @@ class Check:
             [self.scenario.size(name) for name in fleet.type_names])
         found = measures.find_contacts(fcd, clearances, self.riding, self.controlled,
                                        self._own_rides())
-        x, y = fcd.persons.x[found.rows], fcd.persons.y[found.rows]
         controlled = self.controlled[found.rows]
-        in_zone = self.area.reach.contains(x, y) & ~self.area.roads.contains(x, y)
+        zone_edges = numpy.array([name in self.area.edges for name in fcd.persons.edge_names])
+        in_zone = controlled | zone_edges[fcd.persons.edge[found.rows]]
 
         def figures(chosen):
             pairs = numpy.column_stack([fcd.persons.who[found.rows[chosen]],
@@ -133,8 +133,8 @@ class Check:
                     "deepest_m": float(found.depth[chosen].max(initial=0.0)),
                     "examples": finding.examples}
 
-        return {"all": figures(numpy.ones(len(x), bool)), "controlled": figures(controlled),
-                "zone": figures(in_zone), "elsewhere": figures(~in_zone & ~controlled),
+        return {"all": figures(numpy.ones(len(in_zone), bool)), "controlled": figures(controlled),
+                "zone": figures(in_zone), "elsewhere": figures(~in_zone),
                 "min_clearance_m": found.min_clearance,
                 "min_clearance_controlled_m": found.min_clearance_controlled}
 

@@ -8,7 +8,7 @@ _MAXIMA = {
     "contacts": (("contacts", "all", "pairs"), "person-vehicle pairs in contact"),
     "controlled-contacts": (("contacts", "controlled", "pairs"),
                             "pairs in contact, controlled persons"),
-    "zone-contacts": (("contacts", "zone", "pairs"), "pairs in contact, in shared space"),
+    "zone-contacts": (("contacts", "zone", "pairs"), "pairs in contact, controlled or on the zone's edges"),
     "jumps": (("jumps", "events"), "jumps"),
     "controlled-jumps": (("jumps", "controlled"), "jumps of controlled persons"),
     "outside": (("outside", "persons"), "persons outside the walkable area"),

@@ -133,6 +133,26 @@ class Jumps(TinyRun):
             figures = self.check(frames, trips, "--plain", self.path("plain"))
             self.assertEqual(figures["jumps"]["events"], jumps, plain_x)
 
+    def test_a_jump_of_anybody_in_plain_sumo_excuses_those_whom_sumo_walks(self):
+        write_run(self.path("plain"), [[person("q", 10, 0)], [person("q", 29, 0)]], [])
+        for x, jumps in ((28, 0), (26.9, 1)):
+            figures = self.check([[person("p", 5, 0)], [person("p", x, 0)]], [walked("p", 0, -1)],
+                                 "--plain", self.path("plain"))
+            self.assertEqual(figures["jumps"]["events"], jumps, x)
+        figures = self.check(self.controlled([(8, 0), (9, 0), (28, 0)]), [walked("p", 0, -1)],
+                             "--plain", self.path("plain"))
+        self.assertEqual((figures["jumps"]["events"], figures["jumps"]["controlled"]), (1, 1))
+
+    def test_sumos_step_aside_at_a_stop_is_none_and_one_along_the_street_is(self):
+        stop = '        <stop duration="9" arrival="{}" arrivalPos="30" actType="sitting"/>\n'
+        for arrival, x, y, jumps in ((20, 30, 5.2, 0), (20, 30.9, 5.2, 0), (20, 35.2, 5.2, 1),
+                                     (1, 30, 5.2, 0), (50, 30, 5.2, 1)):
+            walk_ends = 1 if arrival == 20 else 0
+            figures = self.check([[person("p", 30, 0)], [person("p", x, y)]], [
+                walked("p", 0, walk_ends, extra=stop.format(arrival))
+                if arrival != 50 else walked("p", 0, 40, extra=stop.format(arrival))])
+            self.assertEqual(figures["jumps"]["events"], jumps, (arrival, x, y))
+
 
 class Outside(TinyRun):
     def findings(self, places, *options):

@@ -218,6 +218,7 @@ class ZoneArea:
                     if polygon.type in WALKABLE_POLYGONS or polygon.id in rule.polygons]
         obstacles = [_ring(polygon.points) for polygon in polygons
                      if polygon.type in OBSTACLE_POLYGONS and polygon.id not in rule.polygons]
+        self.edges = self._edges_for_people(zone)
         inner = self._junction_parts(zone)
         lanes = [lane.area() for lane in zone.values()]
         own = unary_union(lanes + inner)
@@ -233,6 +234,18 @@ class ZoneArea:
         self.reach = PointTest(unary_union(reach + inner + walkable + passages).buffer(TOLERANCE))
         self.buildings = PointTest(buildings)
         self.roads = PointTest(roads)
+
+    def _edges_for_people(self, zone):
+        """Ids of the zone's edges and of walking areas and crossings that lead only to them."""
+        edges = {lane.edge for lane in zone.values()}
+        outer = {end for edge in self._network.edges.values() if edge.function == "normal"
+                 for end in edge.ends
+                 if any(lane.persons and lane.id not in zone for lane in edge.lanes)}
+        for edge in self._network.edges.values():
+            junction = edge.id[1:].rpartition("_")[0]
+            if edge.function in ("walkingarea", "crossing") and junction not in outer:
+                edges.add(edge.id)
+        return edges
 
     def _junctions_of(self, zone):
         """Junctions at the zone's lanes: id -> whether all vehicle lanes there are the zone's."""
