@@ -85,7 +85,9 @@ constexpr double kLongestSubstep = 0.1;
 
 // The phases of a substep of `dt` [s], in their order (step.cpp).
 void set_goals(CrowdState& crowd, double dt);         // goals.cpp
+void leave_claims(CrowdState& crowd);                 // claims.cpp
 void decide(CrowdState& crowd);                       // step.cpp
+void wait_beside_claims(CrowdState& crowd);           // claims.cpp
 void set_moves(CrowdState& crowd, double dt);         // moves.cpp
 void resolve_contacts(CrowdState& crowd, double dt);  // contacts.cpp
 void follow_waypoints(CrowdState& crowd, double dt);  // waypoints.cpp

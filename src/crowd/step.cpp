@@ -41,7 +41,9 @@ void move_others_on(CrowdState& crowd, double dt) {
 void walk_substep(CrowdState& crowd, double dt) {
   append_seen(crowd);
   set_goals(crowd, dt);
+  leave_claims(crowd);
   decide(crowd);
+  wait_beside_claims(crowd);
   set_moves(crowd, dt);
   resolve_contacts(crowd, dt);
   follow_waypoints(crowd, dt);

@@ -88,13 +88,10 @@ VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin) 
   s.half_length = static_cast<float>(vehicle.length / 2.0);
   s.half_width = static_cast<float>(vehicle.width / 2.0);
   s.reach = std::sqrt(s.half_length * s.half_length + s.half_width * s.half_width);
-  // A vehicle that people hold up is expected to drive on as soon as it can.
-  const bool held_up = vehicle.intent.squaredNorm() > vehicle.velocity.squaredNorm();
-  const Vec2& velocity = held_up ? vehicle.intent : vehicle.velocity;
-  s.speed = static_cast<float>(velocity.norm());
+  s.speed = static_cast<float>(vehicle.velocity.norm());
   if (s.moving()) {
-    s.vx = static_cast<float>(velocity.x());
-    s.vy = static_cast<float>(velocity.y());
+    s.vx = static_cast<float>(vehicle.velocity.x());
+    s.vy = static_cast<float>(vehicle.velocity.y());
   }
   return s;
 }

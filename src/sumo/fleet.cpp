@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
 constexpr double kLookAhead = 30.0;  // [m] numerical: least length of the way that is built
-constexpr double kIntentTime = 2.0;  // [s] assumed: people see where a held-up vehicle will be then
 constexpr double kMoved = 0.01;      // [m] numerical: less than this in a step gives no direction
 
 bool is_true(const std::string& text) { return text == "true" || text == "1" || text == "yes"; }
@@ -188,6 +187,7 @@ void Fleet::read(double dt) {
       const FleetVehicle& old = previous_[before->second];
       vehicle.held_up = old.held_up;
       vehicle.creeping = old.creeping;
+      vehicle.slowed = old.slowed;
       vehicle.commanded = old.commanded;
       const Vec2 moved = vehicle.centre() - old.centre();
       if (dt > 0.0 && moved.norm() > kMoved) vehicle.velocity = moved.normalized() * vehicle.speed;
@@ -206,10 +206,8 @@ void Fleet::states(double dt, std::vector<VehicleState>& out) const {
     state.heading = vehicle.heading;
     state.length = vehicle.traits.length;
     state.width = vehicle.traits.width;
-    if (vehicle.intent > 0.0) {
-      const Vec2 sought = body_after(vehicle, vehicle.intent * kIntentTime).centre;
-      state.intent = (sought - state.centre) / kIntentTime;
-    }
+    state.claim = vehicle.claim;
+    state.way = vehicle.way;
     const bool ahead = vehicle.velocity.dot(unit(vehicle.heading)) >= -1e-9;
     if (vehicle.traits.external || !ahead || vehicle.way.size() < 3 || dt <= 0.0) {
       state.velocity = vehicle.velocity;

@@ -33,7 +33,8 @@ struct FleetVehicle {
   int zone = 0;                  ///< index of the zone it is in or comes to first
   double commanded = -1.0;       ///< [m/s] speed set by us for the next step; -1: SUMO's own
   double held_up = 0.0;          ///< [s] how long people have held it up
-  double intent = 0.0;           ///< [m/s] along its way, see VehicleState
+  double slowed = 0.0;           ///< [s] people have made it slower without a break
+  double claim = 0.0;            ///< [m] see VehicleState
   bool creeping = false;
 
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }

@@ -1,53 +1,6 @@
 #include "sumo/lane_geometry.hpp"
 
-#include <algorithm>
-#include <limits>
-
 namespace pedzone {
-
-double length_of(const Polyline& line) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
-  return length;
-}
-
-LinePoint point_on(const Polyline& line, double offset) {
-  LinePoint last{line.empty() ? Vec2(0, 0) : line.front(), Vec2(1, 0)};
-  double passed = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Vec2 piece = line[i] - line[i - 1];
-    const double length = piece.norm();
-    if (length <= 0.0) continue;
-    last.direction = piece / length;
-    if (offset <= passed + length) {
-      last.point = line[i - 1] + last.direction * std::max(0.0, offset - passed);
-      return last;
-    }
-    passed += length;
-    last.point = line[i];
-  }
-  return last;
-}
-
-LineProjection project_on(const Polyline& line, const Vec2& point) {
-  LineProjection best{0.0, 0.0};
-  double best_distance = std::numeric_limits<double>::infinity();
-  double passed = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Vec2 piece = line[i] - line[i - 1];
-    const double length = piece.norm();
-    if (length <= 0.0) continue;
-    const Vec2 direction = piece / length;
-    const double along = std::clamp((point - line[i - 1]).dot(direction), 0.0, length);
-    const Vec2 away = point - (line[i - 1] + direction * along);
-    if (away.norm() < best_distance) {
-      best_distance = away.norm();
-      best = {passed + along, cross(direction, away) < 0.0 ? -best_distance : best_distance};
-    }
-    passed += length;
-  }
-  return best;
-}
 
 LinePoint point_on_lane(const Lane& lane, double position) {
   const double scale = lane.length > 0.0 ? length_of(lane.shape) / lane.length : 1.0;

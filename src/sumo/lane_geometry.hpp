@@ -2,28 +2,10 @@
 // scaled between the two, as SUMO does.
 #pragma once
 
+#include "geometry/polyline.hpp"
 #include "zone/network.hpp"
 
 namespace pedzone {
-
-/// Length of a line [m].
-double length_of(const Polyline& line);
-
-/// A point on a line and the direction there.
-struct LinePoint {
-  Vec2 point;      ///< [m]
-  Vec2 direction;  ///< unit vector along the line
-};
-
-/// The point at `offset` [m] along a line, clamped to its ends.
-LinePoint point_on(const Polyline& line, double offset);
-
-/// Where a point projects on a line.
-struct LineProjection {
-  double offset;   ///< [m] along the line, of the nearest point
-  double lateral;  ///< [m] signed distance, positive to the left
-};
-LineProjection project_on(const Polyline& line, const Vec2& point);
 
 /// The point at lane position `position` [m] (SUMO's count).
 LinePoint point_on_lane(const Lane& lane, double position);

@@ -7,13 +7,15 @@
 namespace pedzone {
 namespace {
 
-constexpr double kMoment = 1.0;       // [s] assumed: a driver expects people to walk on so long
-constexpr double kSample = 0.25;      // [m] numerical: sampling of the swept area
-constexpr double kStanding = 0.1;     // [m/s] SUMO's own threshold for waiting
-constexpr double kPersonDecel = 5.0;  // [m/s²] assumed: a walker stops within half a metre
-constexpr double kCleared = 2.0;      // [m/s] numerical: faster than this a jam is over
-constexpr double kIntent = 1.5;       // [m/s] assumed: a held-up vehicle seeks a brisk walking pace
-constexpr int kSpeedModeDefault = 31;    // SUMO: all checks
+constexpr double kMoment = 1.0;        // [s] assumed: a driver expects people to walk on so long
+constexpr double kSample = 0.25;       // [m] numerical: sampling of the swept area
+constexpr double kStanding = 0.1;      // [m/s] SUMO's own threshold for waiting
+constexpr double kPersonDecel = 5.0;   // [m/s²] assumed: a walker stops within half a metre
+constexpr double kCleared = 2.0;       // [m/s] numerical: faster than this a jam is over
+constexpr double kCourtesy = 2.0;      // [s] assumed: people ask no room of themselves for so long
+constexpr double kClaim = 8.0;         // [m] recorded onset of avoidance, median
+constexpr double kCreepMargin = 0.05;  // [m] numerical: a creeping vehicle passes people close
+constexpr int kSpeedModeDefault = 31;  // SUMO: all checks
 constexpr int kSpeedModeEmergency = 27;  // the same without the bound of comfortable braking
 
 /// Whether the body comes within `margin` of a person when its front has gone `travelled`.
@@ -111,13 +113,14 @@ void Yielding::give_back(FleetVehicle& vehicle) {
 
 void Yielding::yield(FleetVehicle& vehicle, std::span<const PersonAhead> people, double dt) {
   const Parameters& parameters = zones_[vehicle.zone].parameters;
-  vehicle.intent = 0.0;
+  vehicle.claim = 0.0;
   const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
-  const auto ahead = first_in_way(vehicle, people, parameters.yield_margin,
-                                  braking + vehicle.speed + parameters.yield_horizon);
+  const auto ahead =
+      first_in_way(vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin,
+                   braking + vehicle.speed + parameters.yield_horizon);
   if (!ahead) {
     vehicle.creeping = false;
-    vehicle.held_up = 0.0;
+    vehicle.held_up = vehicle.slowed = 0.0;
     give_back(vehicle);
     return;
   }
@@ -127,17 +130,18 @@ void Yielding::yield(FleetVehicle& vehicle, std::span<const PersonAhead> people,
   vehicle.creeping = vehicle.held_up >= parameters.creep_after;
   const double safe = safe_speed(vehicle, *ahead, dt);
   if (safe >= vehicle.allowed_speed) {
+    vehicle.slowed = 0.0;
     give_back(vehicle);
     return;
   }
+  vehicle.slowed += dt;
+  if (vehicle.slowed > kCourtesy) vehicle.claim = kClaim;
   const double comfortable = std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
   const bool emergency = safe < comfortable && vehicle.speed * vehicle.speed >
                                                    2.0 * vehicle.traits.decel * ahead->distance;
   command(vehicle,
           emergency ? std::max(0.0, vehicle.speed - vehicle.traits.emergency_decel * dt) : safe,
           emergency);
-  vehicle.intent =
-      std::min(vehicle.allowed_speed, vehicle.creeping ? parameters.creep_speed : kIntent);
   yielded_.insert(vehicle.id);
 }
 

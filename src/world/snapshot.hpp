@@ -32,9 +32,10 @@ struct VehicleState {
   double heading = 0.0;              ///< [rad]
   Vec2 velocity = Vec2::Zero();      ///< [m/s] of the centre; against the heading: reversing
   double yaw_rate = 0.0;             ///< [rad/s]
-  Vec2 intent = Vec2::Zero();        ///< [m/s] velocity that a vehicle held up by people seeks
-                                     ///< along its way; zero for one that is not. People
-                                     ///< expect it to move so as soon as it can
+  double claim = 0.0;                ///< [m] [0, 50] a vehicle that people hold up asks for so
+                                     ///< much room ahead of its front bumper, along its way
+  std::span<const Vec2> way;         ///< [m] from its rear along its next lanes; empty where
+                                     ///< unknown. Read within the step only
   double length = 5.0, width = 1.8;  ///< [m]
 };
 
