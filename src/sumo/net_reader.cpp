@@ -10,9 +10,10 @@
 namespace pedzone {
 namespace {
 
-constexpr NumberRange kSpeedRange{0.0, 1000.0};  // [m/s]
-constexpr NumberRange kWidthRange{0.0, 1000.0};  // [m]
-constexpr NumberRange kLengthRange{0.0, 1.0e6};  // [m]
+constexpr NumberRange kSpeedRange{0.0, 1000.0};         // [m/s]
+constexpr NumberRange kWidthRange{0.0, 1000.0};         // [m]
+constexpr NumberRange kLengthRange{0.0, 1.0e6};         // [m]
+constexpr NumberRange kCoordinateRange{-1.0e8, 1.0e8};  // [m] what geometry/overlay.hpp can hold
 constexpr NumberRange kLaneNumberRange{0.0, 1000.0};
 constexpr const char* kPersonClass = "pedestrian";
 
@@ -58,10 +59,13 @@ Polyline read_shape(const XmlFile& file, const pugi::xml_node& node, std::vector
     const auto parts = split_words(word, ',');
     std::array<double, 3> number{};
     bool good = parts.size() == 2 || parts.size() == 3;
-    for (std::size_t i = 0; good && i < parts.size(); ++i) good = parse_number(parts[i], number[i]);
+    for (std::size_t i = 0; good && i < parts.size(); ++i) {
+      good = parse_number(parts[i], number[i]) && number[i] >= kCoordinateRange.least &&
+             number[i] <= kCoordinateRange.most;
+    }
     if (!good) {
       throw file.error("is not a point", node, "shape", word,
-                       "points \"x,y\" or \"x,y,z\" in metres, separated by spaces");
+                       "points \"x,y\" or \"x,y,z\" in metres, at most 1e8, separated by spaces");
     }
     shape.emplace_back(number[0], number[1]);
     heights.push_back(number[2]);

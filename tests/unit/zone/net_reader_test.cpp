@@ -147,7 +147,9 @@ TEST_F(NetReader, malformed_networks_name_file_line_element_and_value) {
   EXPECT_EQ(lane("speed=\"5\" length=\"10\" shape=\"0,0 1O,0\""),
             path_ +
                 ":3: <lane id=\"e_0\"> attribute shape: '1O,0' is not a point; allowed: points "
-                "\"x,y\" or \"x,y,z\" in metres, separated by spaces");
+                "\"x,y\" or \"x,y,z\" in metres, at most 1e8, separated by spaces");
+  EXPECT_THAT(lane("speed=\"5\" length=\"10\" shape=\"0,0 1e9,0\""),
+              HasSubstr("'1e9,0' is not a point"));
   EXPECT_THAT(lane("speed=\"fast\" length=\"10\" shape=\"0,0 10,0\""),
               HasSubstr(":3: <lane id=\"e_0\"> attribute speed: 'fast' is not a number"));
   EXPECT_THAT(lane("speed=\"5\" length=\"-1\" shape=\"0,0 10,0\""),
