@@ -28,7 +28,7 @@ Candidates::Candidates(double field) : field_(field) {
   sine_.assign(padded, 0.0F);
   half_cosine_.assign(padded, 0.0F);
   half_sine_.assign(padded, 0.0F);
-  unused_.assign(padded, std::numeric_limits<float>::infinity());
+  excluded_.assign(padded, std::numeric_limits<float>::infinity());
 
   const auto middle = static_cast<std::ptrdiff_t>(kMainDirections / 2);
   for (std::size_t k = 0; k < kMainDirections; ++k) {
@@ -45,7 +45,7 @@ Candidates::Candidates(double field) : field_(field) {
 
 void Candidates::put(std::size_t k, double offset) {
   offset_[k] = offset;
-  unused_[k] = 0.0F;
+  excluded_[k] = 0.0F;
   cosine_[k] = static_cast<float>(std::cos(offset));
   sine_[k] = static_cast<float>(std::sin(offset));
   half_cosine_[k] = static_cast<float>(std::cos(offset / 2.0));

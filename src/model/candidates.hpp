@@ -17,7 +17,6 @@ inline constexpr std::size_t kDirectionGroup = 8;
 struct CandidateView {
   const float *cosine, *sine;            ///< of the offset
   const float *half_cosine, *half_sine;  ///< of half the offset
-  const float* unused;                   ///< 0; infinity in the padding
   std::size_t padded;                    ///< length of the tables
 };
 
@@ -41,9 +40,10 @@ class Candidates {
   const float* cosine() const { return cosine_.data(); }
   const float* sine() const { return sine_.data(); }
   CandidateView view() const {
-    return {cosine_.data(),    sine_.data(),   half_cosine_.data(),
-            half_sine_.data(), unused_.data(), offset_.size()};
+    return {cosine_.data(), sine_.data(), half_cosine_.data(), half_sine_.data(), padded()};
   }
+  /// 0 for a direction, infinity in the padding.
+  const float* excluded() const { return excluded_.data(); }
 
  private:
   void put(std::size_t k, double offset);
@@ -51,7 +51,7 @@ class Candidates {
   double field_;
   std::size_t rest_count_ = 0;
   std::vector<double> offset_;
-  std::vector<float> cosine_, sine_, half_cosine_, half_sine_, unused_;
+  std::vector<float> cosine_, sine_, half_cosine_, half_sine_, excluded_;
 };
 
 /// Most directions there can be (field 10°), padding included.

@@ -42,6 +42,7 @@ struct Sight {
 /// lists is looked at first, the rest only for directions that may still be the best.
 struct DirectionTask {
   CandidateView candidates;
+  const float* excluded = nullptr;  ///< 0; infinity for what is no candidate (the padding, too)
   float heading_cos = 1.0F, heading_sin = 0.0F;
   /// cos and sin of α0 − heading (Eq. 1) or of half of it (Eq. 2).
   float goal_cos = 1.0F, goal_sin = 0.0F;
@@ -75,27 +76,17 @@ struct DirectionChoice {
 
 inline constexpr std::uint32_t kNoDirection = ~0U;
 
-/// Time [s] of the first contact, at most the horizon, and D, for every direction.
-struct DirectionTimes {
-  float all[kMaxDirections];     ///< with anything
-  float still[kMaxDirections];   ///< with what stands still
-  float weight[kMaxDirections];  ///< D of DirectionChoice
-};
-
 /// The operations behind which vector code stands.
 struct DirectionKernel {
   const char* name;
-  /// Writes those of the groups whom the person sees and could touch within its horizon, from
-  /// `out[already]` on, and returns how many there are then; fills the last group of `out` with
-  /// discs nobody touches. `already` is 0 or what the last call with this `out` returned.
+  /// Writes those of the groups whom the person sees and could touch within its horizon, and
+  /// returns how many; fills up what is read with them with discs nobody touches.
   std::size_t (*see)(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
-                     const Sight& sight, DiscSpace out, std::size_t already);
+                     const Sight& sight, DiscSpace out);
   /// The best of the directions [first, first + count) and of `best`, which may be none
-  /// (index kNoDirection); `first` is a multiple of kDirectionGroup.
+  /// (index kNoDirection); `first` is a multiple of kDirectionGroup. None where all are excluded.
   DirectionChoice (*choose)(const DirectionTask& task, std::size_t first, std::size_t count,
                             DirectionChoice best);
-  /// All that can be known about every direction.
-  void (*times)(const DirectionTask& task, DirectionTimes& out);
   /// `out[k]`: time [s] until the first contact with these alone, at most the horizon.
   void (*times_of)(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
                    float* out);

@@ -6,8 +6,7 @@ namespace pedzone {
 
 const DirectionKernel& avx2_kernel() {
   using Impl = KernelImpl<simd::Float8>;
-  static constexpr DirectionKernel kKernel{"avx2", Impl::see, Impl::choose, Impl::times,
-                                           Impl::times_of};
+  static constexpr DirectionKernel kKernel{"avx2", Impl::see, Impl::choose, Impl::times_of};
   return kKernel;
 }
 

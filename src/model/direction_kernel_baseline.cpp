@@ -6,8 +6,7 @@ namespace pedzone {
 
 const DirectionKernel& baseline_kernel() {
   using Impl = KernelImpl<simd::Float4>;
-  static constexpr DirectionKernel kKernel{"baseline", Impl::see, Impl::choose, Impl::times,
-                                           Impl::times_of};
+  static constexpr DirectionKernel kKernel{"baseline", Impl::see, Impl::choose, Impl::times_of};
   return kKernel;
 }
 

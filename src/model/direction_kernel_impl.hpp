@@ -28,8 +28,12 @@ struct KernelImpl {
   static constexpr float kReachMargin = 0.01F, kReachShare = 0.001F;
   /// Share of the largest g by which bounds are lowered: protects from rounding in (2), 1e-7.
   static constexpr float kBoundShare = 4e-6F;
+  /// Far discs are looked at in groups of this many between two questions whether to go on.
+  static constexpr std::size_t kFarGroup = 2 * kObstacleGroup;
   /// [s] protects from dividing by zero.
   static constexpr float kLeastTime = 1e-30F;
+  /// Bound of a direction that has been tried or is excluded.
+  static constexpr float kTried = std::numeric_limits<float>::infinity();
 
   // ---- perceiving persons -------------------------------------------------------------------
 
@@ -55,10 +59,10 @@ struct KernelImpl {
   };
 
   static std::size_t see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
-                         const Sight& sight, DiscSpace out, std::size_t already) {
+                         const Sight& sight, DiscSpace out) {
     const Seer seer(sight);
     const PersonSlots persons = slots;
-    std::size_t n = already;
+    std::size_t n = 0;
     for (std::size_t g = 0; g < count; ++g) {
       for (std::uint32_t half = 0; half < kSlotGroup; half += kLanes) {
         const std::uint32_t used = groups[g].used >> half & ((1U << kLanes) - 1U);
@@ -66,8 +70,8 @@ struct KernelImpl {
       }
     }
     std::size_t end = n;
-    for (; end % kObstacleGroup != 0; ++end) nobody(out, end);
-    for (std::size_t j = already; j < end; j += kLanes) finish_discs(out, j, seer.speed2);
+    for (; end % kFarGroup != 0; ++end) nobody(out, end);
+    for (std::size_t j = 0; j < end; j += kLanes) finish_discs(out, j, seer.speed2);
     return n;
   }
 
@@ -173,12 +177,18 @@ struct KernelImpl {
                 contact);
   }
 
-  /// Inverse time in one direction with everything that the near ones left out; anything from
-  /// `enough` on where it is at least that.
+  /// Inverse time in one direction with everything that the near ones left out, given what it is
+  /// with those; anything from `enough` on where it is at least that.
   static float rest_of(const DirectionTask& task, float ex_k, float ey_k, float u_k,
                        float enough_k) {
     const Float ex = Float::all(ex_k), ey = Float::all(ey_k), enough = Float::all(enough_k);
     Float u = Float::all(u_k);
+    for (std::size_t j = 0; j < task.far_discs.size; j += kFarGroup) {
+      for (std::size_t i = j; i < j + kFarGroup; i += kLanes) {
+        u = larger(of_disc_group(task.far_discs, i, ex, ey), u);
+      }
+      if (bits(at_least(u, enough)) != 0) return largest(u);
+    }
     Float still = Float::all(0.0F);
     for (std::size_t j = 0; j < task.still_discs.size; j += kLanes) {
       still = larger(of_disc_group(task.still_discs, j, ex, ey), still);
@@ -186,13 +196,7 @@ struct KernelImpl {
     for (std::size_t j = 0; j < task.still_faces.size; j += kLanes) {
       still = larger(of_face_group(task.still_faces, j, ex, ey), still);
     }
-    u = larger(both(at_least(still, Float::all(1.0F / task.static_horizon)), still), u);
-    for (std::size_t j = 0; j < task.far_discs.size; j += 2 * kLanes) {
-      if (bits(at_least(u, enough)) != 0) break;
-      const Float second = of_disc_group(task.far_discs, j + kLanes, ex, ey);
-      u = larger(of_disc_group(task.far_discs, j, ex, ey), larger(second, u));
-    }
-    return largest(u);
+    return largest(larger(both(at_least(still, Float::all(1.0F / task.static_horizon)), still), u));
   }
 
   // ---- directions -----------------------------------------------------------------------------
@@ -235,7 +239,7 @@ struct KernelImpl {
   /// Lower bound of g = t² − t·D for all t ≤ `time`.
   static Float bound_of(const DirectionTask& task, std::size_t k, Float time, Float d) {
     const Float t = larger(smaller(time, Float::all(0.5F) * d), Float::all(0.0F));
-    return t * (t - d) - slack(task) + Float::load(task.candidates.unused + k);
+    return t * (t - d) - slack(task) + Float::load(task.excluded + k);
   }
 
   /// Inverse of the time below which g exceeds `value` for certain.
@@ -273,14 +277,18 @@ struct KernelImpl {
     if (best.index == kNoDirection || better(choice, best)) best = choice;
   }
 
+  /// Whether a direction with that bound can still be the best.
+  static bool hopeful(float bound, const DirectionChoice& best) {
+    return best.index == kNoDirection ? bound < kTried : bound <= best.value;
+  }
+
   /// Tries what may still be the best of the kLanes directions from k on, best first.
   static void try_block(const DirectionTask& task, Directions& dirs, std::size_t k,
                         DirectionChoice& best) {
-    constexpr float kTried = std::numeric_limits<float>::infinity();
-    while (true) {
-      const std::size_t next = lowest(dirs, k);
-      if (best.index != kNoDirection && dirs.bound[next] > best.value) return;
-      const float enough = best.index == kNoDirection ? kTried : enough_for(task, best.value, dirs.weight[next]);
+    for (std::size_t next = lowest(dirs, k); hopeful(dirs.bound[next], best);
+         next = lowest(dirs, k)) {
+      const float enough =
+          best.index == kNoDirection ? kTried : enough_for(task, best.value, dirs.weight[next]);
       try_direction(task, dirs, next, enough, best);
       dirs.bound[next] = kTried;
     }
@@ -288,55 +296,31 @@ struct KernelImpl {
 
   static DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t count,
                                 DirectionChoice best) {
-    constexpr float kNeverEnough = std::numeric_limits<float>::infinity();
     Directions dirs;
+    float promise[kMaxDirections / kLanes];  // lowest bound of each block
     const std::size_t blocks = (count + kLanes - 1) / kLanes;
-    std::size_t start = 0;  // the block that promises most
-    float promise = kNeverEnough;
+    std::size_t start = 0;
     for (std::size_t b = 0; b < blocks; ++b) {
       const std::size_t k = first + b * kLanes;
       const Float d = weight(task, k);
-      const Float bound = bound_of(task, k, Float::all(task.horizon), d);
       d.store(dirs.weight + k);
-      bound.store(dirs.bound + k);
-      const float least = smallest(bound);
-      start = least < promise ? b : start;
-      promise = least < promise ? least : promise;
+      promise[b] = smallest(bound_of(task, k, Float::all(task.horizon), d));
+      start = promise[b] < promise[start] ? b : start;
     }
-    // From there outwards, alternately left and right.
+    // From the block that promises most outwards, alternately left and right.
     for (std::size_t i = 0; i < 2 * blocks; ++i) {
       const std::size_t step = (i + 1) / 2;
       if (i % 2 != 0 ? start + step >= blocks : step > start) continue;
-      const std::size_t k = first + (i % 2 != 0 ? start + step : start - step) * kLanes;
-      if (best.index != kNoDirection &&
-          bits(at_least(Float::all(best.value), Float::load(dirs.bound + k))) == 0) {
-        continue;
-      }
-      look_near(task, k, dirs);
-      try_block(task, dirs, k, best);
+      const std::size_t b = i % 2 != 0 ? start + step : start - step;
+      if (!hopeful(promise[b], best)) continue;
+      look_near(task, first + b * kLanes, dirs);
+      try_block(task, dirs, first + b * kLanes, best);
     }
     return best;
   }
 
-  // ---- everything, for the few who need it ------------------------------------------------------
-
-  static void times(const DirectionTask& task, DirectionTimes& out) {
-    for (std::size_t k = 0; k < task.candidates.padded; k += kLanes) {
-      const Velocity e = velocity(task, k);
-      const Float horizon = Float::all(1.0F / task.horizon);
-      Float still = of_discs(task.still_discs, e.x, e.y, Float::all(0.0F));
-      still = of_faces(task.still_faces, e.x, e.y, still);
-      still = both(at_least(still, Float::all(1.0F / task.static_horizon)), still);
-      still = larger(still, horizon);
-      Float u = of_discs(task.near_discs, e.x, e.y, still);
-      u = of_discs(task.far_discs, e.x, e.y, u);
-      u = of_discs(task.vehicle_discs, e.x, e.y, u);
-      u = of_faces(task.vehicle_faces, e.x, e.y, u);
-      (Float::all(1.0F) / u).store(out.all + k);
-      (Float::all(1.0F) / still).store(out.still + k);
-      weight(task, k).store(out.weight + k);
-    }
-  }
+  // ---- one obstacle, for the few who need it
+  // ------------------------------------------------------
 
   static void times_of(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
                        float* out) {

@@ -2,8 +2,9 @@
 // on where in the network (thousands of metres from its origin) a scene lies, nor on its mirroring.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
+
+#include "model/trigonometry.hpp"
 
 namespace pedzone {
 
@@ -19,7 +20,7 @@ struct LatticeOrigin {
 
 /// Nearest lattice coordinate of `metres` [m]. Ties go to even, so mirroring is exact.
 inline std::int64_t to_lattice(double metres) {
-  return static_cast<std::int64_t>(std::nearbyint(metres * kLatticePerMetre));
+  return static_cast<std::int64_t>(nearest_integer(metres * kLatticePerMetre));
 }
 
 struct LatticePoint {

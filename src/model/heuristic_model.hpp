@@ -13,6 +13,8 @@
 
 namespace pedzone {
 
+class Surroundings;
+
 class HeuristicModel : public WalkingModel {
  public:
   /// With the fastest kernel for this processor, or a given one.
@@ -23,27 +25,26 @@ class HeuristicModel : public WalkingModel {
 
  private:
   struct Scratch;
-  struct Aware;
 
+  void prepare_walls();
+  void prepare_vehicles();
+  Walker walker(std::size_t person) const;
   Decision decide_one(std::size_t person, Scratch& scratch) const;
-  void perceive_persons(const Aware& self, double heading, Scratch& scratch) const;
-  void perceive_walls(const Aware& self, Scratch& scratch) const;
-  void perceive_vehicles(const Aware& self, Scratch& scratch) const;
-
-  DirectionChoice make_way(const Aware& self, const DirectionTask& task, Scratch& scratch) const;
-  bool waits(const Aware& self, float ex, float ey, const Scratch& scratch) const;
+  DirectionChoice choose(const Walker& walker, double to_goal, const DirectionTask& task,
+                         Scratch& scratch) const;
+  bool waits(const Walker& walker, float ex, float ey, const Surroundings& surroundings) const;
 
   const DirectionKernel& kernel_;
   Snapshot snapshot_;
+  Senses senses_;
   Candidates candidates_;
   LatticeOrigin origin_;
   PersonGrid grid_;
   std::vector<VehicleShape> vehicles_;
+  TileLists vehicle_tiles_;  ///< vehicles that somebody on a tile may be aware of
   WallTiles walls_;
-  const WallIndex* known_walls_ = nullptr;  ///< what walls_ was built from
-  const Wall* known_first_ = nullptr;
-  std::size_t known_count_ = 0;
-  double known_reach_ = 0.0;
+  std::vector<Wall> known_walls_;  ///< what walls_ was built from
+  double known_reach_ = 0.0;       ///< [m]
 };
 
 }  // namespace pedzone

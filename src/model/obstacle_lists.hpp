@@ -41,7 +41,7 @@ inline constexpr float kLeastFaceGap = 1e-3F;
 /// along it, past its joints, is free. Numerical: far above rounding, far below what one sees.
 inline constexpr float kSkin = 0.01F;
 /// Discs and faces are read in groups of this many; the arrays are filled up with harmless ones.
-inline constexpr std::size_t kObstacleGroup = 16;
+inline constexpr std::size_t kObstacleGroup = 8;
 
 /// The arrays of a DiscList, for the kernel.
 struct DiscView {
@@ -69,7 +69,7 @@ struct DiscList {
   std::size_t size = 0;
 
   void clear() { size = 0; }
-  void reserve(std::size_t n);
+  void reserve(std::size_t n);  ///< room for n discs; before they are added
   /// p [m], v [m/s], contact distance R [m], V² [m²/s²].
   void add(float x, float y, float vx, float vy, float contact, float speed_squared);
   void fill_group();  ///< up to the next multiple of kObstacleGroup with discs nobody touches
@@ -87,7 +87,7 @@ struct FaceList {
   std::size_t size = 0;
 
   void clear() { size = 0; }
-  void reserve(std::size_t n);
+  void reserve(std::size_t n);  ///< room for n faces; before they are added
   struct Face {
     float nx, ny;     ///< outward unit normal
     float dx, dy;     ///< unit vector along the face
@@ -104,14 +104,13 @@ struct FaceList {
 };
 
 inline void DiscList::reserve(std::size_t n) {
-  n += kObstacleGroup;
+  n += 3 * kObstacleGroup;  // room for filling up, and for whole vectors written at the end
   if (px.size() >= n) return;
   for (auto* array : {&px, &py, &q, &a, &wx, &wy}) array->resize(n);
 }
 
 inline void DiscList::add(float x, float y, float vx, float vy, float contact,
                           float speed_squared) {
-  reserve(size + 1);
   const float apart = x * x + y * y;
   const float soft = kSoftness * apart > kLeastDiscGap ? kSoftness * apart : kLeastDiscGap;
   const float free = apart - contact * contact;
@@ -139,7 +138,6 @@ inline void FaceList::reserve(std::size_t n) {
 }
 
 inline void FaceList::add(const Face& face) {
-  reserve(size + 1);
   const float inverse = 1.0F / (face.gap > kLeastFaceGap ? face.gap : kLeastFaceGap);
   nx[size] = face.nx * inverse;
   ny[size] = face.ny * inverse;

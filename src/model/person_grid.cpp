@@ -24,32 +24,30 @@ const PersonGrid::Level& PersonGrid::level(double scale) {
   }
   Level fresh;
   fresh.scale = scale;
-  double from = 0.0;
-  for (std::size_t r = 0; r < 3; ++r) {
-    const double to = r < 2 ? std::min(kBeltBorders[r], sight_) : sight_;
-    fresh.cells[r] = ViewCells({from, to}, half_field_, kCellWidth * scale, kCellHeight * scale);
-    from = to;
-  }
+  const double near = std::min(kNearReach, sight_);
+  const double width = kCellWidth * scale, height = kCellHeight * scale;
+  fresh.cells[0] = ViewCells({0.0, near}, half_field_, width, height);
+  fresh.cells[1] = ViewCells({near, sight_}, half_field_, width, height);
   levels_.push_back(std::move(fresh));
   return levels_[level_];
 }
 
 PersonGrid::Cell PersonGrid::cell_of(const LatticePoint& point) const {
   const Level& level = levels_[level_];
-  const double x = static_cast<double>(static_cast<std::int64_t>(point.x) - x_least_);
-  const double y = static_cast<double>(static_cast<std::int64_t>(point.y) - y_least_);
+  const double x = static_cast<double>(point.x - bounds_.left);
+  const double y = static_cast<double>(point.y - bounds_.low);
   return {static_cast<int>(x * columns_per_lattice_) + level.widest().columns(),
           static_cast<int>(y * rows_per_lattice_) + level.widest().rows()};
 }
 
-void PersonGrid::choose_cells(double scale, std::int64_t width, std::int64_t height) {
+void PersonGrid::choose_cells(double scale) {
+  const auto width = static_cast<double>(bounds_.right - bounds_.left);
+  const auto height = static_cast<double>(bounds_.high - bounds_.low);
   const Level& chosen = level(scale);
   columns_per_lattice_ = 1.0 / (kCellWidth * scale * kLatticePerMetre);
   rows_per_lattice_ = 1.0 / (kCellHeight * scale * kLatticePerMetre);
-  columns_ = static_cast<int>(static_cast<double>(width) * columns_per_lattice_) + 1 +
-             2 * chosen.widest().columns();
-  rows_ = static_cast<int>(static_cast<double>(height) * rows_per_lattice_) + 1 +
-          2 * chosen.widest().rows();
+  columns_ = static_cast<int>(width * columns_per_lattice_) + 1 + 2 * chosen.widest().columns();
+  rows_ = static_cast<int>(height * rows_per_lattice_) + 1 + 2 * chosen.widest().rows();
 }
 
 void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, double sight,
@@ -64,27 +62,25 @@ void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, doub
   for (auto* array : {&vx_, &vy_, &speed2_, &radius_}) array->resize(size_ + kGroup);
   cell_.resize(size_);
   point_.resize(size_);
+  bounds_ = {0, 0, -1, -1};
   if (size_ == 0) return;
 
   for (std::size_t i = 0; i < size_; ++i) {
     point_[i] = to_lattice(persons.x[i], persons.y[i], origin);
   }
-  LatticePoint least = point_[0], most = point_[0];
+  bounds_ = {point_[0].x, point_[0].y, point_[0].x, point_[0].y};
   for (const LatticePoint& p : point_) {
-    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+    bounds_ = {std::min<std::int64_t>(bounds_.left, p.x), std::min<std::int64_t>(bounds_.low, p.y),
+               std::max<std::int64_t>(bounds_.right, p.x),
+               std::max<std::int64_t>(bounds_.high, p.y)};
   }
-  x_least_ = least.x;
-  y_least_ = least.y;
-  const std::int64_t width = static_cast<std::int64_t>(most.x) - least.x;
-  const std::int64_t height = static_cast<std::int64_t>(most.y) - least.y;
   const double most_cells = kCellsPerPerson * static_cast<double>(size_) + kCellsAtLeast;
   double scale = 1.0;
-  choose_cells(scale, width, height);
+  choose_cells(scale);
   while (static_cast<double>(columns_) * rows_ > most_cells && columns_ > 3 && rows_ > 3 &&
          kCellWidth * scale < sight_) {
     scale *= 2.0;
-    choose_cells(scale, width, height);
+    choose_cells(scale);
   }
 
   // Counting sort: count, prefix sums (cell_start_[c + 1] is where cell c is filled next), place.

@@ -9,17 +9,17 @@
 
 #include "model/direction_kernel.hpp"
 #include "model/fixed_point.hpp"
+#include "model/tile_lists.hpp"
 #include "model/view_cells.hpp"
 #include "world/snapshot.hpp"
 
 namespace pedzone {
 
-/// How far away others are looked for at once. The belts tile what a person sees.
-enum class Belt : std::size_t { kNear, kMiddle, kFar };
-/// [m] outer border of the near and the middle belt; that of the far one is the sight. Numerical,
-/// by timing: near persons are tried on all directions at once, since they decide most of them;
-/// the middle ones come before the far ones.
-inline constexpr double kBeltBorders[] = {2.5, 4.5};
+/// Others are looked for within kNearReach first and then up to the sight.
+enum class Belt : std::size_t { kNear, kFar };
+/// [m] Numerical, by timing: near persons are tried on many directions at once, since they decide
+/// most of them.
+inline constexpr double kNearReach = 2.5;
 
 class PersonGrid {
  public:
@@ -32,6 +32,9 @@ class PersonGrid {
   std::span<const SlotGroup> groups(Belt belt, const LatticePoint& point, double heading,
                                     std::vector<SlotGroup>& space) const;
 
+  /// Of all persons; empty (right < left) without any.
+  const LatticeBox& bounds() const { return bounds_; }
+
   PersonSlots slots() const {
     return {x_.data(), y_.data(), vx_.data(), vy_.data(), speed2_.data(), radius_.data()};
   }
@@ -41,8 +44,8 @@ class PersonGrid {
   /// The cells that people see for one size of cell.
   struct Level {
     double scale = 0.0;  ///< cells are this many times the smallest
-    ViewCells cells[3];  ///< of each belt
-    const ViewCells& widest() const { return cells[2]; }
+    ViewCells cells[2];  ///< of each belt
+    const ViewCells& widest() const { return cells[1]; }
   };
   struct Cell {
     int column, row;
@@ -50,11 +53,11 @@ class PersonGrid {
 
   const Level& level(double scale);
   Cell cell_of(const LatticePoint& point) const;
-  void choose_cells(double scale, std::int64_t width, std::int64_t height);
+  void choose_cells(double scale);
   double sight_ = 0.0, half_field_ = 0.0;
   std::vector<Level> levels_;
-  std::size_t level_ = 0;                   ///< in use
-  std::int32_t x_least_ = 0, y_least_ = 0;  ///< lattice, of the persons
+  std::size_t level_ = 0;  ///< in use
+  LatticeBox bounds_{0, 0, -1, -1};
   double columns_per_lattice_ = 1.0, rows_per_lattice_ = 1.0;
   int columns_ = 0, rows_ = 0;  ///< of the grid, its empty border included
   std::size_t size_ = 0;

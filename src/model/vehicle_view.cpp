@@ -9,6 +9,9 @@ namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
+/// [m] more than rounding, so that what could just be touched is not left out.
+constexpr float kReachMargin = 0.1F;
+
 struct Vec2f {
   float x, y;
 };
@@ -96,7 +99,7 @@ VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin) 
   return s;
 }
 
-VehicleView view_of(const VehicleShape& shape, const Onlooker& person) {
+VehicleView view_of(const VehicleShape& shape, const Walker& person) {
   VehicleView view;
   view.shape = &shape;
   const Vec2f q = to_vehicle(shape, lattice_difference(person.at.x, shape.centre.x),
@@ -112,7 +115,7 @@ VehicleView view_of(const VehicleShape& shape, const Onlooker& person) {
   return view;
 }
 
-Awareness awareness(const VehicleView& view, const Onlooker& person, const Senses& senses) {
+Awareness awareness(const VehicleView& view, const Walker& person, const Senses& senses) {
   if (view.distance > senses.sight) {
     return view.shape->moving() && view.distance <= senses.hearing ? Awareness::kHeard
                                                                    : Awareness::kNone;
@@ -139,9 +142,26 @@ Awareness awareness(const VehicleView& view, const Onlooker& person, const Sense
   return view.distance <= senses.hearing ? Awareness::kHeard : Awareness::kNone;
 }
 
-void add_vehicle(const VehicleView& view, const Onlooker& person, DiscList& discs,
-                 FaceList& faces) {
+bool touchable(const VehicleView& view, const Walker& person, float horizon) {
+  // First time at which the circle round the vehicle meets all that the person can have reached:
+  // |p + v·t| = R + V·t.
   const VehicleShape& s = *view.shape;
+  const Vec2f v = to_vehicle(s, s.vx, s.vy);
+  const float reach = s.reach + view.contact + kReachMargin;
+  const float a = s.speed * s.speed - person.speed * person.speed;
+  const float b = -(view.x * v.x + view.y * v.y) - reach * person.speed;
+  const float c = view.x * view.x + view.y * view.y - reach * reach;
+  if (c <= 0.0F) return true;
+  const float square = b * b - a * c;
+  if (square < 0.0F) return false;
+  const float closing = std::sqrt(square) - b;
+  return closing > 0.0F && c <= horizon * closing;
+}
+
+void add_vehicle(const VehicleView& view, const Walker& person, DiscList& discs, FaceList& faces) {
+  const VehicleShape& s = *view.shape;
+  discs.reserve(discs.size + 4);
+  faces.reserve(faces.size + 4);
   FaceFrame frames[4];
   faces_of(view, frames);
   if (view.distance == 0.0F) {
@@ -165,7 +185,7 @@ void add_vehicle(const VehicleView& view, const Onlooker& person, DiscList& disc
   }
 }
 
-float time_to_standing(const VehicleView& view, const Onlooker& person, float dx, float dy,
+float time_to_standing(const VehicleView& view, const Walker& person, float dx, float dy,
                        float from) {
   const VehicleShape& s = *view.shape;
   const Vec2f step = to_vehicle(s, dx, dy);
@@ -181,15 +201,15 @@ float time_to_standing(const VehicleView& view, const Onlooker& person, float dx
 
 // A vehicle moves along its own axis (reversing: against it), so its swept area is the rectangle
 // stretched that way; `forward` is the side of its leading end.
-bool in_its_way(const VehicleView& view, const Onlooker& person, float margin) {
+bool in_its_way(const VehicleView& view, const Walker& person, float margin) {
   const VehicleShape& s = *view.shape;
   const float forward = to_vehicle(s, s.vx, s.vy).x >= 0.0F ? 1.0F : -1.0F;
   const float room = person.radius + margin;
   return std::abs(view.y) <= s.half_width + room && forward * view.x >= -(s.half_length + room);
 }
 
-bool crosses_way(const VehicleView& view, const Onlooker& person, float ex, float ey,
-                 float distance, float time) {
+bool crosses_way(const VehicleView& view, const Walker& person, float ex, float ey, float distance,
+                 float time) {
   const VehicleShape& s = *view.shape;
   const Vec2f v = to_vehicle(s, s.vx, s.vy);
   const Vec2f e = to_vehicle(s, ex, ey);

@@ -8,6 +8,7 @@
 
 #include "model/fixed_point.hpp"
 #include "model/obstacle_lists.hpp"
+#include "model/walker.hpp"
 #include "world/snapshot.hpp"
 
 namespace pedzone {
@@ -34,21 +35,6 @@ struct VehicleShape {
 
 VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin);
 
-/// How a person perceives.
-struct Senses {
-  float sight = 10.0F;                       ///< [m]
-  float hearing = 8.0F;                      ///< [m] of moving vehicles outside the field of view
-  float field_cos = 0.0F, field_sin = 1.0F;  ///< of the half field of view
-};
-
-/// A person that looks at vehicles.
-struct Onlooker {
-  LatticePoint at;
-  float heading_cos = 1.0F, heading_sin = 0.0F;
-  float radius = 0.24F;  ///< [m]
-  float speed = 1.34F;   ///< [m/s] preferred
-};
-
 enum class Awareness { kNone, kSeen, kHeard };
 
 /// A vehicle relative to one person: everything in the vehicle's frame, x ahead, y left.
@@ -60,28 +46,32 @@ struct VehicleView {
 };
 
 /// The view, whatever the person is aware of.
-VehicleView view_of(const VehicleShape& shape, const Onlooker& person);
+VehicleView view_of(const VehicleShape& shape, const Walker& person);
 
 /// Seen: some part of the rectangle lies in the field of view and its nearest point within sight.
 /// A parked vehicle within sight counts as seen all round: like a wall it is remembered. Heard:
 /// not seen, moving, its nearest point within hearing.
-Awareness awareness(const VehicleView& view, const Onlooker& person, const Senses& senses);
+Awareness awareness(const VehicleView& view, const Walker& person, const Senses& senses);
+
+/// Whether a person walking at its preferred speed could touch the vehicle within `horizon` [s].
+/// May say yes where it could not.
+bool touchable(const VehicleView& view, const Walker& person, float horizon);
 
 /// Adds the vehicle's sides and corners to what the person must not walk into.
-void add_vehicle(const VehicleView& view, const Onlooker& person, DiscList& discs, FaceList& faces);
+void add_vehicle(const VehicleView& view, const Walker& person, DiscList& discs, FaceList& faces);
 
 /// When [s], not before `from` [s], the vehicle touches a person that then stands still (dx, dy)
 /// [m] from where it is now; infinity when it never does.
-float time_to_standing(const VehicleView& view, const Onlooker& person, float dx, float dy,
+float time_to_standing(const VehicleView& view, const Walker& person, float dx, float dy,
                        float from);
 
 /// Whether the person stands in the vehicle's way: in the band that it sweeps ahead, its own body
 /// and `margin` [m] included.
-bool in_its_way(const VehicleView& view, const Onlooker& person, float margin);
+bool in_its_way(const VehicleView& view, const Walker& person, float margin);
 
 /// Whether the vehicle's front reaches the first `distance` [m] of the person's way in direction
 /// (ex, ey) within `time` [s]. A way that meets the vehicle where it is now is not crossed by it.
-bool crosses_way(const VehicleView& view, const Onlooker& person, float ex, float ey,
-                 float distance, float time);
+bool crosses_way(const VehicleView& view, const Walker& person, float ex, float ey, float distance,
+                 float time);
 
 }  // namespace pedzone

@@ -1,5 +1,4 @@
-// The walls that a person may meet, as lists for square tiles of ground: one look-up a person.
-// Walls stand still, so this is built once for a zone.
+// The walls that a person may meet. They stand still, so this is built once for a zone.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +6,7 @@
 #include <vector>
 
 #include "geometry/wall_index.hpp"
-#include "model/fixed_point.hpp"
+#include "model/tile_lists.hpp"
 
 namespace pedzone {
 
@@ -24,16 +23,14 @@ class WallTiles {
   /// Lists for each tile the walls within `reach` [m] of some point of it.
   void build(std::span<const Wall> walls, double reach, const LatticeOrigin& origin);
 
-  std::span<const WallFace> walls() const { return walls_; }
+  const WallFace& operator[](std::uint32_t i) const { return faces_[i]; }
 
-  /// Indices of walls(): all within `reach` of the point, and some farther ones.
-  std::span<const std::uint32_t> near(const LatticePoint& point) const;
+  /// Indices of all walls within reach of the point, and of some farther ones.
+  std::span<const std::uint32_t> near(const LatticePoint& point) const { return tiles_.at(point); }
 
  private:
-  std::vector<WallFace> walls_;
-  std::int64_t x_least_ = 0, y_least_ = 0;  ///< lattice
-  std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> tile_start_, tile_walls_;
+  std::vector<WallFace> faces_;
+  TileLists tiles_;
 };
 
 }  // namespace pedzone

@@ -1,0 +1,122 @@
+#include "model/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pedzone {
+
+void Surroundings::see_persons(const Walker& walker, const Senses& senses, const PersonGrid& grid,
+                               const DirectionKernel& kernel) {
+  Sight sight;
+  sight.x = walker.at.x;
+  sight.y = walker.at.y;
+  sight.heading_cos = walker.heading_cos;
+  sight.heading_sin = walker.heading_sin;
+  sight.field_cos = senses.field_cos;
+  sight.radius = walker.radius;
+  sight.speed = walker.speed;
+  sight.horizon = senses.sight / walker.speed;
+  sight.static_reach = walker.static_reach;
+  const auto see = [&](Belt belt, float beyond, float reach, DiscList& discs) {
+    sight.beyond = beyond;
+    sight.reach = reach;
+    const auto groups = grid.groups(belt, walker.at, walker.heading, groups_);
+    discs.reserve(groups.size() * kSlotGroup);
+    discs.size = kernel.see(grid.slots(), groups.data(), groups.size(), sight, discs.space());
+  };
+  const float near = std::min(static_cast<float>(kNearReach), senses.sight);
+  see(Belt::kNear, 0.0F, near, near_persons_);
+  see(Belt::kFar, near, senses.sight, far_persons_);
+}
+
+Surroundings::Segment Surroundings::segment_of(const WallFace& wall, const LatticePoint& at) {
+  Segment s;
+  s.px = lattice_difference(wall.from.x, at.x);
+  s.py = lattice_difference(wall.from.y, at.y);
+  const float left = s.px * wall.dy - s.py * wall.dx;  // d × (−p)
+  const float side = left < 0.0F ? -1.0F : 1.0F;       // walls have two sides
+  s.h = side * left;
+  s.nx = -wall.dy * side;
+  s.ny = wall.dx * side;
+  s.x = -(s.px * wall.dx + s.py * wall.dy);
+  const float beyond = std::max(std::max(-s.x, s.x - wall.length), 0.0F);
+  s.distance2 = s.h * s.h + beyond * beyond;
+  return s;
+}
+
+void Surroundings::see_walls(const Walker& walker, const WallTiles& walls) {
+  still_discs_.clear();
+  still_faces_.clear();
+  const std::span<const std::uint32_t> near = walls.near(walker.at);
+  if (near.empty()) return;
+  if (segments_.size() < near.size()) segments_.resize(near.size());
+  still_faces_.reserve(near.size());
+  still_discs_.reserve(2 * near.size());
+  float nearest2 = walker.static_reach * walker.static_reach;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    segments_[i] = segment_of(walls[near[i]], walker.at);
+    nearest2 = std::min(nearest2, segments_[i].distance2);
+  }
+  // A body that is closer to a wall than its radius only minds getting closer still.
+  const float contact = std::max(std::min(walker.radius, std::sqrt(nearest2) - kSkin), 0.0F);
+  const float reach = walker.static_reach + contact;
+  const float speed2 = walker.speed * walker.speed;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Segment& s = segments_[i];
+    if (s.distance2 > reach * reach) continue;
+    const WallFace& wall = walls[near[i]];
+    still_faces_.add({.nx = s.nx,
+                      .ny = s.ny,
+                      .dx = wall.dx,
+                      .dy = wall.dy,
+                      .vx = 0.0F,
+                      .vy = 0.0F,
+                      .gap = s.h - contact,
+                      .x = s.x,
+                      .length = wall.length});
+    if (wall.begin) still_discs_.add(s.px, s.py, 0.0F, 0.0F, contact, speed2);
+    if (wall.end) {
+      still_discs_.add(s.px + wall.dx * wall.length, s.py + wall.dy * wall.length, 0.0F, 0.0F,
+                       contact, speed2);
+    }
+  }
+}
+
+void Surroundings::notice_vehicles(const Walker& walker, const Senses& senses,
+                                   std::span<const VehicleShape> vehicles,
+                                   std::span<const std::uint32_t> near, float soon) {
+  vehicles_.clear();
+  vehicle_discs_.clear();
+  vehicle_faces_.clear();
+  hears_vehicle_ = threatened_ = false;
+  const float horizon = senses.sight / walker.speed;
+  for (const std::uint32_t v : near) {
+    const VehicleView view = view_of(vehicles[v], walker);
+    const Awareness aware = awareness(view, walker, senses);
+    if (aware == Awareness::kNone) continue;
+    if (!vehicles[v].moving()) {
+      if (view.distance <= walker.static_reach + view.contact) {
+        add_vehicle(view, walker, still_discs_, still_faces_);
+      }
+      continue;
+    }
+    vehicles_.push_back(view);
+    hears_vehicle_ = hears_vehicle_ || aware == Awareness::kHeard;
+    if (!touchable(view, walker, horizon)) continue;
+    add_vehicle(view, walker, vehicle_discs_, vehicle_faces_);
+    threatened_ = threatened_ || time_to_standing(view, walker, 0.0F, 0.0F, 0.0F) < soon;
+  }
+  still_discs_.fill_group();
+  still_faces_.fill_group();
+}
+
+void Surroundings::fill(DirectionTask& task) const {
+  task.near_discs = near_persons_.view();
+  task.far_discs = far_persons_.view();
+  task.vehicle_discs = vehicle_discs_.view();
+  task.vehicle_faces = vehicle_faces_.view();
+  task.still_discs = still_discs_.view();
+  task.still_faces = still_faces_.view();
+}
+
+}  // namespace pedzone

@@ -1,0 +1,60 @@
+// What one person is aware of, as the lists that the direction kernel reads.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/direction_kernel.hpp"
+#include "model/obstacle_lists.hpp"
+#include "model/person_grid.hpp"
+#include "model/vehicle_view.hpp"
+#include "model/walker.hpp"
+#include "model/wall_tiles.hpp"
+
+namespace pedzone {
+
+/// Refilled for each person; no allocation once sizes have settled.
+class Surroundings {
+ public:
+  void see_persons(const Walker& walker, const Senses& senses, const PersonGrid& grid,
+                   const DirectionKernel& kernel);
+  void see_walls(const Walker& walker, const WallTiles& walls);
+  /// `near`: indices into `vehicles` of those that may matter; `soon` [s]: see threatened().
+  /// To be called last.
+  void notice_vehicles(const Walker& walker, const Senses& senses,
+                       std::span<const VehicleShape> vehicles, std::span<const std::uint32_t> near,
+                       float soon);
+
+  /// Lets the task know of everything.
+  void fill(DirectionTask& task) const;
+
+  /// Moving vehicles that the person is aware of.
+  std::span<const VehicleView> vehicles() const { return vehicles_; }
+  /// Some of them are outside the field of view.
+  bool hears_vehicle() const { return hears_vehicle_; }
+  /// One of them would run into the person within `soon` if it stood still.
+  bool threatened() const { return threatened_; }
+
+  DiscView still_discs() const { return still_discs_.view(); }
+  FaceView still_faces() const { return still_faces_.view(); }
+
+ private:
+  /// A wall relative to the person.
+  struct Segment {
+    float h, x;       ///< [m] the walker's distance from the line (≥ 0) and foot point along it
+    float nx, ny;     ///< unit normal towards the walker
+    float px, py;     ///< [m] first point relative to the walker
+    float distance2;  ///< [m²]
+  };
+  static Segment segment_of(const WallFace& wall, const LatticePoint& at);
+
+  DiscList near_persons_, far_persons_, vehicle_discs_, still_discs_;
+  FaceList vehicle_faces_, still_faces_;
+  std::vector<SlotGroup> groups_;
+  std::vector<Segment> segments_;
+  std::vector<VehicleView> vehicles_;
+  bool hears_vehicle_ = false, threatened_ = false;
+};
+
+}  // namespace pedzone

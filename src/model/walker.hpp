@@ -1,0 +1,24 @@
+// One person while it decides, in the numbers that the kernel works with.
+#pragma once
+
+#include "model/fixed_point.hpp"
+
+namespace pedzone {
+
+/// How far and wide people perceive; the same for all persons of a zone.
+struct Senses {
+  float sight = 10.0F;                       ///< [m]
+  float hearing = 8.0F;                      ///< [m] of moving vehicles outside the field of view
+  float field_cos = 0.0F, field_sin = 1.0F;  ///< of the half field of view
+};
+
+struct Walker {
+  LatticePoint at;
+  double heading = 0.0;  ///< [rad] [-pi, pi]
+  float heading_cos = 1.0F, heading_sin = 0.0F;
+  float radius = 0.24F;        ///< [m]
+  float speed = 1.34F;         ///< [m/s] preferred
+  float static_reach = 10.0F;  ///< [m] what stands farther away than this does not count
+};
+
+}  // namespace pedzone
