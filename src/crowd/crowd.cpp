@@ -165,6 +165,8 @@ void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
   present.assign(vehicles.begin(), vehicles.end());
   std::erase_if(present, [](const VehicleState& vehicle) { return !finite(vehicle); });
   walk(*state_, dt);
+  // What stays is where they are; their ways belong to the caller.
+  for (VehicleState& vehicle : present) vehicle.way = {};
 }
 
 PersonView Crowd::view(Handle handle) const {
