@@ -29,23 +29,26 @@ import numpy
 
 def read_controlled(path, fcd):
     """Rows of persons that a trajectories CSV says were controlled, to half a step."""
-    numbers = {name: number for number, name in enumerate(fcd.persons.names)}
-    rows = numpy.zeros(len(fcd.persons.x), bool)
+    numbers = {name.encode(): number for number, name in enumerate(fcd.persons.names)}
     step = numpy.diff(fcd.times).min() if len(fcd.times) > 1 else 1.0
-    pairs = set()
+    times, who = [], []
     with open_bytes(path) as stream:
         if not stream.readline().startswith(b"time,id,"):
             raise CheckError(f"{path}: does not begin with 'time,id,'")
         for number, line in enumerate(stream, 2):
             fields = line.split(b",", 2)
-            try:
-                pairs.add((round(float(fields[0]) / step), numbers.get(fields[1].decode(), -1)))
-            except (ValueError, IndexError):
-                raise CheckError(f"{path}:{number}: no time and id") from None
-    steps = numpy.rint(fcd.times / step).astype(int)[fcd.persons.step]
-    for row, pair in enumerate(zip(steps.tolist(), fcd.persons.who.tolist())):
-        rows[row] = pair in pairs
-    return rows
+            if len(fields) < 3:
+                raise CheckError(f"{path}:{number}: has no time and id")
+            times.append(fields[0])
+            who.append(numbers.get(fields[1], len(numbers)))
+    try:
+        moments = numpy.rint(numpy.array(times, "S16").astype(float) / step)
+    except ValueError as error:
+        raise CheckError(f"{path}: a time is no number: {error}") from None
+    count = len(numbers) + 1  # with one for persons that FCD does not have
+    listed = moments.astype(numpy.int64) * count + numpy.array(who, numpy.int64)
+    steps = numpy.rint(fcd.times / step).astype(numpy.int64)[fcd.persons.step]
+    return numpy.isin(steps * count + fcd.persons.who, listed)
 
 
 class Check:

@@ -48,8 +48,10 @@ def find_detached(fcd):
     moved = numpy.zeros(len(order), bool)
     moved[1:] = rows.speed[order][1:] * numpy.diff(times) > STILL
     moved[begins] = False
-    starts = numpy.flatnonzero(begins)
-    detached[order] = numpy.logical_or.reduceat(moved, starts)[numpy.cumsum(begins) - 1]
+    # From the first such row of a stretch on: where it stood before, SUMO may have put it.
+    moves = numpy.cumsum(moved)
+    before = (moves - moved)[numpy.flatnonzero(begins)][numpy.cumsum(begins) - 1]
+    detached[order] = moves > before
     return detached
 
 

@@ -213,6 +213,13 @@ class Outside(TinyRun):
         self.assertEqual(figures["outside"]["in_building"]["events"], 1)
         self.assertEqual(figures["persons"]["controlled_person_steps"], 1)
 
+    def test_where_sumo_put_a_person_before_it_was_taken_over_does_not_count(self):
+        frames = [[person("p", 45, 4, position=0, speed=0)]] * 2 + [
+            [person("p", x, 1, position=0)] for x in (45, 46, 47)]
+        figures = self.check(frames, [walked("p", 0, -1)])
+        self.assertEqual(figures["outside"]["events"], 0)
+        self.assertEqual(figures["persons"]["controlled_person_steps"], 3)
+
     def test_standing_and_being_pushed_aside_are_not_control(self):
         frames = [[person("p", 30, 0)]] + [[person("p", 30, 0.2 * i, speed=0)] for i in range(9)]
         self.assertEqual(self.check(frames, [walked("p", 0, -1)])["persons"]["controlled"], 0)

@@ -178,14 +178,16 @@ class PointTest:
         result = numpy.zeros(len(x), bool)
         if self.area.is_empty or not len(x):
             return result
-        cells = numpy.column_stack([numpy.floor(x / self._CELL), numpy.floor(y / self._CELL)])
-        unique, inverse = numpy.unique(cells, axis=0, return_inverse=True)
+        columns, rows = (numpy.floor(value / self._CELL).astype(numpy.int64) for value in (x, y))
+        low, height = rows.min(), rows.max() - rows.min() + 1
+        unique, inverse = numpy.unique(columns * height + (rows - low), return_inverse=True)
         state = numpy.zeros(len(unique), numpy.int8)
-        for index, (column, row) in enumerate(unique * self._CELL):
+        for index, key in enumerate(unique):
+            column, row = key // height * self._CELL, (key % height + low) * self._CELL
             cell = box(column, row, column + self._CELL, row + self._CELL)
             if self.prepared.intersects(cell):
                 state[index] = 1 if self.prepared.contains(cell) else 2
-        state = state[inverse.reshape(-1)]
+        state = state[inverse]
         result[state == 1] = True
         doubtful = numpy.flatnonzero(state == 2)
         result[doubtful] = self._contains_each(x[doubtful], y[doubtful])
