@@ -86,7 +86,7 @@ std::optional<ZoneStretch> plan_stretch(const Network& network, const Zone& zone
                                         double arrival_position) {
   int last = first;
   const int end = static_cast<int>(route.size());
-  while (last + 1 < end && zone.edges.contains(route[last + 1])) ++last;
+  while (last + 1 < end && linked(zone, route[last], route[last + 1])) ++last;
   for (; last >= first; --last) {
     const int lane = walking_lane(network, route[last]);
     if (lane < 0 || network.lanes[lane].length < kShortEdge) continue;

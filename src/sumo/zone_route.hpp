@@ -42,7 +42,9 @@ struct ZoneStretch {
   Destination destination;  ///< where the crowd walks it to
 };
 
-/// Plans the stretch of a walk that begins on route[first], which must be an edge of the zone.
+/// Plans the stretch of a walk that begins on route[first], which must be an edge of the zone. It
+/// goes on as long as the zone links the route's edges: where a signalled crossing lies between
+/// two of them, SUMO walks the person across.
 /// `route` holds Network edge indices; `arrival_position` [m] on the last edge.
 /// Nothing when SUMO's remote control cannot give the person back safely: too short edges, or
 /// a release edge that the route uses earlier (moveTo takes an edge's first occurrence).

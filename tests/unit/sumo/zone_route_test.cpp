@@ -39,6 +39,11 @@ class ZoneRouteTest : public testing::Test {
     e2_ = add_edge("e2", "C", "D", 100, 150);
     e3_ = add_edge("e3", "D", "E", 150, 200);
     zone_.edges = {e1_, e2_};
+    link(e1_, e2_);
+  }
+
+  void link(int a, int b) {
+    zone_.links.insert({std::min(a, b), std::max(a, b)});
   }
 
   Network network_;
@@ -55,6 +60,14 @@ TEST_F(ZoneRouteTest, walks_to_the_end_of_the_last_edge_in_the_zone) {
   EXPECT_EQ(network_.lanes[stretch->lane].id, "e2_0");
   EXPECT_EQ(network_.lanes[stretch->hop_lane].id, "e3_0");
   EXPECT_DOUBLE_EQ(stretch->position, 50.0 - kPortalInset);
+}
+
+TEST_F(ZoneRouteTest, ends_where_the_zone_does_not_link_two_edges) {
+  zone_.links.clear();  // a signalled crossing between e1 and e2
+  const auto stretch = plan_stretch(network_, zone_, {e0_, e1_, e2_, e3_}, 1, 20.0);
+  ASSERT_TRUE(stretch);
+  EXPECT_EQ(stretch->last, 1);
+  EXPECT_EQ(network_.lanes[stretch->hop_lane].id, "e2_0");
 }
 
 TEST_F(ZoneRouteTest, portal_is_as_wide_as_the_lane) {
@@ -99,6 +112,7 @@ TEST_F(ZoneRouteTest, never_releases_on_a_short_edge) {
   const int brief = add_edge("brief", "D", "E", 150, 150.2);
   const int after = add_edge("after", "E", "F", 150.2, 200);
   zone_.edges.insert(brief);
+  link(e2_, brief);
   const auto stretch = plan_stretch(network_, zone_, {e1_, e2_, brief, after}, 0, 20.0);
   ASSERT_TRUE(stretch);
   EXPECT_EQ(stretch->last, 1) << "released on e2, before the short edge";
@@ -115,6 +129,8 @@ TEST_F(ZoneRouteTest, is_not_planned_on_a_short_edge_alone) {
 TEST_F(ZoneRouteTest, releases_only_where_the_route_comes_for_the_first_time) {
   // e2 comes twice: moveTo would put the person on its first passage.
   const int loop = add_edge("loop", "D", "C", 150, 100);
+  link(e2_, loop);
+  link(loop, e1_);
   const auto stretch = plan_stretch(network_, zone_, {e0_, e2_, loop, e1_, e2_, e3_}, 3, 20.0);
   ASSERT_TRUE(stretch);
   EXPECT_EQ(stretch->last, 3);

@@ -1,0 +1,107 @@
+// A vehicle that people hold up claims the room ahead of it.
+#include <gmock/gmock.h>
+
+#include "crowd/claims.hpp"
+#include "scene.hpp"
+
+namespace pedzone::test {
+namespace {
+
+/// A standing shuttle with its front at x = 0 that asks for 8 m along +x.
+struct Claimant {
+  Polyline way{{-4.0, 0.0}, {0.0, 0.0}, {40.0, 0.0}};
+  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
+  Claimant() {
+    vehicle.way = way;
+    vehicle.claim = 8.0;
+  }
+};
+
+TEST(PlaceInClaim, is_ahead_of_the_bumper_and_between_the_sides) {
+  const Claimant shuttle;
+  const auto place = place_in_claim(shuttle.vehicle, {3.0, 0.5}, 0.24);
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->ahead, 3.0, 1e-9);
+  EXPECT_NEAR(place->lateral, 0.5, 1e-9);
+  EXPECT_FALSE(place_in_claim(shuttle.vehicle, {9.0, 0.0}, 0.24)) << "beyond";
+  EXPECT_FALSE(place_in_claim(shuttle.vehicle, {-2.0, 1.1}, 0.24)) << "beside the body";
+  EXPECT_FALSE(place_in_claim(shuttle.vehicle, {3.0, 1.3}, 0.24)) << "beside the way";
+}
+
+TEST(PlaceInClaim, follows_the_vehicles_way_round_a_bend) {
+  Claimant shuttle;
+  shuttle.way = {{-4.0, 0.0}, {0.0, 0.0}, {3.0, 0.0}, {3.0, 30.0}};
+  shuttle.vehicle.way = shuttle.way;
+  EXPECT_TRUE(place_in_claim(shuttle.vehicle, {3.0, 4.0}, 0.24));
+  EXPECT_FALSE(place_in_claim(shuttle.vehicle, {7.0, 0.0}, 0.24));
+}
+
+/// People in a street along x, `half_width` to either side of the vehicle's way.
+class ClaimScene {
+ public:
+  explicit ClaimScene(double half_width)
+      : zone_(zone_of(box(-30.0, -half_width, 60.0, half_width))), scene_(zone_) {}
+
+  std::size_t add(const Vec2& from, const Vec2& to) {
+    return scene_.add(from, Destination{to, to}, 1.3, 0.0);
+  }
+  void run(double seconds) {
+    for (double t = 0.0; t < seconds; t += 0.1) {
+      scene_.vehicles = {shuttle_.vehicle};
+      scene_.step();
+    }
+  }
+  bool in_the_way(std::size_t person) const {
+    return place_in_claim(shuttle_.vehicle, scene_.people[person].view.position, 0.24).has_value();
+  }
+  const PersonView& view(std::size_t person) const { return scene_.people[person].view; }
+
+ private:
+  Claimant shuttle_;
+  Zone zone_;
+  Scene scene_;
+};
+
+TEST(Claim, people_in_the_way_step_out_of_it) {
+  ClaimScene scene(6.0);
+  std::vector<std::size_t> people;
+  for (int i = 0; i < 6; ++i) people.push_back(scene.add({1.5 + i, 0.3 * (i % 3) - 0.3}, {-20, 0}));
+  scene.run(6.0);
+  for (const std::size_t person : people) EXPECT_FALSE(scene.in_the_way(person)) << person;
+}
+
+TEST(Claim, nobody_steps_into_it) {
+  ClaimScene scene(6.0);
+  const std::size_t person = scene.add({4.0, 4.0}, {4.0, -5.0});
+  for (int i = 0; i < 20; ++i) {
+    scene.run(0.5);
+    EXPECT_FALSE(scene.in_the_way(person));
+  }
+  EXPECT_EQ(scene.view(person).activity, Activity::kWaiting);
+}
+
+TEST(Claim, without_room_beside_people_walk_ahead_of_the_vehicle) {
+  ClaimScene scene(1.2);  // the shuttle is 2 m wide
+  const std::size_t person = scene.add({2.0, 0.0}, {-20.0, 0.0});
+  scene.run(4.0);
+  EXPECT_GT(scene.view(person).position.x(), 5.0);
+}
+
+TEST(Claim, people_cross_once_it_is_gone) {
+  const Zone zone = zone_of(box(-30.0, -6.0, 60.0, 6.0));
+  Scene scene(zone);
+  const std::size_t person =
+      scene.add({4.0, 4.0}, Destination{{4.0, -5.0}, {4.0, -5.0}}, 1.3, 0.0);
+  Claimant shuttle;
+  for (int i = 0; i < 50; ++i) {
+    scene.vehicles = {shuttle.vehicle};
+    scene.step();
+  }
+  ASSERT_GT(scene.people[person].view.position.y(), 1.0);
+  scene.vehicles.clear();
+  scene.run(60.0);
+  EXPECT_GT(scene.people[person].arrival_time, 0.0);
+}
+
+}  // namespace
+}  // namespace pedzone::test
