@@ -85,7 +85,7 @@ void find_neighbours(CrowdState& crowd) {
   const Persons& persons = crowd.persons;
   const double widest = *std::max_element(persons.radius.begin(), persons.radius.end());
   const double slack = 2.0 * (crowd.motion.reach + kPushPerPass);
-  crowd.grid.build({persons.x, persons.y, persons.radius}, 2.0 * widest + slack);
+  crowd.grid.build(persons.x, persons.y, 2.0 * widest + slack);
   crowd.first_neighbour.resize(persons.walking);
   crowd.last_neighbour.resize(persons.walking);
   for_each_block(persons.walking, [&](std::size_t block, std::size_t first, std::size_t last) {
@@ -96,9 +96,9 @@ void find_neighbours(CrowdState& crowd) {
       const Vec2 here = crowd.position(i);
       const double own = persons.radius[i] + slack;
       const Vec2 box = Vec2::Constant(own + widest);
-      crowd.grid.visit_box(here - box, here + box, [&](std::uint32_t j) {
+      crowd.grid.visit_box(here - box, here + box, [&](std::uint32_t j, const Vec2& there) {
         const double reach = own + persons.radius[j];
-        if (j != i && (crowd.position(j) - here).squaredNorm() < reach * reach) list.push_back(j);
+        if (j != i && (there - here).squaredNorm() < reach * reach) list.push_back(j);
       });
       crowd.last_neighbour[i] = static_cast<std::uint32_t>(list.size());
     }

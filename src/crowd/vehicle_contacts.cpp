@@ -86,9 +86,10 @@ void find_hits(CrowdState& crowd, double dt) {
     const double around = 0.5 * std::hypot(vehicle.length, vehicle.width) + widest + kGap +
                           vehicle.velocity.norm() * dt + 2.0 * crowd.motion.reach + kStep;
     const Vec2 box = Vec2::Constant(around);
-    crowd.grid.visit_box(vehicle.centre - box, vehicle.centre + box, [&](std::uint32_t i) {
+    const Vec2 low = vehicle.centre - box, high = vehicle.centre + box;
+    crowd.grid.visit_box(low, high, [&](std::uint32_t i, const Vec2& there) {
       if (i >= persons.walking) return;
-      if ((crowd.position(i) - vehicle.centre).squaredNorm() > around * around) return;
+      if ((there - vehicle.centre).squaredNorm() > around * around) return;
       crowd.hits.push_back({i, static_cast<std::uint32_t>(v)});
     });
   }

@@ -58,7 +58,7 @@ class Follower {
       walker_.entered = true;
     }
     if (walker_.entered && !route_.on_last()) take_entered();
-    if (turn_ % kLookEvery == 0) look_ahead();
+    if (!route_.on_last() && turn_ % kLookEvery == 0) look_ahead();
     if (turn_ % kCheckEvery == 0) check_sight();
     lose_patience(dt);
   }
@@ -92,18 +92,20 @@ class Follower {
     }
   }
 
-  /// Skips waypoints that need not be visited, and finds the nearest point of the destination.
+  /// Skips waypoints that need not be visited.
   void look_ahead() {
     const double clearance = std::min(radius_ + kPullMargin, kWayClearance);
     while (!route_.on_last() && sees(point_after(), clearance)) take_next(true);
+  }
+
+  /// On the last leg, finds out whether the nearest point of the destination can be headed for.
+  /// Pushed to where a wall hides what it heads for, a person plans from there.
+  void check_sight() {
     if (route_.on_last()) {
       route_.last_in_view =
           sees(nearest_on_segment(here_, route_.aim_a, route_.aim_b), passing_clearance(radius_));
+      if (route_.last_in_view) return;
     }
-  }
-
-  /// Pushed to where a wall hides the waypoint: plans from there.
-  void check_sight() {
     if (!route_.found || crowd_.substep - walker_.planned < kPlanEvery) return;
     if (!sees(heading_point(route_, here_), 0.0)) plan_again();
   }
