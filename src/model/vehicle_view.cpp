@@ -199,6 +199,15 @@ float time_to_standing(const VehicleView& view, const Walker& person, float dx, 
   return enter <= leave ? enter : kNever;
 }
 
+float time_to_leave_its_way(const VehicleView& view, float vx, float vy) {
+  const VehicleShape& s = *view.shape;
+  const float sideways = to_vehicle(s, vx - s.vx, vy - s.vy).y;
+  const float side = sideways < 0.0F ? -1.0F : 1.0F;
+  const float way = s.half_width + view.contact - side * view.y;
+  if (way <= 0.0F) return 0.0F;
+  return sideways == 0.0F ? kNever : way / (side * sideways);
+}
+
 // A vehicle moves along its own axis (reversing: against it), so its swept area is the rectangle
 // stretched that way; `forward` is the side of its leading end.
 bool in_its_way(const VehicleView& view, const Walker& person, float margin) {

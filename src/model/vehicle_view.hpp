@@ -65,6 +65,10 @@ void add_vehicle(const VehicleView& view, const Walker& person, DiscList& discs,
 float time_to_standing(const VehicleView& view, const Walker& person, float dx, float dy,
                        float from);
 
+/// Time [s] in which a person that walks with velocity (vx, vy) [m/s] is beside the vehicle's way;
+/// infinity when it never is.
+float time_to_leave_its_way(const VehicleView& view, float vx, float vy);
+
 /// Whether the person stands in the vehicle's way: in the band that it sweeps ahead, its own body
 /// and `margin` [m] included.
 bool in_its_way(const VehicleView& view, const Walker& person, float margin);

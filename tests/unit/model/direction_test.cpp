@@ -1,0 +1,235 @@
+// The choice of a direction by Eq. 1 and Eq. 2.
+#include <gtest/gtest.h>
+
+#include "oracle.hpp"
+#include "scene.hpp"
+
+namespace pedzone::test {
+namespace {
+
+constexpr double kDegree = kPi / 180.0;
+
+double degrees_off_heading(const Scene& scene) {
+  return std::abs(wrap_angle(scene.first().direction - scene.people[0].heading)) / kDegree;
+}
+
+TEST(Direction, leads_straight_to_the_goal_where_nothing_is_in_the_way) {
+  Scene scene;
+  scene.people = {walking_to({0, 0}, 0.0)};
+  const Decision d = scene.first();
+  EXPECT_EQ(d.direction, 0.0);
+  EXPECT_EQ(d.speed, 1.34);
+  EXPECT_NEAR(d.free_distance, 10.0, 1e-5);
+  EXPECT_FALSE(d.waits);
+}
+
+TEST(Direction, is_the_candidate_nearest_to_the_goal_in_free_space) {
+  for (const int equation : {1, 2}) {
+    for (double goal = -170.0; goal <= 170.0; goal += 13.7) {
+      Scene scene;
+      scene.parameters.equation = equation;
+      scene.people = {walking_to({0, 0}, 0.5)};
+      scene.people[0].goal = 0.5 + goal * kDegree;
+      const double off = wrap_angle(scene.first().direction - 0.5 - goal * kDegree) / kDegree;
+      EXPECT_LE(std::abs(off), (std::abs(goal) < 75.0 ? 1.25 : 2.5) + 1e-6) << goal;
+    }
+  }
+}
+
+/// A person 1 m (body's edge) before a long wall that faces it.
+Scene before_a_wall(int equation) {
+  Scene scene;
+  scene.parameters.equation = equation;
+  scene.parameters.candidate_field = 90.0;  // every 3°
+  scene.people = {walking_to({0, 0}, 0.0)};
+  scene.walls = {{{1.24, -60.0}, {1.24, 60.0}}};
+  return scene;
+}
+
+TEST(Direction, before_a_long_wall_stays_straight_by_eq_1) {
+  const Scene scene = before_a_wall(1);
+  EXPECT_EQ(degrees_off_heading(scene), 0.0);
+  EXPECT_NEAR(scene.first().free_distance, 1.0, 1e-3);
+}
+
+TEST(Direction, before_a_long_wall_turns_along_it_by_eq_2) {
+  // Where f = 1/cos α, on a fine grid.
+  double best = 0.0, least = 1e300;
+  for (double a = 0.0; a < 90.0; a += 0.01) {
+    const double d = value(2, std::min(1.0 / std::cos(a * kDegree), 10.0), 10.0, a * kDegree);
+    if (d < least) {
+      least = d;
+      best = a;
+    }
+  }
+  EXPECT_NEAR(best, 82.0, 1.0);
+  EXPECT_NEAR(degrees_off_heading(before_a_wall(2)), best, 1.5);
+}
+
+/// A person in the middle of a ring of walls, its body's edge 1 m from them, with one gap.
+Scene in_a_ring(int equation, double gap_degrees) {
+  constexpr double kRadius = 0.02, kHalfGap = 2.0;
+  Scene scene;
+  scene.parameters.equation = equation;
+  scene.people = {walking_to({0, 0}, 0.0)};
+  scene.people[0].radius = kRadius;
+  for (double a = gap_degrees + kHalfGap; a < gap_degrees + 360.0 - kHalfGap - 0.5; a += 1.0) {
+    const double to = std::min(a + 1.0, gap_degrees + 360.0 - kHalfGap);
+    scene.walls.push_back(
+        {(1.0 + kRadius) * unit(a * kDegree), (1.0 + kRadius) * unit(to * kDegree)});
+  }
+  return scene;
+}
+
+TEST(Direction, a_free_one_is_taken_up_to_53_5_degrees_by_eq_1) {
+  // cos α > 0.595: 1 − 20 = 100 − 200 cos α at the border, 53.5°.
+  EXPECT_NEAR(degrees_off_heading(in_a_ring(1, 52.5)), 52.5, 1e-6);
+  EXPECT_NEAR(degrees_off_heading(in_a_ring(1, -52.5)), 52.5, 1e-6);
+  EXPECT_EQ(degrees_off_heading(in_a_ring(1, 55.0)), 0.0);
+}
+
+TEST(Direction, a_free_one_is_taken_up_to_107_degrees_by_eq_2) {
+  EXPECT_NEAR(degrees_off_heading(in_a_ring(2, 105.0)), 105.0, 1e-5);
+  EXPECT_NEAR(degrees_off_heading(in_a_ring(2, -105.0)), 105.0, 1e-5);
+  EXPECT_EQ(degrees_off_heading(in_a_ring(2, 110.0)), 0.0);
+}
+
+TEST(Direction, the_whole_circle_is_searched_only_where_the_best_is_blocked_near_by) {
+  Scene scene = in_a_ring(2, 105.0);
+  scene.parameters.near_distance = 0.5;  // what blocks is 1 m away: far
+  EXPECT_LE(degrees_off_heading(scene), 75.0);
+}
+
+TEST(Direction, a_blocked_person_turns_round) {
+  Scene scene;  // a dead end: walls ahead and on both sides, 0.5 m from the body
+  scene.people = {walking_to({0, 0}, 0.0)};
+  scene.people[0].goal = kPi;
+  scene.walls = {
+      {{-5, -0.74}, {0.74, -0.74}}, {{0.74, -0.74}, {0.74, 0.74}}, {{0.74, 0.74}, {-5, 0.74}}};
+  EXPECT_NEAR(degrees_off_heading(scene), 180.0, 1e-6);
+}
+
+TEST(Direction, agrees_with_the_oracle_in_random_scenes) {
+  int compared = 0;
+  for (const int equation : {1, 2}) {
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+      RandomScene spec{.people = 25, .density = 0.15, .obstacles = 2};
+      Scene scene = random_scene(spec, seed);
+      scene.parameters.equation = equation;
+      for (PersonSpec& p : scene.people) {
+        p.goal_distance = 1000.0;
+        p.goal = p.heading + 0.4 * (p.goal > p.heading ? 1.0 : -1.0);
+      }
+      const std::vector<Decision> decisions = scene.decide();
+      for (std::size_t i = 0; i < scene.people.size(); ++i) {
+        bool touches = false;  // has rules of its own
+        for (const Obstacle& o : aware_of(scene, i)) {
+          const double margin = o.kind == Obstacle::Kind::kDisc ? 0.06 * o.contact + 0.02 : 0.02;
+          touches = touches || o.distance(scene.people[i].at, 0.0) < o.contact + margin;
+        }
+        if (touches) continue;
+        OracleChoice best = best_direction(scene, i, false);
+        if (std::abs(best.free - scene.parameters.near_distance) < 0.02) continue;
+        if (best.free < scene.parameters.near_distance) best = best_direction(scene, i, true);
+        if (best.margin < 0.2) continue;  // too close to tell: 5 mm of free way
+        const double off = wrap_angle(decisions[i].direction - scene.people[i].heading);
+        EXPECT_NEAR(off, wrap_angle(best.offset), 1e-6) << "seed " << seed << " person " << i;
+        EXPECT_NEAR(decisions[i].free_distance, best.free, 0.02);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 500);
+}
+
+TEST(Direction, ignores_what_stands_behind_the_goal) {
+  Scene scene;
+  scene.people = {walking_to({0, 0}, 0.0)};
+  scene.people[0].goal_distance = 3.0;
+  scene.walls = {{{4.0, -30.0}, {4.0, 30.0}}};
+  PersonSpec standing;
+  standing.at = {4.4, 0.1};
+  scene.people.push_back(standing);
+  scene.vehicles = {vehicle({6.5, 0.0}, kPi / 2, 0.0)};
+  EXPECT_EQ(degrees_off_heading(scene), 0.0);
+  EXPECT_EQ(scene.first().speed, 1.34);
+}
+
+TEST(Direction, avoids_what_stands_before_the_goal) {
+  Scene scene;
+  scene.people = {walking_to({0, 0}, 0.0)};
+  PersonSpec standing;
+  standing.at = {2.0, 0.05};
+  scene.people.push_back(standing);
+  scene.people[0].goal_distance = 3.0;
+  EXPECT_GT(degrees_off_heading(scene), 5.0);
+}
+
+TEST(Direction, a_wall_behind_the_goal_still_slows_a_person_that_would_run_into_it) {
+  Scene scene;
+  scene.people = {walking_to({0, 0}, 0.0)};
+  scene.people[0].goal_distance = 0.05;
+  scene.walls = {{{0.44, -30.0}, {0.44, 30.0}}};
+  const Decision d = scene.first();
+  EXPECT_LE(d.speed * std::cos(d.direction) * scene.parameters.collision_time, 0.2 + 1e-3);
+}
+
+TEST(Direction, somebody_who_touches_counts_only_for_directions_that_lead_closer) {
+  Scene scene;
+  scene.people = {walking_to({0, 0}, 0.0), walking_to({0.47, 0.0}, kPi / 2)};
+  scene.people[1].velocity = Vec2::Zero();
+  scene.people[0].goal = kPi / 2;  // sideways: neither closer nor farther
+  Decision d = scene.first();
+  EXPECT_NEAR(d.direction, kPi / 2, 2.6 * kDegree);
+  EXPECT_EQ(d.speed, 1.34);
+  scene.people[0].goal = 0.0;  // straight into it
+  d = scene.first();
+  EXPECT_GT(std::abs(d.direction), 60.0 * kDegree);
+}
+
+TEST(Direction, a_person_that_touches_a_wall_walks_along_it) {
+  for (const double overlap : {-0.005, 0.0, 0.05}) {
+    Scene scene;
+    scene.people = {walking_to({0, 0}, 0.0)};
+    const double y = -0.24 + overlap;  // a wall of many pieces along its right side
+    for (int i = -20; i < 40; ++i) scene.walls.push_back({{i * 0.5, y}, {i * 0.5 + 0.5, y}});
+    const Decision d = scene.first();
+    EXPECT_EQ(d.direction, 0.0) << overlap;
+    EXPECT_EQ(d.speed, 1.34) << overlap;
+  }
+}
+
+TEST(Direction, somebody_pressed_on_from_all_sides_faces_its_goal_and_stands) {
+  Scene scene;
+  scene.people = {walking_to({0, 0}, 0.3)};
+  scene.people[0].goal = 0.3;
+  for (int i = 0; i < 12; ++i) {
+    PersonSpec other;
+    other.at = 0.45 * unit(i * kPi / 6);
+    scene.people.push_back(other);
+  }
+  scene.parameters.field_of_view = 180.0;
+  const Decision d = scene.first();
+  EXPECT_NEAR(wrap_angle(d.direction - 0.3), 0.0, 20.0 * kDegree);
+  EXPECT_LT(d.speed, 0.1);
+}
+
+TEST(Speed, follows_eq_3) {
+  for (const double gap : {0.1, 0.3, 0.5, 0.66, 0.68, 1.5}) {
+    for (const double collision_time : {0.3, 0.5, 2.0}) {
+      Scene scene;
+      scene.parameters.equation = 1.0;
+      scene.parameters.collision_time = collision_time;
+      scene.people = {walking_to({0, 0}, 0.0)};
+      scene.walls = {{{0.24 + gap, -60.0}, {0.24 + gap, 60.0}}};
+      const Decision d = scene.first();
+      EXPECT_NEAR(d.speed, std::min(1.34, d.free_distance / collision_time), 1e-9);
+      if (d.direction == 0.0) {
+        EXPECT_NEAR(d.free_distance, gap, 1e-3);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pedzone::test

@@ -1,0 +1,163 @@
+#include "oracle.hpp"
+
+#include <algorithm>
+
+namespace pedzone::test {
+
+double distance_to(const VehicleState& vehicle, const Vec2& point) {
+  const Vec2 ahead = unit(vehicle.heading), d = point - vehicle.centre;
+  const double x = std::max(std::abs(d.dot(ahead)) - vehicle.length / 2.0, 0.0);
+  const double y = std::max(std::abs(cross(ahead, d)) - vehicle.width / 2.0, 0.0);
+  return std::hypot(x, y);
+}
+
+double distance_to(const Wall& wall, const Vec2& point) {
+  const Vec2 along = wall.b - wall.a;
+  const double s = std::clamp((point - wall.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (wall.a + s * along - point).norm();
+}
+
+double Obstacle::distance(const Vec2& point, double time) const {
+  switch (kind) {
+    case Kind::kDisc:
+      return (at + time * velocity - point).norm();
+    case Kind::kVehicle:
+      return distance_to(vehicle, point - time * vehicle.velocity);
+    default:
+      return distance_to(wall, point);
+  }
+}
+
+Obstacle disc(const Vec2& at, const Vec2& velocity, double contact) {
+  Obstacle o;
+  o.kind = Obstacle::Kind::kDisc;
+  o.at = at;
+  o.velocity = velocity;
+  o.contact = contact;
+  return o;
+}
+
+Obstacle rectangle(const VehicleState& vehicle, double contact) {
+  Obstacle o;
+  o.kind = Obstacle::Kind::kVehicle;
+  o.vehicle = vehicle;
+  o.contact = contact;
+  return o;
+}
+
+Obstacle segment(const Wall& wall, double contact) {
+  Obstacle o;
+  o.kind = Obstacle::Kind::kWall;
+  o.wall = wall;
+  o.contact = contact;
+  return o;
+}
+
+double Obstacle::speed() const {
+  switch (kind) {
+    case Kind::kDisc:
+      return velocity.norm();
+    case Kind::kVehicle:
+      return vehicle.velocity.norm();
+    default:
+      return 0.0;
+  }
+}
+
+double time_to_contact(const Obstacle& obstacle, const Vec2& from, const Vec2& velocity,
+                       double horizon) {
+  const double closing = velocity.norm() + obstacle.speed();
+  double t = 0.0;
+  while (t < horizon) {
+    const double gap = obstacle.distance(from + t * velocity, t) - obstacle.contact;
+    if (gap < 0.0) return t;
+    t += std::max(kOracleStep, gap / closing);  // nothing can happen sooner
+  }
+  return horizon;
+}
+
+std::vector<double> main_offsets() {
+  std::vector<double> offsets;
+  for (int k = -30; k <= 30; ++k) offsets.push_back(k * 2.5 * kPi / 180.0);
+  return offsets;
+}
+
+std::vector<double> rest_offsets() {
+  std::vector<double> offsets;
+  for (int degrees = 80; degrees < 180; degrees += 5) {
+    offsets.push_back(-degrees * kPi / 180.0);
+    offsets.push_back(degrees * kPi / 180.0);
+  }
+  offsets.push_back(kPi);
+  return offsets;
+}
+
+double value(int equation, double free, double sight, double from_goal) {
+  return free * free - 2.0 * sight * free * std::cos(wrap_angle(from_goal) / equation);
+}
+
+std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person) {
+  const Parameters& p = scene.parameters;
+  const PersonSpec& self = scene.people[person];
+  const double half_field = p.field_of_view * kPi / 180.0;
+  const auto in_view = [&](const Vec2& point) {
+    const Vec2 d = point - self.at;
+    return std::abs(wrap_angle(angle_of(d) - self.heading)) <= half_field;
+  };
+  std::vector<Obstacle> obstacles;
+  for (std::size_t j = 0; j < scene.people.size(); ++j) {
+    const PersonSpec& other = scene.people[j];
+    if (j == person || (other.at - self.at).norm() > p.sight || !in_view(other.at)) continue;
+    obstacles.push_back(disc(other.at, other.velocity, self.radius + other.radius));
+  }
+  for (const VehicleState& v : scene.vehicles) {
+    const bool parked = v.velocity.norm() < 0.05;
+    const double distance = distance_to(v, self.at);
+    bool seen = false;  // some point of the rectangle, on a grid of 101 × 101
+    for (int i = 0; i <= 100 && !seen; ++i) {
+      for (int j = 0; j <= 100 && !seen; ++j) {
+        const Vec2 ahead = unit(v.heading);
+        seen = in_view(v.centre + (i / 100.0 - 0.5) * v.length * ahead +
+                       (j / 100.0 - 0.5) * v.width * left_of(ahead));
+      }
+    }
+    const bool aware = distance <= p.sight && (parked || seen);
+    const bool heard = !parked && distance <= p.hearing;
+    const double room = std::min(parked ? 0.1 : 0.25, (distance - self.radius) / 2.0);
+    if (aware || heard) obstacles.push_back(rectangle(v, self.radius + room));
+  }
+  for (const Wall& wall : scene.walls) obstacles.push_back(segment(wall, self.radius));
+  return obstacles;
+}
+
+OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_directions) {
+  const PersonSpec& self = scene.people[person];
+  const double sight = scene.parameters.sight;
+  const int equation = static_cast<int>(scene.parameters.equation);
+  const std::vector<Obstacle> obstacles = aware_of(scene, person);
+  std::vector<double> offsets = main_offsets();
+  if (all_directions) {
+    const std::vector<double> rest = rest_offsets();
+    offsets.insert(offsets.end(), rest.begin(), rest.end());
+  }
+  OracleChoice best;
+  double least = 1e300, second = 1e300;
+  for (const double offset : offsets) {
+    double time = sight / self.speed;
+    const Vec2 velocity = self.speed * unit(self.heading + offset);
+    for (const Obstacle& o : obstacles) time = time_to_contact(o, self.at, velocity, time);
+    const double free = time * self.speed;
+    const double d = value(equation, free, sight, self.goal - self.heading - offset);
+    if (d < least) {
+      second = least;
+      least = d;
+      best = {offset, free, 0.0};
+    } else {
+      second = std::min(second, d);
+    }
+  }
+  best.margin = second - least;
+  return best;
+}
+
+}  // namespace pedzone::test

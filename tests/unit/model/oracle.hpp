@@ -1,0 +1,57 @@
+// What the model must come to, worked out another way: contacts by walking on in steps of 1 ms,
+// directions by trying all of them in double precision. Shares nothing with src/model.
+#pragma once
+
+#include <vector>
+
+#include "scene.hpp"
+
+namespace pedzone::test {
+
+/// Distance [m] from a point to a vehicle's rectangle, 0 inside.
+double distance_to(const VehicleState& vehicle, const Vec2& point);
+double distance_to(const Wall& wall, const Vec2& point);
+
+/// Least step of the oracle [s]; contacts are found up to one step late.
+inline constexpr double kOracleStep = 1e-3;
+
+/// Something that must not be touched: its distance from a point at a time.
+struct Obstacle {
+  enum class Kind { kDisc, kVehicle, kWall } kind = Kind::kDisc;
+  Vec2 at = Vec2::Zero(), velocity = Vec2::Zero();  ///< disc
+  VehicleState vehicle;
+  Wall wall;
+  double contact = 0.0;  ///< [m] least distance that is no contact
+
+  double distance(const Vec2& point, double time) const;
+  double speed() const;  ///< [m/s]
+};
+
+Obstacle disc(const Vec2& at, const Vec2& velocity, double contact);
+Obstacle rectangle(const VehicleState& vehicle, double contact);
+Obstacle segment(const Wall& wall, double contact);
+
+/// Time [s] until a point that walks from `from` with `velocity` touches it, at most `horizon`.
+double time_to_contact(const Obstacle& obstacle, const Vec2& from, const Vec2& velocity,
+                       double horizon);
+
+/// Offsets [rad] from the heading: 61 over ±75°, and every 5° of the rest.
+std::vector<double> main_offsets();
+std::vector<double> rest_offsets();
+
+/// d(α) of Eq. 1 or Eq. 2 (without d_max², which Eq. 2 leaves out).
+double value(int equation, double free, double sight, double from_goal);
+
+/// Obstacles that the person is aware of by sight and hearing, in a scene where nobody touches
+/// anything.
+std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person);
+
+/// The choice by Eq. 1 or 2 among the main directions, or among all.
+struct OracleChoice {
+  double offset = 0.0;  ///< [rad]
+  double free = 0.0;    ///< [m]
+  double margin = 0.0;  ///< [m²] by which the second best is worse
+};
+OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_directions);
+
+}  // namespace pedzone::test

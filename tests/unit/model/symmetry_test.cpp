@@ -1,0 +1,194 @@
+// What must not change a decision: mirroring, turning and moving the scene, the order of people,
+// the number of threads, the calls before.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <thread>
+
+#include "oracle.hpp"
+#include "scene.hpp"
+
+namespace pedzone::test {
+namespace {
+
+Scene crowded(std::uint32_t seed) {
+  // Places on a lattice of 1/1024 m, so that moving the scene costs no digits.
+  Scene scene = random_scene({.people = 400, .density = 0.8, .vehicles = 6, .obstacles = 6}, seed);
+  const auto round = [](Vec2& v) {
+    v.x() = std::round(v.x() * 1024.0) / 1024.0;
+    v.y() = std::round(v.y() * 1024.0) / 1024.0;
+  };
+  for (PersonSpec& p : scene.people) round(p.at);
+  for (VehicleState& v : scene.vehicles) round(v.centre);
+  for (Wall& w : scene.walls) {
+    round(w.a);
+    round(w.b);
+  }
+  return scene;
+}
+
+template <class Point, class Direction>
+Scene transformed(Scene scene, Point&& point, Direction&& direction) {
+  const auto angle = [&](double a) { return angle_of(direction(unit(a))); };
+  for (PersonSpec& p : scene.people) {
+    p.at = point(p.at);
+    p.velocity = direction(p.velocity);
+    p.heading = angle(p.heading);
+    p.goal = angle(p.goal);
+  }
+  for (VehicleState& v : scene.vehicles) {
+    v.centre = point(v.centre);
+    v.velocity = direction(v.velocity);
+    v.heading = angle(v.heading);
+  }
+  for (Wall& w : scene.walls) w = {point(w.a), point(w.b)};
+  return scene;
+}
+
+void expect_equal(const Decision& a, const Decision& b, std::size_t person) {
+  ASSERT_EQ(a.direction, b.direction) << "person " << person;
+  ASSERT_EQ(a.speed, b.speed) << "person " << person;
+  ASSERT_EQ(a.free_distance, b.free_distance) << "person " << person;
+  ASSERT_EQ(a.waits, b.waits) << "person " << person;
+}
+
+TEST(Symmetry, a_mirrored_scene_gives_mirrored_decisions_to_the_bit) {
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    Scene scene = crowded(seed);
+    Scene mirror = scene;
+    for (PersonSpec& p : mirror.people) {
+      p.at.y() = -p.at.y();
+      p.velocity.y() = -p.velocity.y();
+      p.heading = -p.heading;
+      p.goal = -p.goal;
+    }
+    for (VehicleState& v : mirror.vehicles) {
+      v.centre.y() = -v.centre.y();
+      v.velocity.y() = -v.velocity.y();
+      v.heading = -v.heading;
+    }
+    for (Wall& w : mirror.walls) {
+      w.a.y() = -w.a.y();
+      w.b.y() = -w.b.y();
+    }
+    const std::vector<Decision> a = scene.decide(), b = mirror.decide();
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      // At exactly ±180° left and right are one direction.
+      ASSERT_NEAR(wrap_angle(a[i].direction + b[i].direction), 0.0, 1e-15) << i;
+      ASSERT_EQ(a[i].speed, b[i].speed) << i;
+      ASSERT_EQ(a[i].free_distance, b[i].free_distance) << i;
+      ASSERT_EQ(a[i].waits, b[i].waits) << i;
+    }
+  }
+}
+
+TEST(Symmetry, in_a_symmetric_scene_people_pass_on_the_right) {
+  // Two head-on: each is the other's mirror image, and left is as good as right.
+  Scene scene;
+  scene.people = {walking_to({0, 0}, 0.0), walking_to({8, 0}, kPi)};
+  scene.people[0].heading = scene.people[0].goal = 0.0;
+  const std::vector<Decision> d = scene.decide();
+  EXPECT_LT(d[0].direction, 0.0);
+  EXPECT_GT(d[1].direction, 0.0);  // heading west, right is north
+  EXPECT_NEAR(d[0].direction, d[1].direction - kPi, 1e-6);
+}
+
+TEST(Symmetry, a_moved_scene_gives_the_same_decisions_to_the_bit) {
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    const Scene scene = crowded(seed);
+    const Vec2 shift(1234.0 + 17.0 * seed, -8000.5);
+    const Scene moved = transformed(
+        scene, [&](const Vec2& p) -> Vec2 { return p + shift; },
+        [](const Vec2& d) -> Vec2 { return d; });
+    const std::vector<Decision> a = scene.decide();
+    Scene same_angles = moved;  // unit() and angle_of() cost a last digit
+    for (std::size_t i = 0; i < scene.people.size(); ++i) {
+      same_angles.people[i].heading = scene.people[i].heading;
+      same_angles.people[i].goal = scene.people[i].goal;
+    }
+    for (std::size_t i = 0; i < scene.vehicles.size(); ++i) {
+      same_angles.vehicles[i].heading = scene.vehicles[i].heading;
+    }
+    const std::vector<Decision> b = same_angles.decide();
+    for (std::size_t i = 0; i < a.size(); ++i) expect_equal(a[i], b[i], i);
+  }
+}
+
+TEST(Symmetry, a_turned_scene_gives_turned_decisions) {
+  // Directions are a grid about the heading, so they turn with the person. Rounding can only
+  // decide between directions of nearly equal value: rare, and then as free a way.
+  std::size_t different = 0, all = 0;
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    const Scene scene = crowded(seed);
+    const double angle = 0.7 * seed;
+    const Vec2 centre = scene.people[0].at;
+    const auto turn = [&](const Vec2& v) -> Vec2 {
+      const Vec2 u = unit(angle);
+      return {v.x() * u.x() - v.y() * u.y(), v.x() * u.y() + v.y() * u.x()};
+    };
+    const Scene turned = transformed(
+        scene, [&](const Vec2& p) -> Vec2 { return centre + turn(p - centre); }, turn);
+    const std::vector<Decision> a = scene.decide(), b = turned.decide();
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      ++all;
+      const double off = wrap_angle(b[i].direction - a[i].direction - angle);
+      if (std::abs(off) > 1e-6 || std::abs(a[i].free_distance - b[i].free_distance) > 0.02) {
+        ++different;
+      }
+    }
+  }
+  EXPECT_LT(static_cast<double>(different), 0.005 * static_cast<double>(all));
+}
+
+TEST(Symmetry, the_order_of_people_vehicles_and_walls_does_not_matter_to_the_bit) {
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    const Scene scene = crowded(seed);
+    std::mt19937 random(seed);
+    std::vector<std::size_t> order(scene.people.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), random);
+    Scene shuffled = scene;
+    for (std::size_t i = 0; i < order.size(); ++i) shuffled.people[i] = scene.people[order[i]];
+    std::shuffle(shuffled.vehicles.begin(), shuffled.vehicles.end(), random);
+    const std::vector<Decision> a = scene.decide(), b = shuffled.decide();
+    for (std::size_t i = 0; i < order.size(); ++i) expect_equal(b[i], a[order[i]], i);
+  }
+}
+
+TEST(Symmetry, neither_threads_nor_ranges_nor_calls_before_matter_to_the_bit) {
+  const auto model = make_model("heuristic");
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    const Scene scene = crowded(seed);
+    const std::vector<Decision> expected = scene.decide();  // a fresh model, one range
+    const Persons persons = persons_of(scene.people);
+    const WallIndex walls(scene.walls);
+    model->prepare({&persons, scene.vehicles, &walls, &scene.parameters});
+    std::vector<Decision> decisions(scene.people.size());
+    std::vector<std::thread> threads;
+    constexpr std::size_t kRange = 37;
+    for (std::size_t t = 0; t < 4; ++t) {
+      threads.emplace_back([&, t] {
+        for (std::size_t first = t * kRange; first < decisions.size(); first += 4 * kRange) {
+          model->decide(first, std::min(first + kRange, decisions.size()), decisions);
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (std::size_t i = 0; i < expected.size(); ++i) expect_equal(decisions[i], expected[i], i);
+  }
+}
+
+TEST(Symmetry, parameters_changed_between_steps_count_from_then_on) {
+  const auto model = make_model("heuristic");
+  Scene scene = crowded(3);
+  (void)scene.decide(*model);
+  scene.parameters.sight = 4.0;
+  scene.parameters.field_of_view = 50.0;
+  scene.parameters.candidate_field = 40.0;
+  const std::vector<Decision> a = scene.decide(*model), b = scene.decide();
+  for (std::size_t i = 0; i < a.size(); ++i) expect_equal(a[i], b[i], i);
+}
+
+}  // namespace
+}  // namespace pedzone::test
