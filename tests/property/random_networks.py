@@ -17,6 +17,7 @@ Exit code 0: enough person-steps, and no failure.
 
 import argparse
 import concurrent.futures
+import functools
 import shutil
 import sys
 import tempfile
@@ -42,26 +43,28 @@ def parse_arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
+def run_seed(work: Path, pedzone: str, meddler: str, keep: bool, seed: int):
+    folder = work / f"seed{seed}"
+    outcome = Case(seed, folder, pedzone, meddler).run()
+    print(outcome.line(), flush=True)
+    if not outcome.failures and not keep:
+        shutil.rmtree(folder)
+    return outcome
+
+
 def main() -> int:
     options = parse_arguments()
     work = Path(options.keep or tempfile.mkdtemp(prefix="pedzone-property-")).resolve()
     pedzone = str(Path(options.pedzone).resolve())
     meddler = str(Path(options.meddler).resolve()) if options.meddler else ""
 
-    def run(seed: int):
-        folder = work / f"seed{seed}"
-        outcome = Case(seed, folder, pedzone, meddler).run()
-        print(outcome.line(), flush=True)
-        if not outcome.failures and not options.keep:
-            shutil.rmtree(folder)
-        return outcome
-
+    one = functools.partial(run_seed, work, pedzone, meddler, bool(options.keep))
     outcomes, seed = [], options.seed
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         while (len(outcomes) < options.networks
                or sum(outcome.person_steps for outcome in outcomes) < options.steps):
             size = min(BATCH, options.networks) if options.steps == 0 else BATCH
-            outcomes += pool.map(run, range(seed, seed + size))
+            outcomes += pool.map(one, range(seed, seed + size))
             seed += size
             if not any(outcome.person_steps for outcome in outcomes) and len(outcomes) > 4 * BATCH:
                 break
