@@ -9,7 +9,9 @@
 namespace pedzone {
 namespace {
 
-constexpr double kGap = 0.05;    // [m] assumed: nobody lets a vehicle touch the clothes
+constexpr double kGap = 0.05;      // [m] assumed: nobody lets a vehicle touch the clothes
+constexpr double kGapTime = 0.04;  // [s] numerical: more room to a moving vehicle, since where it
+                                   // gets to is predicted (SUMO then brakes or turns otherwise)
 constexpr double kNoGap = 1e-3;  // [m] numerical: what counts as not touching
 constexpr double kStep = 0.2;    // [m] numerical: beyond what the vehicle itself moves, nobody is
                                  // moved farther by it in one substep
@@ -52,6 +54,9 @@ std::array<Vec2, 5> exits(const VehicleFrame& frame, const Vec2& local, double r
   return places;
 }
 
+/// Room [m] that bodies keep to a vehicle.
+double gap_to(const VehicleState& vehicle) { return kGap + kGapTime * vehicle.velocity.norm(); }
+
 /// Where a body of `radius` at `here` gets out of the vehicle's way: towards the nearest exit that
 /// no wall bars; where all are barred, to the place with most room that it can get to.
 Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& here, double radius,
@@ -60,8 +65,9 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
   const Vec2 local = frame.to_local(here);
   Vec2 best = here;
   double best_room = local_distance(frame, local);
-  if (best_room >= radius + kGap) return here;
-  for (const Vec2& exit : exits(frame, local, radius + kGap)) {
+  const double reach = radius + gap_to(vehicle);
+  if (best_room >= reach) return here;
+  for (const Vec2& exit : exits(frame, local, reach)) {
     Vec2 step = frame.to_world(exit) - here;
     if (step.norm() > longest) step *= longest / step.norm();
     const Vec2 at = walls.slide(here, here + step, radius);
@@ -83,8 +89,9 @@ void find_hits(CrowdState& crowd, double dt) {
   crowd.hits.clear();
   for (std::size_t v = 0; v < crowd.vehicles.size(); ++v) {
     const VehicleState& vehicle = crowd.vehicles[v];
-    const double around = 0.5 * std::hypot(vehicle.length, vehicle.width) + widest + kGap +
-                          vehicle.velocity.norm() * dt + 2.0 * crowd.motion.reach + kStep;
+    const double around = 0.5 * std::hypot(vehicle.length, vehicle.width) + widest +
+                          gap_to(vehicle) + vehicle.velocity.norm() * dt +
+                          2.0 * crowd.motion.reach + kStep;
     const Vec2 box = Vec2::Constant(around);
     const Vec2 low = vehicle.centre - box, high = vehicle.centre + box;
     crowd.grid.visit_box(low, high, [&](std::uint32_t i, const Vec2& there) {

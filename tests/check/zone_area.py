@@ -58,6 +58,7 @@ class Network:
     edges: dict = field(default_factory=dict)
     junctions: dict = field(default_factory=dict)  # id -> shape
     links: list = field(default_factory=list)  # (from lane, to lane, via lane or None)
+    signalled: set = field(default_factory=set)  # ids of crossings under a traffic light
 
     def distance_along(self, edge_id, start, end):
         """[m] between two points in the direction of an edge; None where there is none such."""
@@ -114,6 +115,8 @@ def read_network(path):
                     network.junctions[element.get("id")] = _ring(
                         parse_points(element.get("shape", "")))
                 elif element.tag == "connection":
+                    if element.get("tl"):
+                        network.signalled.update((element.get("from"), element.get("to")))
                     network.links.append((
                         f"{element.get('from')}_{element.get('fromLane')}",
                         f"{element.get('to')}_{element.get('toLane')}", element.get("via")))
@@ -275,11 +278,23 @@ class ZoneArea:
         for edge in network.edges.values():
             if edge.function == "walkingarea" and edge.id in walking_areas:
                 parts.append(_ring(list(edge.lanes[0].line.coords)))
-            elif edge.function == "crossing" and edge.crossed and all(
-                    lane.id in zone for name in edge.crossed
-                    for lane in network.edges[name].lanes if lane.vehicles):
+            elif edge.function == "crossing" and self._is_inside(edge, walking_areas, zone):
                 parts += [lane.area() for lane in edge.lanes]
         return parts
+
+    def _is_inside(self, crossing, walking_areas, zone):
+        """Whether a crossing is the zone's: over its own lanes only, or without a traffic light
+        between walking areas at its lanes."""
+        network = self._network
+        over_own = crossing.crossed and all(
+            lane.id in zone for name in crossing.crossed
+            for lane in network.edges[name].lanes if lane.vehicles)
+        ends = {edge for start, end, _ in network.links
+                for edge, other in ((start, end), (end, start))
+                if other.rpartition("_")[0] == crossing.id}
+        between_own = len(ends) > 1 and all(end.rpartition("_")[0] in walking_areas
+                                            for end in ends)
+        return over_own or (between_own and crossing.id not in network.signalled)
 
     def _lanes_of(self, lane_id):
         edge = self._network.edges.get(lane_id.rpartition("_")[0])
