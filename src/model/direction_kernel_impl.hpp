@@ -141,9 +141,7 @@ struct KernelImpl {
     const Float along =
         Float::all(faces.x[j]) * contact +
         (Float::all(faces.dx[j]) * ex + Float::all(faces.dy[j]) * ey - Float::all(faces.dv[j]));
-    return both(both(at_least(along, Float::all(0.0F)),
-                     at_least(Float::all(faces.length[j]) * contact, along)),
-                contact);
+    return both(at_least(Float::all(faces.half_length[j]) * contact, absolute(along)), contact);
   }
 
   static Float of_discs(const DiscView& discs, Float ex, Float ey, Float u) {
@@ -172,9 +170,7 @@ struct KernelImpl {
     const Float along = Float::load(faces.x + j) * contact +
                         (Float::load(faces.dx + j) * ex + Float::load(faces.dy + j) * ey -
                          Float::load(faces.dv + j));
-    return both(both(at_least(along, Float::all(0.0F)),
-                     at_least(Float::load(faces.length + j) * contact, along)),
-                contact);
+    return both(at_least(Float::load(faces.half_length + j) * contact, absolute(along)), contact);
   }
 
   /// Inverse time in one direction with everything that the near ones left out, given what it is
@@ -228,8 +224,7 @@ struct KernelImpl {
   struct Directions {
     alignas(32) float ex[kMaxDirections], ey[kMaxDirections];
     alignas(32) float weight[kMaxDirections];
-    alignas(32) float u[kMaxDirections];      ///< inverse time with the near ones
-    alignas(32) float bound[kMaxDirections];  ///< of g from below
+    alignas(32) float u[kMaxDirections];  ///< inverse time with the near ones
   };
 
   static Float slack(const DirectionTask& task) {
@@ -250,7 +245,8 @@ struct KernelImpl {
     return 1.0F / (t > kLeastTime ? t : kLeastTime);
   }
 
-  static void look_near(const DirectionTask& task, std::size_t k, Directions& dirs) {
+  /// Looks at the near ones in kLanes directions; returns lower bounds of g.
+  static Float look_near(const DirectionTask& task, std::size_t k, Directions& dirs) {
     const Velocity e = velocity(task, k);
     Float u = Float::all(1.0F / task.horizon);
     u = of_discs(task.near_discs, e.x, e.y, u);
@@ -259,14 +255,7 @@ struct KernelImpl {
     e.x.store(dirs.ex + k);
     e.y.store(dirs.ey + k);
     u.store(dirs.u + k);
-    bound_of(task, k, Float::all(1.0F) / u, Float::load(dirs.weight + k)).store(dirs.bound + k);
-  }
-
-  /// First of kLanes directions from k on with the lowest bound.
-  static std::size_t lowest(const Directions& dirs, std::size_t k) {
-    const Float bound = Float::load(dirs.bound + k);
-    const std::uint32_t lanes = bits(at_least(Float::all(smallest(bound)), bound));
-    return k + static_cast<std::size_t>(__builtin_ctz(lanes));
+    return bound_of(task, k, Float::all(1.0F) / u, Float::load(dirs.weight + k));
   }
 
   static void try_direction(const DirectionTask& task, const Directions& dirs, std::size_t k,
@@ -282,15 +271,31 @@ struct KernelImpl {
     return best.index == kNoDirection ? bound < kTried : bound <= best.value;
   }
 
+  /// The bounds of kLanes directions, that of one of them taken out.
+  static Float settled(Float bound, std::size_t lane) {
+    struct Window {
+      float around[2 * kLanes - 1];
+      constexpr Window() : around() {
+        for (float& value : around) value = -kTried;
+        around[kLanes - 1] = kTried;
+      }
+    };
+    static constexpr Window kWindow;
+    return larger(bound, Float::load(kWindow.around + kLanes - 1 - lane));
+  }
+
   /// Tries what may still be the best of the kLanes directions from k on, best first.
-  static void try_block(const DirectionTask& task, Directions& dirs, std::size_t k,
-                        DirectionChoice& best) {
-    for (std::size_t next = lowest(dirs, k); hopeful(dirs.bound[next], best);
-         next = lowest(dirs, k)) {
+  static void try_block(const DirectionTask& task, const Directions& dirs, std::size_t k,
+                        Float bound, DirectionChoice& best) {
+    while (true) {
+      const float lowest = smallest(bound);
+      if (!hopeful(lowest, best)) return;
+      const auto lane =
+          static_cast<std::size_t>(__builtin_ctz(bits(at_least(Float::all(lowest), bound))));
+      bound = settled(bound, lane);
       const float enough =
-          best.index == kNoDirection ? kTried : enough_for(task, best.value, dirs.weight[next]);
-      try_direction(task, dirs, next, enough, best);
-      dirs.bound[next] = kTried;
+          best.index == kNoDirection ? kTried : enough_for(task, best.value, dirs.weight[k + lane]);
+      try_direction(task, dirs, k + lane, enough, best);
     }
   }
 
@@ -313,8 +318,8 @@ struct KernelImpl {
       if (i % 2 != 0 ? start + step >= blocks : step > start) continue;
       const std::size_t b = i % 2 != 0 ? start + step : start - step;
       if (!hopeful(promise[b], best)) continue;
-      look_near(task, first + b * kLanes, dirs);
-      try_block(task, dirs, first + b * kLanes, best);
+      const std::size_t k = first + b * kLanes;
+      try_block(task, dirs, k, look_near(task, k, dirs), best);
     }
     return best;
   }

@@ -9,8 +9,8 @@
 //   disc: relative position p, velocity v, distance R of contact; walker's velocity E, |E| = V
 //         γ = 1/max(p² − R², gap),  β = γ·p·(E − v),  α = γ·|E − v|²
 //         u = β + √(β² − α)
-//   face: from o along d for l metres, outward normal n, gap h − R to the walker's body
-//         u = n·(v − E)/gap, a contact where 0 ≤ x·u + d·(E − v) ≤ l·u
+//   face: l metres to both sides of o along d, outward normal n, gap h − R to the walker's body
+//         u = n·(v − E)/gap, a contact where |x·u + d·(E − v)| ≤ l·u
 //
 //         walker ·
 //              h |        n
@@ -56,7 +56,7 @@ struct DiscSpace {
 
 /// The arrays of a FaceList.
 struct FaceView {
-  const float *nx, *ny, *nv, *dx, *dy, *dv, *x, *length;
+  const float *nx, *ny, *nv, *dx, *dy, *dv, *x, *half_length;
   std::size_t size;
 };
 
@@ -81,25 +81,25 @@ struct DiscList {
 
 /// Faces as seen by one person.
 struct FaceList {
-  std::vector<float> nx, ny, nv;  ///< n/gap and n·v/gap
-  std::vector<float> dx, dy, dv;  ///< d and d·v
-  std::vector<float> x, length;   ///< [m]
+  std::vector<float> nx, ny, nv;      ///< n/gap and n·v/gap
+  std::vector<float> dx, dy, dv;      ///< d and d·v
+  std::vector<float> x, half_length;  ///< [m]
   std::size_t size = 0;
 
   void clear() { size = 0; }
   void reserve(std::size_t n);  ///< room for n faces; before they are added
   struct Face {
-    float nx, ny;     ///< outward unit normal
-    float dx, dy;     ///< unit vector along the face
-    float vx, vy;     ///< [m/s]
-    float gap;        ///< [m] to the walker's body
-    float x, length;  ///< [m]
+    float nx, ny;          ///< outward unit normal
+    float dx, dy;          ///< unit vector along the face
+    float vx, vy;          ///< [m/s]
+    float gap;             ///< [m] to the walker's body
+    float x, half_length;  ///< [m]
   };
   void add(const Face& face);
   void fill_group();  ///< with faces nobody touches
   FaceView view() const {
-    return {nx.data(), ny.data(), nv.data(),     dx.data(), dy.data(),
-            dv.data(), x.data(),  length.data(), size};
+    return {nx.data(), ny.data(), nv.data(),          dx.data(), dy.data(),
+            dv.data(), x.data(),  half_length.data(), size};
   }
 };
 
@@ -134,7 +134,7 @@ inline void DiscList::fill_group() {
 inline void FaceList::reserve(std::size_t n) {
   n += kObstacleGroup;
   if (nx.size() >= n) return;
-  for (auto* array : {&nx, &ny, &nv, &dx, &dy, &dv, &x, &length}) array->resize(n);
+  for (auto* array : {&nx, &ny, &nv, &dx, &dy, &dv, &x, &half_length}) array->resize(n);
 }
 
 inline void FaceList::add(const Face& face) {
@@ -146,13 +146,13 @@ inline void FaceList::add(const Face& face) {
   dy[size] = face.dy;
   dv[size] = face.dx * face.vx + face.dy * face.vy;
   x[size] = face.x;
-  length[size] = face.length;
+  half_length[size] = face.half_length;
   ++size;
 }
 
 inline void FaceList::fill_group() {
   for (std::size_t i = size; i % kObstacleGroup != 0; ++i) {
-    nx[i] = ny[i] = nv[i] = dx[i] = dy[i] = dv[i] = x[i] = length[i] = 0.0F;  // u = 0: never
+    nx[i] = ny[i] = nv[i] = dx[i] = dy[i] = dv[i] = x[i] = half_length[i] = 0.0F;  // u = 0: never
   }
 }
 

@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace pedzone {
+namespace {
+
+/// [m] by which walls are longer at both ends, so that nobody slips through a joint of two that are
+/// in line. Numerical: far above rounding, far below a body.
+constexpr float kOverlap = 1e-3F;
+
+}  // namespace
 
 void Surroundings::see_persons(const Walker& walker, const Senses& senses, const PersonGrid& grid,
                                const DirectionKernel& kernel) {
@@ -30,16 +37,12 @@ void Surroundings::see_persons(const Walker& walker, const Senses& senses, const
 }
 
 Surroundings::Segment Surroundings::segment_of(const WallFace& wall, const LatticePoint& at) {
+  const float x = lattice_difference(at.x, wall.middle.x);
+  const float y = lattice_difference(at.y, wall.middle.y);
   Segment s;
-  s.px = lattice_difference(wall.from.x, at.x);
-  s.py = lattice_difference(wall.from.y, at.y);
-  const float left = s.px * wall.dy - s.py * wall.dx;  // d × (−p)
-  const float side = left < 0.0F ? -1.0F : 1.0F;       // walls have two sides
-  s.h = side * left;
-  s.nx = -wall.dy * side;
-  s.ny = wall.dx * side;
-  s.x = -(s.px * wall.dx + s.py * wall.dy);
-  const float beyond = std::max(std::max(-s.x, s.x - wall.length), 0.0F);
+  s.h = y * wall.dx - x * wall.dy;
+  s.x = x * wall.dx + y * wall.dy;
+  const float beyond = std::max(std::abs(s.x) - 0.5F * wall.length, 0.0F);
   s.distance2 = s.h * s.h + beyond * beyond;
   return s;
 }
@@ -60,25 +63,36 @@ void Surroundings::see_walls(const Walker& walker, const WallTiles& walls) {
   // A body that is closer to a wall than its radius only minds getting closer still.
   const float contact = std::max(std::min(walker.radius, std::sqrt(nearest2) - kSkin), 0.0F);
   const float reach = walker.static_reach + contact;
-  const float speed2 = walker.speed * walker.speed;
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const Segment& s = segments_[i];
-    if (s.distance2 > reach * reach) continue;
-    const WallFace& wall = walls[near[i]];
-    still_faces_.add({.nx = s.nx,
-                      .ny = s.ny,
+    if (segments_[i].distance2 > reach * reach) continue;
+    add_wall(walker, walls[near[i]], segments_[i], contact);
+  }
+}
+
+void Surroundings::add_wall(const Walker& walker, const WallFace& wall, const Segment& s,
+                            float contact) {
+  const bool front = s.h >= 0.0F;
+  if (front) {
+    still_faces_.add({.nx = -wall.dy,
+                      .ny = wall.dx,
                       .dx = wall.dx,
                       .dy = wall.dy,
                       .vx = 0.0F,
                       .vy = 0.0F,
                       .gap = s.h - contact,
                       .x = s.x,
-                      .length = wall.length});
-    if (wall.begin) still_discs_.add(s.px, s.py, 0.0F, 0.0F, contact, speed2);
-    if (wall.end) {
-      still_discs_.add(s.px + wall.dx * wall.length, s.py + wall.dy * wall.length, 0.0F, 0.0F,
-                       contact, speed2);
-    }
+                      .half_length = 0.5F * wall.length + kOverlap});
+  }
+  const float x = lattice_difference(wall.from.x, walker.at.x);
+  const float y = lattice_difference(wall.from.y, walker.at.y);
+  const bool front_before = x * wall.before_y - y * wall.before_x >= 0.0F;
+  const float speed2 = walker.speed * walker.speed;
+  if (wall.begins || (wall.corner && (front || front_before))) {
+    still_discs_.add(x, y, 0.0F, 0.0F, contact, speed2);
+  }
+  if (wall.ends) {
+    still_discs_.add(lattice_difference(wall.to.x, walker.at.x),
+                     lattice_difference(wall.to.y, walker.at.y), 0.0F, 0.0F, contact, speed2);
   }
 }
 

@@ -42,12 +42,12 @@ class Surroundings {
  private:
   /// A wall relative to the person.
   struct Segment {
-    float h, x;       ///< [m] the walker's distance from the line (≥ 0) and foot point along it
-    float nx, ny;     ///< unit normal towards the walker
-    float px, py;     ///< [m] first point relative to the walker
+    float h, x;       ///< [m] the person's distance from the line (< 0: behind it), and its foot
+                      ///< point along it, counted from its middle
     float distance2;  ///< [m²]
   };
   static Segment segment_of(const WallFace& wall, const LatticePoint& at);
+  void add_wall(const Walker& walker, const WallFace& wall, const Segment& segment, float contact);
 
   DiscList near_persons_, far_persons_, vehicle_discs_, still_discs_;
   FaceList vehicle_faces_, still_faces_;

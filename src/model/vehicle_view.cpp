@@ -77,8 +77,8 @@ void add_face(const VehicleView& view, const FaceFrame& face, bool whole_line, F
              .vx = s.vx,
              .vy = s.vy,
              .gap = face.out - view.contact,
-             .x = face.along + half,
-             .length = 2.0F * half});
+             .x = face.along,
+             .half_length = half});
 }
 
 }  // namespace

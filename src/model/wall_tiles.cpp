@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace pedzone {
@@ -12,11 +12,6 @@ constexpr double kTileSize = 4.0;  ///< [m] numerical: smaller ones cost memory,
 /// [m] added to the reach, for rounding to the lattice.
 constexpr double kMargin = 0.01;
 
-LatticePoint end_of(const WallFace& face) {
-  return {face.from.x + static_cast<std::int32_t>(to_lattice(face.dx * face.length)),
-          face.from.y + static_cast<std::int32_t>(to_lattice(face.dy * face.length))};
-}
-
 double distance_to_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
   const double length2 = along.squaredNorm();
@@ -24,19 +19,55 @@ double distance_to_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
   return (a + s * along - point).norm();
 }
 
+/// [1] sine of a turn that still counts as straight on. Numerical: lattice rounding of 1 m.
+constexpr float kStraight = 1e-4F;
+
+std::int32_t halfway(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(nearest_integer((static_cast<double>(a) + b) / 2.0));
+}
+
+WallFace face_of(const Wall& wall, const LatticeOrigin& origin) {
+  const LatticePoint from = to_lattice(wall.a.x(), wall.a.y(), origin);
+  const LatticePoint to = to_lattice(wall.b.x(), wall.b.y(), origin);
+  const Vec2 along = Vec2(to.x - from.x, to.y - from.y) / kLatticePerMetre;
+  const double length = along.norm();
+  const Vec2 d = length > 0.0 ? Vec2(along / length) : Vec2(1.0, 0.0);
+  WallFace face{};
+  face.from = from;
+  face.to = to;
+  face.middle = {halfway(from.x, to.x), halfway(from.y, to.y)};
+  face.dx = static_cast<float>(d.x());
+  face.dy = static_cast<float>(d.y());
+  face.length = static_cast<float>(length);
+  return face;
+}
+
 std::vector<WallFace> faces_of(std::span<const Wall> walls, const LatticeOrigin& origin) {
+  using Point = std::pair<std::int32_t, std::int32_t>;
   std::vector<WallFace> faces;
-  std::set<std::pair<std::int32_t, std::int32_t>> taken;  // points that have their disc
+  std::map<Point, std::vector<std::size_t>> beginning, ending;  // walls at each point
   for (const Wall& wall : walls) {
-    const LatticePoint from = to_lattice(wall.a.x(), wall.a.y(), origin);
-    const LatticePoint to = to_lattice(wall.b.x(), wall.b.y(), origin);
-    const Vec2 along = Vec2(to.x - from.x, to.y - from.y) / kLatticePerMetre;
-    const double length = along.norm();
-    const Vec2 d = length > 0.0 ? Vec2(along / length) : Vec2(1.0, 0.0);
-    const bool begin = taken.emplace(from.x, from.y).second;
-    const bool end = taken.emplace(to.x, to.y).second;
-    faces.push_back({from, static_cast<float>(d.x()), static_cast<float>(d.y()),
-                     static_cast<float>(length), begin, end});
+    faces.push_back(face_of(wall, origin));
+    const LatticePoint from = faces.back().from, to = faces.back().to;
+    beginning[{from.x, from.y}].push_back(faces.size() - 1);
+    ending[{to.x, to.y}].push_back(faces.size() - 1);
+  }
+  for (const auto& [point, begin] : beginning) {
+    const auto end = ending.find(point);
+    if (begin.size() != 1 || end == ending.end() || end->second.size() != 1) {
+      faces[begin.front()].begins = true;  // one disc for all that meet here
+      continue;
+    }
+    WallFace& face = faces[begin.front()];
+    const WallFace& before = faces[end->second.front()];
+    face.before_x = before.dx;
+    face.before_y = before.dy;
+    const float turn = before.dx * face.dy - before.dy * face.dx;
+    const float onward = before.dx * face.dx + before.dy * face.dy;
+    face.corner = turn < -kStraight || (turn <= kStraight && onward < 0.0F);
+  }
+  for (const auto& [point, end] : ending) {
+    if (!beginning.contains(point)) faces[end.front()].ends = true;
   }
   return faces;
 }
@@ -47,7 +78,7 @@ void WallTiles::build(std::span<const Wall> walls, double reach, const LatticeOr
   faces_ = faces_of(walls, origin);
   const std::int64_t grown = to_lattice(reach + kMargin);
   const auto box = [&](std::size_t i) {
-    const LatticePoint a = faces_[i].from, b = end_of(faces_[i]);
+    const LatticePoint a = faces_[i].from, b = faces_[i].to;
     return LatticeBox{std::min(a.x, b.x) - grown, std::min(a.y, b.y) - grown,
                       std::max(a.x, b.x) + grown, std::max(a.y, b.y) + grown};
   };
@@ -61,7 +92,7 @@ void WallTiles::build(std::span<const Wall> walls, double reach, const LatticeOr
     const auto metres = [](std::int64_t x, std::int64_t y) -> Vec2 {
       return Vec2(static_cast<double>(x), static_cast<double>(y)) / kLatticePerMetre;
     };
-    const LatticePoint a = faces_[i].from, b = end_of(faces_[i]);
+    const LatticePoint a = faces_[i].from, b = faces_[i].to;
     const Vec2 centre = 0.5 * (metres(tile.left, tile.low) + metres(tile.right, tile.high));
     return distance_to_segment(centre, metres(a.x, a.y), metres(b.x, b.y)) <=
            reach + kMargin + kTileSize * std::sqrt(0.5);

@@ -10,12 +10,17 @@
 
 namespace pedzone {
 
-/// A wall as seen from anywhere: where it begins and how it runs.
+/// A wall as seen from its walkable side, the left one. From behind nobody minds it: whoever got
+/// outside can come back.
 struct WallFace {
-  LatticePoint from;
-  float dx, dy;     ///< unit vector along it
-  float length;     ///< [m]
-  bool begin, end;  ///< whether its first (last) point is its own: shared points count once
+  LatticePoint from, middle, to;
+  float dx, dy;              ///< unit vector along it
+  float length;              ///< [m]
+  float before_x, before_y;  ///< unit vector along the wall that ends where this one begins
+  /// Its first point sticks out into the walkable area (a person can touch it before it touches a
+  /// wall), seen from this wall or the one before.
+  bool corner;
+  bool begins, ends;  ///< its first (last) point belongs to no other wall
 };
 
 class WallTiles {

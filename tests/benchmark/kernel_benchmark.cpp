@@ -78,8 +78,8 @@ void step(benchmark::State& state, const DirectionKernel& kernel) {
     model.decide(0, people, decisions);
     benchmark::DoNotOptimize(decisions.data());
   }
-  state.counters["us_per_person"] = benchmark::Counter(
-      static_cast<double>(people) * 1e-6,
+  state.counters["per_person"] = benchmark::Counter(
+      static_cast<double>(people),
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 

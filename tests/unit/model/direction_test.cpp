@@ -109,6 +109,19 @@ TEST(Direction, a_blocked_person_turns_round) {
   EXPECT_NEAR(degrees_off_heading(scene), 180.0, 1e-6);
 }
 
+/// In a random scene every four walls are an obstacle, their walkable side outside.
+bool inside_an_obstacle(const Scene& scene, const Vec2& at) {
+  for (std::size_t first = 0; first < scene.walls.size(); first += 4) {
+    int behind = 0;
+    for (std::size_t w = first; w < first + 4; ++w) {
+      const Wall& wall = scene.walls[w];
+      behind += cross(wall.b - wall.a, at - wall.a) < 0.0 ? 1 : 0;
+    }
+    if (behind == 4) return true;
+  }
+  return false;
+}
+
 TEST(Direction, agrees_with_the_oracle_in_random_scenes) {
   int compared = 0;
   for (const int equation : {1, 2}) {
@@ -122,7 +135,7 @@ TEST(Direction, agrees_with_the_oracle_in_random_scenes) {
       }
       const std::vector<Decision> decisions = scene.decide();
       for (std::size_t i = 0; i < scene.people.size(); ++i) {
-        bool touches = false;  // has rules of its own
+        bool touches = inside_an_obstacle(scene, scene.people[i].at);  // has rules of its own
         for (const Obstacle& o : aware_of(scene, i)) {
           const double margin = o.kind == Obstacle::Kind::kDisc ? 0.06 * o.contact + 0.02 : 0.02;
           touches = touches || o.distance(scene.people[i].at, 0.0) < o.contact + margin;
@@ -197,6 +210,15 @@ TEST(Direction, a_person_that_touches_a_wall_walks_along_it) {
     EXPECT_EQ(d.direction, 0.0) << overlap;
     EXPECT_EQ(d.speed, 1.34) << overlap;
   }
+}
+
+TEST(Direction, a_person_outside_the_walkable_area_can_come_back) {
+  Scene scene;  // inside a square whose walkable side is outside
+  scene.people = {walking_to({0, 0}, 0.3)};
+  scene.walls = {{{-1, -1}, {-1, 1}}, {{-1, 1}, {1, 1}}, {{1, 1}, {1, -1}}, {{1, -1}, {-1, -1}}};
+  const Decision d = scene.first();
+  EXPECT_EQ(d.direction, 0.3);
+  EXPECT_EQ(d.speed, 1.34);
 }
 
 TEST(Direction, somebody_pressed_on_from_all_sides_faces_its_goal_and_stands) {

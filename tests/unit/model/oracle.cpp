@@ -126,7 +126,10 @@ std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person) {
     const double room = std::min(parked ? 0.1 : 0.25, (distance - self.radius) / 2.0);
     if (aware || heard) obstacles.push_back(rectangle(v, self.radius + room));
   }
-  for (const Wall& wall : scene.walls) obstacles.push_back(segment(wall, self.radius));
+  for (const Wall& wall : scene.walls) {
+    const bool in_front = cross(wall.b - wall.a, self.at - wall.a) >= 0.0;
+    if (in_front) obstacles.push_back(segment(wall, self.radius));
+  }
   return obstacles;
 }
 

@@ -71,6 +71,7 @@ TEST(Symmetry, a_mirrored_scene_gives_mirrored_decisions_to_the_bit) {
     for (Wall& w : mirror.walls) {
       w.a.y() = -w.a.y();
       w.b.y() = -w.b.y();
+      std::swap(w.a, w.b);  // the walkable side is the left one
     }
     const std::vector<Decision> a = scene.decide(), b = mirror.decide();
     for (std::size_t i = 0; i < a.size(); ++i) {

@@ -32,7 +32,7 @@ float with_faces(const FaceView& f, Velocity e, float u) {
   for (std::size_t j = 0; j < f.size; ++j) {
     const float contact = f.nv[j] - (f.nx[j] * e.x + f.ny[j] * e.y);
     const float along = f.x[j] * contact + (f.dx[j] * e.x + f.dy[j] * e.y - f.dv[j]);
-    if (along >= 0.0F && f.length[j] * contact >= along) u = larger(contact, u);
+    if (f.half_length[j] * contact >= std::abs(along)) u = larger(contact, u);
   }
   return u;
 }
