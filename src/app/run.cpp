@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/path_recorder.hpp"
 #include "app/progress.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
@@ -31,6 +32,8 @@ SimulationOptions prepare(const RunOptions& options) {
 struct Outputs {
   std::unique_ptr<CompleteFile> summary;
   std::unique_ptr<TrajectoryWriter> trajectories;
+  std::unique_ptr<CompleteFile> picture;
+  PathRecorder paths;
 
   explicit Outputs(const RunOptions& options) {
     if (!options.summary.empty()) {
@@ -38,6 +41,9 @@ struct Outputs {
     }
     if (!options.trajectories.empty()) {
       trajectories = std::make_unique<TrajectoryWriter>(options.trajectories, "--trajectories");
+    }
+    if (!options.picture.empty()) {
+      picture = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
     }
   }
 
@@ -49,9 +55,11 @@ struct Outputs {
     }
   }
 
-  void finish(const RunSummary& totals) {
+  void finish(const Simulation& simulation, const RunSummary& totals) {
     if (summary) summary->write(summary_json(totals));
+    if (picture) picture->write(paths.picture(simulation));
     if (trajectories) trajectories->finish();
+    if (picture) picture->finish();
     if (summary) summary->finish();
   }
 };
@@ -80,7 +88,7 @@ void simulate(const RunOptions& options) {
   progress.finish();
   const RunSummary totals = simulation.summary();
   simulation.close();
-  outputs.finish(totals);
+  outputs.finish(simulation, totals);
   fmt::print("{}", summary_table(totals));
 }
 
