@@ -30,12 +30,23 @@ struct SlotGroup {
 struct Sight {
   std::int32_t x, y;  ///< lattice, the person
   float heading_cos, heading_sin;
-  float field_cos;      ///< of the half field of view
-  float beyond, reach;  ///< [m] others are this far away: more than `beyond`, at most `reach`
-  float radius;         ///< [m] of the person's body
-  float speed;          ///< [m/s] V, preferred
-  float horizon;        ///< [s]
-  float static_reach;   ///< [m] who stands farther away than this does not count
+  float field_cos;     ///< of the half field of view
+  float reach, near;   ///< [m] d_max; who is within `near` is told apart
+  float radius;        ///< [m] of the person's body
+  float speed;         ///< [m/s] V, preferred
+  float horizon;       ///< [s]
+  float static_reach;  ///< [m] who stands farther away than this does not count
+};
+
+/// Room for persons who are seen: as many as there are slots to look at, and two groups more.
+struct SeenSpace {
+  float *x, *y, *vx, *vy, *contact;  ///< while they are picked out
+  DiscGroup* discs;                  ///< what comes of them, filled up to two groups
+};
+
+/// How many discs there are in either space.
+struct Seen {
+  std::size_t near, far;
 };
 
 /// One person's choice, ready to be computed. All of it is avoided; what stands in the "near"
@@ -50,8 +61,8 @@ struct DirectionTask {
   float speed = 1.34F;          ///< [m/s] V, preferred
   float horizon = 7.5F;         ///< [s] d_max/V
   float static_horizon = 7.5F;  ///< [s] contacts with what stands still count up to here
-  DiscView near_discs{};        ///< persons near by (in far_discs again)
-  DiscView far_discs{};         ///< persons
+  DiscView near_discs{};        ///< persons near by
+  DiscView far_discs{};         ///< other persons, filled up to two groups
   DiscView vehicle_discs{};     ///< corners of moving vehicles
   FaceView vehicle_faces{};     ///< sides of moving vehicles
   DiscView still_discs{};       ///< ends of walls, corners of parked vehicles
@@ -79,10 +90,9 @@ inline constexpr std::uint32_t kNoDirection = ~0U;
 /// The operations behind which vector code stands.
 struct DirectionKernel {
   const char* name;
-  /// Writes those of the groups whom the person sees and could touch within its horizon, and
-  /// returns how many; fills up what is read with them with discs nobody touches.
-  std::size_t (*see)(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
-                     const Sight& sight, DiscSpace out);
+  /// Those of the groups whom the person sees and could touch within its horizon, near and far.
+  Seen (*see)(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
+              const Sight& sight, const SeenSpace& near, const SeenSpace& far);
   /// The best of the directions [first, first + count) and of `best`, which may be none
   /// (index kNoDirection); `first` is a multiple of kDirectionGroup. None where all are excluded.
   DirectionChoice (*choose)(const DirectionTask& task, std::size_t first, std::size_t count,

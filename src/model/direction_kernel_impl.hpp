@@ -30,6 +30,8 @@ struct KernelImpl {
   static constexpr float kBoundShare = 4e-6F;
   /// Far discs are looked at in groups of this many between two questions whether to go on.
   static constexpr std::size_t kFarGroup = 2 * kObstacleGroup;
+  /// [m] somebody there is touched by nobody.
+  static constexpr float kFarAway = 1e6F;
   /// [s] protects from dividing by zero.
   static constexpr float kLeastTime = 1e-30F;
   /// Bound of a direction that has been tried or is excluded.
@@ -40,7 +42,7 @@ struct KernelImpl {
   /// What `see` compares with, in vectors.
   struct Seer {
     std::int32_t x, y;
-    Float heading_cos, heading_sin, field, reach2, beyond2, radius, speed2, horizon, walk,
+    Float heading_cos, heading_sin, field, reach2, near2, radius, speed2, horizon, walk,
         static_reach;
 
     explicit Seer(const Sight& s)
@@ -50,7 +52,7 @@ struct KernelImpl {
           heading_sin(Float::all(s.heading_sin)),
           field(Float::all(s.field_cos * (s.field_cos < 0.0F ? -s.field_cos : s.field_cos))),
           reach2(Float::all(s.reach * s.reach)),
-          beyond2(Float::all(s.beyond * s.beyond)),
+          near2(Float::all(s.near * s.near)),
           radius(Float::all(s.radius)),
           speed2(Float::all(s.speed * s.speed)),
           horizon(Float::all(s.horizon)),
@@ -58,119 +60,150 @@ struct KernelImpl {
           static_reach(Float::all(s.static_reach)) {}
   };
 
-  static std::size_t see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
-                         const Sight& sight, DiscSpace out) {
+  static Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
+                  const Sight& sight, const SeenSpace& near, const SeenSpace& far) {
     const Seer seer(sight);
     const PersonSlots persons = slots;
-    std::size_t n = 0;
+    const SeenSpace near_space = near, far_space = far;
+    Seen seen{0, 0};
     for (std::size_t g = 0; g < count; ++g) {
       for (std::uint32_t half = 0; half < kSlotGroup; half += kLanes) {
         const std::uint32_t used = groups[g].used >> half & ((1U << kLanes) - 1U);
-        n += see_lanes(persons, groups[g].first + half, used, seer, out, n);
+        see_lanes(persons, groups[g].first + half, used, seer, near_space, far_space, seen);
       }
     }
-    std::size_t end = n;
-    for (; end % kFarGroup != 0; ++end) nobody(out, end);
-    for (std::size_t j = 0; j < end; j += kLanes) finish_discs(out, j, seer.speed2);
-    return n;
+    finish_discs(near_space, seen.near, seer.speed2);
+    finish_discs(far_space, seen.far, seer.speed2);
+    return seen;
   }
 
-  /// Raw form of who is seen: p in px, py; v in wx, wy; R in q.
-  static std::size_t see_lanes(const PersonSlots& slots, std::size_t first, std::uint32_t used,
-                               const Seer& s, DiscSpace out, std::size_t n) {
-    const Float x = Float::metres(slots.x + first, s.x), y = Float::metres(slots.y + first, s.y);
-    const Float d2 = x * x + y * y;
+  static void see_lanes(const PersonSlots& slots, std::size_t first, std::uint32_t used,
+                        const Seer& s, const SeenSpace& near, const SeenSpace& far, Seen& n) {
+    Spotted p;
+    p.x = Float::metres(slots.x + first, s.x);
+    p.y = Float::metres(slots.y + first, s.y);
+    const Float d2 = p.x * p.x + p.y * p.y;
     // cos of the angle to the heading ≥ cos of the half field, both squared with their signs.
-    const Float ahead = x * s.heading_cos + y * s.heading_sin;
-    const Float seen = both(both(at_least(s.reach2, d2), more(d2, s.beyond2)),
+    const Float ahead = p.x * s.heading_cos + p.y * s.heading_sin;
+    const Float seen = both(both(at_least(s.reach2, d2), more(d2, Float::all(0.0F))),
                             at_least(ahead * absolute(ahead), s.field * d2));
 
-    const Float vx = Float::load(slots.vx + first), vy = Float::load(slots.vy + first);
+    p.vx = Float::load(slots.vx + first);
+    p.vy = Float::load(slots.vy + first);
+    p.contact = s.radius + Float::load(slots.radius + first);
     const Float v2 = Float::load(slots.speed2 + first);
-    const Float contact = s.radius + Float::load(slots.radius + first);
-    const Float fx = x + vx * s.horizon, fy = y + vy * s.horizon;
-    const Float far = contact + s.walk, still = contact + s.static_reach;
-    const Float touchable = either(at_least(far * far, fx * fx + fy * fy), more(v2, s.speed2));
+    const Float fx = p.x + p.vx * s.horizon, fy = p.y + p.vy * s.horizon;
+    const Float farthest = p.contact + s.walk, still = p.contact + s.static_reach;
+    const Float touchable =
+        either(at_least(farthest * farthest, fx * fx + fy * fy), more(v2, s.speed2));
     const Float counts = either(at_least(v2, Float::all(kStandingSpeed * kStandingSpeed)),
                                 at_least(still * still, d2));
 
     const std::uint32_t lanes = bits(both(both(seen, touchable), counts)) & used;
-    const typename Float::Packer pack(lanes);
-    pack.store(x, out.px + n);
-    pack.store(y, out.py + n);
-    pack.store(vx, out.wx + n);
-    pack.store(vy, out.wy + n);
-    pack.store(contact, out.q + n);
-    return static_cast<std::size_t>(__builtin_popcount(lanes));
+    const std::uint32_t close = bits(at_least(s.near2, d2)) & lanes;
+    if (close != 0) n.near += p.store(close, near, n.near);
+    n.far += p.store(lanes & ~close, far, n.far);
   }
 
-  /// Somebody nobody touches: far away and standing.
-  static void nobody(DiscSpace out, std::size_t j) {
-    out.px[j] = out.py[j] = 1e6F;
-    out.wx[j] = out.wy[j] = out.q[j] = 0.0F;
+  /// Persons picked out.
+  struct Spotted {
+    Float x, y, vx, vy, contact;
+
+    std::size_t store(std::uint32_t lanes, const SeenSpace& space, std::size_t n) const {
+      const typename Float::Packer pack(lanes);
+      pack.store(x, space.x + n);
+      pack.store(y, space.y + n);
+      pack.store(vx, space.vx + n);
+      pack.store(vy, space.vy + n);
+      pack.store(contact, space.contact + n);
+      return static_cast<std::size_t>(__builtin_popcount(lanes));
+    }
+  };
+
+  /// Turns the n persons of a space into discs.
+  static void finish_discs(const SeenSpace& space, std::size_t n, Float speed2) {
+    for (std::size_t j = n; j % kFarGroup != 0; ++j) {  // somebody far away: never touched
+      space.x[j] = space.y[j] = kFarAway;
+      space.vx[j] = space.vy[j] = space.contact[j] = 0.0F;
+    }
+    for (std::size_t j = 0; j < n; j += kFarGroup) {
+      for (std::size_t i = j; i < j + kFarGroup; i += kLanes) finish_lanes(space, i, speed2);
+    }
   }
 
-  static void finish_discs(DiscSpace out, std::size_t j, Float speed2) {
-    const Float x = Float::load(out.px + j), y = Float::load(out.py + j);
-    const Float vx = Float::load(out.wx + j), vy = Float::load(out.wy + j);
-    const Float contact = Float::load(out.q + j);
+  static void finish_lanes(const SeenSpace& space, std::size_t j, Float speed2) {
+    const Float x = Float::load(space.x + j), y = Float::load(space.y + j);
+    const Float vx = Float::load(space.vx + j), vy = Float::load(space.vy + j);
+    const Float contact = Float::load(space.contact + j);
     const Float apart = x * x + y * y;
     const Float soft = larger(Float::all(kSoftness) * apart, Float::all(kLeastDiscGap));
     const Float gamma = Float::all(1.0F) / larger(apart - contact * contact, soft);
-    (gamma * x).store(out.px + j);
-    (gamma * y).store(out.py + j);
-    (gamma * (x * vx + y * vy)).store(out.q + j);
-    (gamma * (speed2 + (vx * vx + vy * vy))).store(out.a + j);
-    (Float::all(2.0F) * gamma * vx).store(out.wx + j);
-    (Float::all(2.0F) * gamma * vy).store(out.wy + j);
+    DiscGroup& g = space.discs[j / kObstacleGroup];
+    const std::size_t i = j % kObstacleGroup;
+    (gamma * x).store(g.px + i);
+    (gamma * y).store(g.py + i);
+    (gamma * (x * vx + y * vy)).store(g.q + i);
+    (gamma * (speed2 + (vx * vx + vy * vy))).store(g.a + i);
+    (Float::all(2.0F) * gamma * vx).store(g.wx + i);
+    (Float::all(2.0F) * gamma * vy).store(g.wy + i);
   }
 
-  // ---- inverse times of contact: lanes are directions -----------------------------------------
+  // ---- inverse times of contact ---------------------------------------------------------------
 
-  static Float of_disc(const DiscView& discs, std::size_t j, Float ex, Float ey) {
-    const Float beta =
-        Float::all(discs.px[j]) * ex + Float::all(discs.py[j]) * ey - Float::all(discs.q[j]);
-    const Float alpha =
-        Float::all(discs.a[j]) - (Float::all(discs.wx[j]) * ex + Float::all(discs.wy[j]) * ey);
+  /// A value of one obstacle in all lanes, or of kLanes obstacles.
+  static Float one(const float* p) { return Float::all(*p); }
+  static Float many(const float* p) { return Float::load(p); }
+
+  /// Lanes are directions (get = one) or obstacles (get = many), from the i-th of the group on.
+  template <Float (*get)(const float*)>
+  static Float of_disc(const DiscGroup& g, std::size_t i, Float ex, Float ey) {
+    const Float beta = get(g.px + i) * ex + get(g.py + i) * ey - get(g.q + i);
+    const Float alpha = get(g.a + i) - (get(g.wx + i) * ex + get(g.wy + i) * ey);
     return beta + sqrt(beta * beta - alpha);
   }
 
-  static Float of_face(const FaceView& faces, std::size_t j, Float ex, Float ey) {
-    const Float contact =
-        Float::all(faces.nv[j]) - (Float::all(faces.nx[j]) * ex + Float::all(faces.ny[j]) * ey);
+  template <Float (*get)(const float*)>
+  static Float of_face(const FaceGroup& g, std::size_t i, Float ex, Float ey) {
+    const Float contact = get(g.nv + i) - (get(g.nx + i) * ex + get(g.ny + i) * ey);
     const Float along =
-        Float::all(faces.x[j]) * contact +
-        (Float::all(faces.dx[j]) * ex + Float::all(faces.dy[j]) * ey - Float::all(faces.dv[j]));
-    return both(at_least(Float::all(faces.half_length[j]) * contact, absolute(along)), contact);
+        get(g.x + i) * contact + (get(g.dx + i) * ex + get(g.dy + i) * ey - get(g.dv + i));
+    return both(at_least(get(g.half_length + i) * contact, absolute(along)), contact);
   }
 
+  /// The largest of u and those of some obstacles; lanes are directions.
   static Float of_discs(const DiscView& discs, Float ex, Float ey, Float u) {
-    for (std::size_t j = 0; j < discs.size; ++j) u = larger(of_disc(discs, j, ex, ey), u);
+    for (std::size_t j = 0; j < discs.size; ++j) {
+      const DiscGroup& g = discs.groups[j / kObstacleGroup];
+      u = larger(of_disc<one>(g, j % kObstacleGroup, ex, ey), u);
+    }
     return u;
   }
 
   static Float of_faces(const FaceView& faces, Float ex, Float ey, Float u) {
-    for (std::size_t j = 0; j < faces.size; ++j) u = larger(of_face(faces, j, ex, ey), u);
+    for (std::size_t j = 0; j < faces.size; ++j) {
+      const FaceGroup& g = faces.groups[j / kObstacleGroup];
+      u = larger(of_face<one>(g, j % kObstacleGroup, ex, ey), u);
+    }
     return u;
   }
 
-  // ---- inverse times of contact: lanes are obstacles ------------------------------------------
-
-  static Float of_disc_group(const DiscView& discs, std::size_t j, Float ex, Float ey) {
-    const Float beta =
-        Float::load(discs.px + j) * ex + Float::load(discs.py + j) * ey - Float::load(discs.q + j);
-    const Float alpha = Float::load(discs.a + j) -
-                        (Float::load(discs.wx + j) * ex + Float::load(discs.wy + j) * ey);
-    return beta + sqrt(beta * beta - alpha);
+  /// The same with lanes for obstacles.
+  static Float of_group(const DiscGroup& g, Float ex, Float ey, Float u) {
+    for (std::size_t i = 0; i < kObstacleGroup; i += kLanes) {
+      u = larger(of_disc<many>(g, i, ex, ey), u);
+    }
+    return u;
   }
 
-  static Float of_face_group(const FaceView& faces, std::size_t j, Float ex, Float ey) {
-    const Float contact = Float::load(faces.nv + j) -
-                          (Float::load(faces.nx + j) * ex + Float::load(faces.ny + j) * ey);
-    const Float along = Float::load(faces.x + j) * contact +
-                        (Float::load(faces.dx + j) * ex + Float::load(faces.dy + j) * ey -
-                         Float::load(faces.dv + j));
-    return both(at_least(Float::load(faces.half_length + j) * contact, absolute(along)), contact);
+  static Float of_group(const FaceGroup& g, Float ex, Float ey, Float u) {
+    for (std::size_t i = 0; i < kObstacleGroup; i += kLanes) {
+      u = larger(of_face<many>(g, i, ex, ey), u);
+    }
+    return u;
+  }
+
+  static std::size_t groups_of(std::size_t obstacles) {
+    return (obstacles + kObstacleGroup - 1) / kObstacleGroup;
   }
 
   /// Inverse time in one direction with everything that the near ones left out, given what it is
@@ -179,18 +212,18 @@ struct KernelImpl {
                        float enough_k) {
     const Float ex = Float::all(ex_k), ey = Float::all(ey_k), enough = Float::all(enough_k);
     Float u = Float::all(u_k);
-    for (std::size_t j = 0; j < task.far_discs.size; j += kFarGroup) {
-      for (std::size_t i = j; i < j + kFarGroup; i += kLanes) {
-        u = larger(of_disc_group(task.far_discs, i, ex, ey), u);
-      }
+    const DiscGroup* group = task.far_discs.groups;
+    const DiscGroup* const last = group + groups_of(task.far_discs.size);
+    for (; group < last; group += 2) {
+      u = of_group(group[1], ex, ey, of_group(group[0], ex, ey, u));
       if (bits(at_least(u, enough)) != 0) return largest(u);
     }
     Float still = Float::all(0.0F);
-    for (std::size_t j = 0; j < task.still_discs.size; j += kLanes) {
-      still = larger(of_disc_group(task.still_discs, j, ex, ey), still);
+    for (std::size_t g = 0; g < groups_of(task.still_discs.size); ++g) {
+      still = of_group(task.still_discs.groups[g], ex, ey, still);
     }
-    for (std::size_t j = 0; j < task.still_faces.size; j += kLanes) {
-      still = larger(of_face_group(task.still_faces, j, ex, ey), still);
+    for (std::size_t g = 0; g < groups_of(task.still_faces.size); ++g) {
+      still = of_group(task.still_faces.groups[g], ex, ey, still);
     }
     return largest(larger(both(at_least(still, Float::all(1.0F / task.static_horizon)), still), u));
   }

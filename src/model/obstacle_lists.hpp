@@ -40,54 +40,80 @@ inline constexpr float kLeastFaceGap = 1e-3F;
 /// [m] a body that touches a wall or vehicle is taken to be this much thinner, so that walking
 /// along it, past its joints, is free. Numerical: far above rounding, far below what one sees.
 inline constexpr float kSkin = 0.01F;
-/// Discs and faces are read in groups of this many; the arrays are filled up with harmless ones.
+/// Obstacles are stored and read in groups of this many; the last group is filled up with harmless
+/// ones.
 inline constexpr std::size_t kObstacleGroup = 8;
 
-/// The arrays of a DiscList, for the kernel.
-struct DiscView {
-  const float *px, *py, *q, *a, *wx, *wy;
-  std::size_t size;
-};
-
-/// The same, to be filled.
-struct DiscSpace {
-  float *px, *py, *q, *a, *wx, *wy;
-};
-
-/// The arrays of a FaceList.
-struct FaceView {
-  const float *nx, *ny, *nv, *dx, *dy, *dv, *x, *half_length;
-  std::size_t size;
-};
-
 /// Discs as seen by one person. V is that person's preferred speed.
-struct DiscList {
-  std::vector<float> px, py;  ///< γ·p
-  std::vector<float> q;       ///< γ·p·v
-  std::vector<float> a;       ///< γ·(V² + v²)
-  std::vector<float> wx, wy;  ///< 2·γ·v
-  std::size_t size = 0;
-
-  void clear() { size = 0; }
-  void reserve(std::size_t n);  ///< room for n discs; before they are added
-  /// p [m], v [m/s], contact distance R [m], V² [m²/s²].
-  void add(float x, float y, float vx, float vy, float contact, float speed_squared);
-  void fill_group();  ///< up to the next multiple of kObstacleGroup with discs nobody touches
-  DiscView view() const {
-    return {px.data(), py.data(), q.data(), a.data(), wx.data(), wy.data(), size};
-  }
-  DiscSpace space() { return {px.data(), py.data(), q.data(), a.data(), wx.data(), wy.data()}; }
+struct alignas(32) DiscGroup {
+  float px[kObstacleGroup], py[kObstacleGroup];  ///< γ·p
+  float q[kObstacleGroup];                       ///< γ·p·v
+  float a[kObstacleGroup];                       ///< γ·(V² + v²)
+  float wx[kObstacleGroup], wy[kObstacleGroup];  ///< 2·γ·v
 };
 
 /// Faces as seen by one person.
-struct FaceList {
-  std::vector<float> nx, ny, nv;      ///< n/gap and n·v/gap
-  std::vector<float> dx, dy, dv;      ///< d and d·v
-  std::vector<float> x, half_length;  ///< [m]
-  std::size_t size = 0;
+struct alignas(32) FaceGroup {
+  float nx[kObstacleGroup], ny[kObstacleGroup], nv[kObstacleGroup];  ///< n/gap and n·v/gap
+  float dx[kObstacleGroup], dy[kObstacleGroup], dv[kObstacleGroup];  ///< d and d·v
+  float x[kObstacleGroup], half_length[kObstacleGroup];              ///< [m]
+};
+
+/// The groups of a list, for the kernel.
+template <class Group>
+struct ObstacleView {
+  const Group* groups = nullptr;
+  std::size_t size = 0;  ///< obstacles
+};
+using DiscView = ObstacleView<DiscGroup>;
+using FaceView = ObstacleView<FaceGroup>;
+
+/// Obstacles of one kind. Room must be there before they are added.
+template <class Group>
+struct ObstacleList {
+  std::vector<Group> groups;
+  std::size_t size = 0;  ///< obstacles
 
   void clear() { size = 0; }
-  void reserve(std::size_t n);  ///< room for n faces; before they are added
+  /// Room for n obstacles; the kernel reads two groups at once.
+  void reserve(std::size_t n) {
+    const std::size_t needed = n / kObstacleGroup + 2;
+    if (groups.size() < needed) groups.resize(needed);
+  }
+  ObstacleView<Group> view() const { return {groups.data(), size}; }
+};
+
+struct DiscList : ObstacleList<DiscGroup> {
+  /// p [m], v [m/s], contact distance R [m], V² [m²/s²].
+  void add(float x, float y, float vx, float vy, float contact, float speed_squared) {
+    const float apart = x * x + y * y;
+    const float soft = kSoftness * apart > kLeastDiscGap ? kSoftness * apart : kLeastDiscGap;
+    const float free = apart - contact * contact;
+    const float gamma = 1.0F / (free > soft ? free : soft);
+    put(gamma * x, gamma * y, gamma * (x * vx + y * vy),
+        gamma * (speed_squared + (vx * vx + vy * vy)), 2.0F * gamma * vx, 2.0F * gamma * vy);
+  }
+  /// Fills the last group up with discs nobody touches.
+  void fill_group() {
+    const std::size_t n = size;
+    while (size % kObstacleGroup != 0) put(0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F);  // √−1: never
+    size = n;
+  }
+
+ private:
+  void put(float px, float py, float q, float a, float wx, float wy) {
+    DiscGroup& g = groups[size / kObstacleGroup];
+    const std::size_t i = size++ % kObstacleGroup;
+    g.px[i] = px;
+    g.py[i] = py;
+    g.q[i] = q;
+    g.a[i] = a;
+    g.wx[i] = wx;
+    g.wy[i] = wy;
+  }
+};
+
+struct FaceList : ObstacleList<FaceGroup> {
   struct Face {
     float nx, ny;          ///< outward unit normal
     float dx, dy;          ///< unit vector along the face
@@ -95,65 +121,28 @@ struct FaceList {
     float gap;             ///< [m] to the walker's body
     float x, half_length;  ///< [m]
   };
-  void add(const Face& face);
-  void fill_group();  ///< with faces nobody touches
-  FaceView view() const {
-    return {nx.data(), ny.data(), nv.data(),          dx.data(), dy.data(),
-            dv.data(), x.data(),  half_length.data(), size};
+  void add(const Face& face) {
+    const float inverse = 1.0F / (face.gap > kLeastFaceGap ? face.gap : kLeastFaceGap);
+    FaceGroup& g = groups[size / kObstacleGroup];
+    const std::size_t i = size++ % kObstacleGroup;
+    g.nx[i] = face.nx * inverse;
+    g.ny[i] = face.ny * inverse;
+    g.nv[i] = (face.nx * face.vx + face.ny * face.vy) * inverse;
+    g.dx[i] = face.dx;
+    g.dy[i] = face.dy;
+    g.dv[i] = face.dx * face.vx + face.dy * face.vy;
+    g.x[i] = face.x;
+    g.half_length[i] = face.half_length;
+  }
+  /// Fills the last group up with faces nobody touches.
+  void fill_group() {
+    for (std::size_t n = size; n % kObstacleGroup != 0; ++n) {
+      FaceGroup& g = groups[n / kObstacleGroup];
+      const std::size_t i = n % kObstacleGroup;
+      g.nx[i] = g.ny[i] = g.nv[i] = 0.0F;  // u = 0: never
+      g.dx[i] = g.dy[i] = g.dv[i] = g.x[i] = g.half_length[i] = 0.0F;
+    }
   }
 };
-
-inline void DiscList::reserve(std::size_t n) {
-  n += 3 * kObstacleGroup;  // room for filling up, and for whole vectors written at the end
-  if (px.size() >= n) return;
-  for (auto* array : {&px, &py, &q, &a, &wx, &wy}) array->resize(n);
-}
-
-inline void DiscList::add(float x, float y, float vx, float vy, float contact,
-                          float speed_squared) {
-  const float apart = x * x + y * y;
-  const float soft = kSoftness * apart > kLeastDiscGap ? kSoftness * apart : kLeastDiscGap;
-  const float free = apart - contact * contact;
-  const float gamma = 1.0F / (free > soft ? free : soft);
-  px[size] = gamma * x;
-  py[size] = gamma * y;
-  q[size] = gamma * (x * vx + y * vy);
-  a[size] = gamma * (speed_squared + (vx * vx + vy * vy));
-  wx[size] = 2.0F * gamma * vx;
-  wy[size] = 2.0F * gamma * vy;
-  ++size;
-}
-
-inline void DiscList::fill_group() {
-  for (std::size_t i = size; i % kObstacleGroup != 0; ++i) {
-    px[i] = py[i] = q[i] = wx[i] = wy[i] = 0.0F;
-    a[i] = 1.0F;  // the root of −1: never
-  }
-}
-
-inline void FaceList::reserve(std::size_t n) {
-  n += kObstacleGroup;
-  if (nx.size() >= n) return;
-  for (auto* array : {&nx, &ny, &nv, &dx, &dy, &dv, &x, &half_length}) array->resize(n);
-}
-
-inline void FaceList::add(const Face& face) {
-  const float inverse = 1.0F / (face.gap > kLeastFaceGap ? face.gap : kLeastFaceGap);
-  nx[size] = face.nx * inverse;
-  ny[size] = face.ny * inverse;
-  nv[size] = (face.nx * face.vx + face.ny * face.vy) * inverse;
-  dx[size] = face.dx;
-  dy[size] = face.dy;
-  dv[size] = face.dx * face.vx + face.dy * face.vy;
-  x[size] = face.x;
-  half_length[size] = face.half_length;
-  ++size;
-}
-
-inline void FaceList::fill_group() {
-  for (std::size_t i = size; i % kObstacleGroup != 0; ++i) {
-    nx[i] = ny[i] = nv[i] = dx[i] = dy[i] = dv[i] = x[i] = half_length[i] = 0.0F;  // u = 0: never
-  }
-}
 
 }  // namespace pedzone

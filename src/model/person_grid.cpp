@@ -22,13 +22,8 @@ const PersonGrid::Level& PersonGrid::level(double scale) {
   for (level_ = 0; level_ < levels_.size(); ++level_) {
     if (levels_[level_].scale == scale) return levels_[level_];
   }
-  Level fresh;
-  fresh.scale = scale;
-  const double near = std::min(kNearReach, sight_);
-  const double width = kCellWidth * scale, height = kCellHeight * scale;
-  fresh.cells[0] = ViewCells({0.0, near}, half_field_, width, height);
-  fresh.cells[1] = ViewCells({near, sight_}, half_field_, width, height);
-  levels_.push_back(std::move(fresh));
+  levels_.push_back(
+      {scale, ViewCells(sight_, half_field_, kCellWidth * scale, kCellHeight * scale)});
   return levels_[level_];
 }
 
@@ -36,8 +31,8 @@ PersonGrid::Cell PersonGrid::cell_of(const LatticePoint& point) const {
   const Level& level = levels_[level_];
   const double x = static_cast<double>(point.x - bounds_.left);
   const double y = static_cast<double>(point.y - bounds_.low);
-  return {static_cast<int>(x * columns_per_lattice_) + level.widest().columns(),
-          static_cast<int>(y * rows_per_lattice_) + level.widest().rows()};
+  return {static_cast<int>(x * columns_per_lattice_) + level.cells.columns(),
+          static_cast<int>(y * rows_per_lattice_) + level.cells.rows()};
 }
 
 void PersonGrid::choose_cells(double scale) {
@@ -46,8 +41,8 @@ void PersonGrid::choose_cells(double scale) {
   const Level& chosen = level(scale);
   columns_per_lattice_ = 1.0 / (kCellWidth * scale * kLatticePerMetre);
   rows_per_lattice_ = 1.0 / (kCellHeight * scale * kLatticePerMetre);
-  columns_ = static_cast<int>(width * columns_per_lattice_) + 1 + 2 * chosen.widest().columns();
-  rows_ = static_cast<int>(height * rows_per_lattice_) + 1 + 2 * chosen.widest().rows();
+  columns_ = static_cast<int>(width * columns_per_lattice_) + 1 + 2 * chosen.cells.columns();
+  rows_ = static_cast<int>(height * rows_per_lattice_) + 1 + 2 * chosen.cells.rows();
 }
 
 void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, double sight,
@@ -102,12 +97,12 @@ void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, doub
   }
 }
 
-std::span<const SlotGroup> PersonGrid::groups(Belt belt, const LatticePoint& point, double heading,
+std::span<const SlotGroup> PersonGrid::groups(const LatticePoint& point, double heading,
                                               std::vector<SlotGroup>& space) const {
   // Groups are written before it is known whether a row has so many: that costs less than a
   // branch that goes either way.
   constexpr std::uint32_t kBlind = 3;
-  const auto runs = levels_[level_].cells[static_cast<std::size_t>(belt)].runs(heading);
+  const auto runs = levels_[level_].cells.runs(heading);
   const std::size_t most = size_ / kGroup + runs.size() + kBlind;
   if (space.size() < most) space.resize(most);
   const Cell cell = cell_of(point);

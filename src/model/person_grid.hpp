@@ -15,12 +15,6 @@
 
 namespace pedzone {
 
-/// Others are looked for within kNearReach first and then up to the sight.
-enum class Belt : std::size_t { kNear, kFar };
-/// [m] Numerical, by timing: near persons are tried on many directions at once, since they decide
-/// most of them.
-inline constexpr double kNearReach = 2.5;
-
 class PersonGrid {
  public:
   /// Sorts the persons. `sight` [m] and `half_field` [rad] are what every person sees. No
@@ -28,8 +22,8 @@ class PersonGrid {
   void build(const Persons& persons, const LatticeOrigin& origin, double sight, double half_field);
 
   /// Groups of slots that together hold everybody whom a person at `point` (the place of one of
-  /// `persons`) sees in `heading` [rad] within the belt, and others. They stand in `space`.
-  std::span<const SlotGroup> groups(Belt belt, const LatticePoint& point, double heading,
+  /// `persons`) sees in `heading` [rad], and others. They stand in `space`.
+  std::span<const SlotGroup> groups(const LatticePoint& point, double heading,
                                     std::vector<SlotGroup>& space) const;
 
   /// Of all persons; empty (right < left) without any.
@@ -44,8 +38,7 @@ class PersonGrid {
   /// The cells that people see for one size of cell.
   struct Level {
     double scale = 0.0;  ///< cells are this many times the smallest
-    ViewCells cells[2];  ///< of each belt
-    const ViewCells& widest() const { return cells[1]; }
+    ViewCells cells;
   };
   struct Cell {
     int column, row;

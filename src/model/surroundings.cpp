@@ -6,6 +6,9 @@
 namespace pedzone {
 namespace {
 
+/// [m] persons so near are tried on many directions at once, since they decide most of them.
+/// Numerical, by timing.
+constexpr float kNearReach = 2.5F;
 /// [m] by which walls are longer at both ends, so that nobody slips through a joint of two that are
 /// in line. Numerical: far above rounding, far below a body.
 constexpr float kOverlap = 1e-3F;
@@ -24,16 +27,24 @@ void Surroundings::see_persons(const Walker& walker, const Senses& senses, const
   sight.speed = walker.speed;
   sight.horizon = senses.sight / walker.speed;
   sight.static_reach = walker.static_reach;
-  const auto see = [&](Belt belt, float beyond, float reach, DiscList& discs) {
-    sight.beyond = beyond;
-    sight.reach = reach;
-    const auto groups = grid.groups(belt, walker.at, walker.heading, groups_);
-    discs.reserve(groups.size() * kSlotGroup);
-    discs.size = kernel.see(grid.slots(), groups.data(), groups.size(), sight, discs.space());
-  };
-  const float near = std::min(static_cast<float>(kNearReach), senses.sight);
-  see(Belt::kNear, 0.0F, near, near_persons_);
-  see(Belt::kFar, near, senses.sight, far_persons_);
+  sight.reach = senses.sight;
+  sight.near = std::min(kNearReach, senses.sight);
+  const auto groups = grid.groups(walker.at, walker.heading, groups_);
+  const std::size_t most = groups.size() * kSlotGroup;
+  const Seen seen =
+      kernel.see(grid.slots(), groups.data(), groups.size(), sight,
+                 near_room_.space(most, near_persons_), far_room_.space(most, far_persons_));
+  near_persons_.size = seen.near;
+  far_persons_.size = seen.far;
+}
+
+SeenSpace Surroundings::Room::space(std::size_t persons, DiscList& discs) {
+  const std::size_t needed = persons + 2 * kObstacleGroup;
+  if (x.size() < needed) {
+    for (auto* array : {&x, &y, &vx, &vy, &contact}) array->resize(needed);
+  }
+  discs.reserve(persons + kObstacleGroup);
+  return {x.data(), y.data(), vx.data(), vy.data(), contact.data(), discs.groups.data()};
 }
 
 Surroundings::Segment Surroundings::segment_of(const WallFace& wall, const LatticePoint& at) {

@@ -49,6 +49,13 @@ class Surroundings {
   static Segment segment_of(const WallFace& wall, const LatticePoint& at);
   void add_wall(const Walker& walker, const WallFace& wall, const Segment& segment, float contact);
 
+  /// Room for persons while they are picked out.
+  struct Room {
+    std::vector<float> x, y, vx, vy, contact;
+    SeenSpace space(std::size_t persons, DiscList& discs);
+  };
+
+  Room near_room_, far_room_;
   DiscList near_persons_, far_persons_, vehicle_discs_, still_discs_;
   FaceList vehicle_faces_, still_faces_;
   std::vector<SlotGroup> groups_;

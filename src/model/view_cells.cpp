@@ -46,11 +46,10 @@ bool cone_meets(double middle, double half, const Box& box) {
   return ray_meets(unit(middle - half), box) || ray_meets(unit(middle + half), box);
 }
 
-bool ring_meets(const Annulus& ring, const Box& box) {
+bool circle_meets(double radius, const Box& box) {
   const double x = std::max({box.left, -box.right, 0.0});
   const double y = std::max({box.low, -box.high, 0.0});
-  const double far_x = std::max(-box.left, box.right), far_y = std::max(-box.low, box.high);
-  return std::hypot(x, y) <= ring.to + kMargin && std::hypot(far_x, far_y) >= ring.from - kMargin;
+  return std::hypot(x, y) <= radius;
 }
 
 }  // namespace
@@ -61,9 +60,9 @@ std::size_t ViewCells::sector(double heading) {
       std::clamp<std::ptrdiff_t>(s, 0, static_cast<std::ptrdiff_t>(kSectors) - 1));
 }
 
-ViewCells::ViewCells(const Annulus& ring, double half_field, double width, double height) {
-  columns_ = static_cast<int>(std::ceil(ring.to / width)) + 1;
-  rows_ = static_cast<int>(std::ceil(ring.to / height)) + 1;
+ViewCells::ViewCells(double sight, double half_field, double width, double height) {
+  columns_ = static_cast<int>(std::ceil(sight / width)) + 1;
+  rows_ = static_cast<int>(std::ceil(sight / height)) + 1;
   start_.push_back(0);
   for (std::size_t s = 0; s < kSectors; ++s) {
     const double middle = -kPi + (static_cast<double>(s) + 0.5) * kSectorWidth;
@@ -74,7 +73,7 @@ ViewCells::ViewCells(const Annulus& ring, double half_field, double width, doubl
         // Where somebody in that cell can be relative to somebody anywhere in the middle one.
         const Box box{(column - 1) * width, (row - 1) * height, (column + 1) * width,
                       (row + 1) * height};
-        const bool meets = ring_meets(ring, box) && cone_meets(middle, half, box);
+        const bool meets = circle_meets(sight + kMargin, box) && cone_meets(middle, half, box);
         if (meets && open) runs_.back().right = column;
         if (meets && !open) runs_.push_back({row, column, column});
         open = meets;

@@ -13,19 +13,14 @@ struct CellRun {
   int row, left, right;
 };
 
-/// Distances [m] between which somebody is looked for.
-struct Annulus {
-  double from, to;
-};
-
 class ViewCells {
  public:
   /// Headings are told apart in so many equal sectors. Numerical: halving it adds 3 % of cells.
   static constexpr std::size_t kSectors = 64;
 
   ViewCells() = default;
-  /// `half_field` [rad] half angle of view, cells of width × height [m].
-  ViewCells(const Annulus& ring, double half_field, double width, double height);
+  /// `sight` [m], `half_field` [rad] half angle of view, cells of width × height [m].
+  ViewCells(double sight, double half_field, double width, double height);
 
   /// Runs that hold everybody visible for a heading [rad] in [-pi, pi].
   std::span<const CellRun> runs(double heading) const {

@@ -116,12 +116,10 @@ TEST(Perception, the_grid_finds_everybody_in_view) {
       for (std::size_t i = 0; i < persons.size(); ++i) {
         const LatticePoint at = to_lattice(persons.x[i], persons.y[i], origin);
         std::set<std::pair<std::int32_t, std::int32_t>> found;
-        for (const Belt belt : {Belt::kNear, Belt::kFar}) {
-          for (const SlotGroup& g : grid.groups(belt, at, persons.heading[i], space)) {
-            for (std::uint32_t s = 0; s < kSlotGroup; ++s) {
-              if ((g.used >> s & 1U) == 0) continue;
-              found.emplace(grid.slots().x[g.first + s], grid.slots().y[g.first + s]);
-            }
+        for (const SlotGroup& g : grid.groups(at, persons.heading[i], space)) {
+          for (std::uint32_t s = 0; s < kSlotGroup; ++s) {
+            if ((g.used >> s & 1U) == 0) continue;
+            found.emplace(grid.slots().x[g.first + s], grid.slots().y[g.first + s]);
           }
         }
         for (std::size_t j = 0; j < persons.size(); ++j) {

@@ -19,27 +19,31 @@ Velocity velocity(const DirectionTask& task, std::size_t k) {
 
 float larger(float a, float b) { return a > b ? a : b; }  // b where a is not a number
 
-float with_discs(const DiscView& d, Velocity e, float u) {
-  for (std::size_t j = 0; j < d.size; ++j) {
-    const float beta = d.px[j] * e.x + d.py[j] * e.y - d.q[j];
-    const float alpha = d.a[j] - (d.wx[j] * e.x + d.wy[j] * e.y);
+float with_discs(const DiscView& discs, Velocity e, float u) {
+  for (std::size_t j = 0; j < discs.size; ++j) {
+    const DiscGroup& d = discs.groups[j / kObstacleGroup];
+    const std::size_t i = j % kObstacleGroup;
+    const float beta = d.px[i] * e.x + d.py[i] * e.y - d.q[i];
+    const float alpha = d.a[i] - (d.wx[i] * e.x + d.wy[i] * e.y);
     u = larger(beta + std::sqrt(beta * beta - alpha), u);
   }
   return u;
 }
 
-float with_faces(const FaceView& f, Velocity e, float u) {
-  for (std::size_t j = 0; j < f.size; ++j) {
-    const float contact = f.nv[j] - (f.nx[j] * e.x + f.ny[j] * e.y);
-    const float along = f.x[j] * contact + (f.dx[j] * e.x + f.dy[j] * e.y - f.dv[j]);
-    if (f.half_length[j] * contact >= std::abs(along)) u = larger(contact, u);
+float with_faces(const FaceView& faces, Velocity e, float u) {
+  for (std::size_t j = 0; j < faces.size; ++j) {
+    const FaceGroup& f = faces.groups[j / kObstacleGroup];
+    const std::size_t i = j % kObstacleGroup;
+    const float contact = f.nv[i] - (f.nx[i] * e.x + f.ny[i] * e.y);
+    const float along = f.x[i] * contact + (f.dx[i] * e.x + f.dy[i] * e.y - f.dv[i]);
+    if (f.half_length[i] * contact >= std::abs(along)) u = larger(contact, u);
   }
   return u;
 }
 
-/// Everybody in view, without asking who could be touched.
-std::size_t see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
-                const Sight& s, DiscSpace out) {
+/// Everybody in view, without asking who could be touched, all in the far space.
+Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count, const Sight& s,
+         const SeenSpace&, const SeenSpace& far) {
   std::size_t n = 0;
   for (std::size_t g = 0; g < count; ++g) {
     for (std::uint32_t i = 0; i < kSlotGroup; ++i) {
@@ -47,7 +51,7 @@ std::size_t see(const PersonSlots& slots, const SlotGroup* groups, std::size_t c
       const std::size_t j = groups[g].first + i;
       const float x = lattice_difference(slots.x[j], s.x), y = lattice_difference(slots.y[j], s.y);
       const float d2 = x * x + y * y;
-      if (d2 > s.reach * s.reach || d2 <= s.beyond * s.beyond) continue;
+      if (d2 > s.reach * s.reach || d2 == 0.0F) continue;
       const float ahead = x * s.heading_cos + y * s.heading_sin;
       if (ahead * std::abs(ahead) < s.field_cos * std::abs(s.field_cos) * d2) continue;
       const float vx = slots.vx[j], vy = slots.vy[j], v2 = vx * vx + vy * vy;
@@ -55,16 +59,17 @@ std::size_t see(const PersonSlots& slots, const SlotGroup* groups, std::size_t c
       if (v2 < kStandingSpeed * kStandingSpeed && d2 > still * still) continue;
       const float soft = larger(kSoftness * d2, kLeastDiscGap);
       const float gamma = 1.0F / larger(d2 - contact * contact, soft);
-      out.px[n] = gamma * x;
-      out.py[n] = gamma * y;
-      out.q[n] = gamma * (x * vx + y * vy);
-      out.a[n] = gamma * (s.speed * s.speed + v2);
-      out.wx[n] = 2.0F * gamma * vx;
-      out.wy[n] = 2.0F * gamma * vy;
-      ++n;
+      DiscGroup& out = far.discs[n / kObstacleGroup];
+      const std::size_t k = n++ % kObstacleGroup;
+      out.px[k] = gamma * x;
+      out.py[k] = gamma * y;
+      out.q[k] = gamma * (x * vx + y * vy);
+      out.a[k] = gamma * (s.speed * s.speed + v2);
+      out.wx[k] = 2.0F * gamma * vx;
+      out.wy[k] = 2.0F * gamma * vy;
     }
   }
-  return n;
+  return {0, n};
 }
 
 DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t count,
