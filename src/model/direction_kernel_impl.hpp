@@ -257,7 +257,8 @@ struct KernelImpl {
   struct Directions {
     alignas(32) float ex[kMaxDirections], ey[kMaxDirections];
     alignas(32) float weight[kMaxDirections];
-    alignas(32) float u[kMaxDirections];  ///< inverse time with the near ones
+    alignas(32) float u[kMaxDirections];      ///< inverse time with the near ones
+    alignas(32) float bound[kMaxDirections];  ///< of g from below, for the blocks looked at
   };
 
   static Float slack(const DirectionTask& task) {
@@ -278,8 +279,8 @@ struct KernelImpl {
     return 1.0F / (t > kLeastTime ? t : kLeastTime);
   }
 
-  /// Looks at the near ones in kLanes directions; returns lower bounds of g.
-  static Float look_near(const DirectionTask& task, std::size_t k, Directions& dirs) {
+  /// Looks at the near ones in kLanes directions; returns the lowest of the bounds.
+  static float look_near(const DirectionTask& task, std::size_t k, Directions& dirs) {
     const Velocity e = velocity(task, k);
     Float u = Float::all(1.0F / task.horizon);
     u = of_discs(task.near_discs, e.x, e.y, u);
@@ -288,7 +289,9 @@ struct KernelImpl {
     e.x.store(dirs.ex + k);
     e.y.store(dirs.ey + k);
     u.store(dirs.u + k);
-    return bound_of(task, k, Float::all(1.0F) / u, Float::load(dirs.weight + k));
+    const Float bound = bound_of(task, k, Float::all(1.0F) / u, Float::load(dirs.weight + k));
+    bound.store(dirs.bound + k);
+    return smallest(bound);
   }
 
   static void try_direction(const DirectionTask& task, const Directions& dirs, std::size_t k,
@@ -317,42 +320,71 @@ struct KernelImpl {
     return larger(bound, Float::load(kWindow.around + kLanes - 1 - lane));
   }
 
-  /// Tries what may still be the best of the kLanes directions from k on, best first.
-  static void try_block(const DirectionTask& task, const Directions& dirs, std::size_t k,
-                        Float bound, DirectionChoice& best) {
-    while (true) {
-      const float lowest = smallest(bound);
-      if (!hopeful(lowest, best)) return;
-      const auto lane =
-          static_cast<std::size_t>(__builtin_ctz(bits(at_least(Float::all(lowest), bound))));
-      bound = settled(bound, lane);
-      const float enough =
-          best.index == kNoDirection ? kTried : enough_for(task, best.value, dirs.weight[k + lane]);
-      try_direction(task, dirs, k + lane, enough, best);
+  /// First of the lanes with the lowest value.
+  static std::size_t first_lowest(Float values, float lowest) {
+    return static_cast<std::size_t>(__builtin_ctz(bits(at_least(Float::all(lowest), values))));
+  }
+
+  /// Blocks of kLanes directions, each with the lowest bound in it. Bounds first know of nothing,
+  /// then of the near ones.
+  struct Blocks {
+    static constexpr std::size_t kMost = (kMaxDirections / kLanes + kLanes - 1) / kLanes * kLanes;
+    alignas(32) float lowest[kMost];
+
+    Blocks() {
+      for (std::size_t b = 0; b < kMost; b += kLanes) Float::all(kTried).store(lowest + b);
     }
+
+    std::size_t best(std::size_t count) const {
+      Float least = Float::load(lowest);
+      for (std::size_t b = kLanes; b < count; b += kLanes) {
+        least = smaller(Float::load(lowest + b), least);
+      }
+      const float value = smallest(least);
+      std::size_t b = 0;
+      while (bits(at_least(Float::all(value), Float::load(lowest + b))) == 0) b += kLanes;
+      return b + first_lowest(Float::load(lowest + b), value);
+    }
+  };
+
+  /// Tries the direction with the lowest bound of a block.
+  static void try_best_of(const DirectionTask& task, Directions& dirs, std::size_t k,
+                          float& lowest_bound, DirectionChoice& best) {
+    const Float bound = Float::load(dirs.bound + k);
+    const std::size_t lane = first_lowest(bound, lowest_bound);
+    const Float left = settled(bound, lane);
+    left.store(dirs.bound + k);
+    lowest_bound = smallest(left);
+    const float enough =
+        best.index == kNoDirection ? kTried : enough_for(task, best.value, dirs.weight[k + lane]);
+    try_direction(task, dirs, k + lane, enough, best);
   }
 
   static DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t count,
                                 DirectionChoice best) {
     Directions dirs;
-    float promise[kMaxDirections / kLanes];  // lowest bound of each block
-    const std::size_t blocks = (count + kLanes - 1) / kLanes;
-    std::size_t start = 0;
-    for (std::size_t b = 0; b < blocks; ++b) {
+    Blocks blocks;
+    const std::size_t block_count = (count + kLanes - 1) / kLanes;
+    for (std::size_t b = 0; b < block_count; ++b) {
       const std::size_t k = first + b * kLanes;
       const Float d = weight(task, k);
       d.store(dirs.weight + k);
-      promise[b] = smallest(bound_of(task, k, Float::all(task.horizon), d));
-      start = promise[b] < promise[start] ? b : start;
+      blocks.lowest[b] = smallest(bound_of(task, k, Float::all(task.horizon), d));
     }
-    // From the block that promises most outwards, alternately left and right.
-    for (std::size_t i = 0; i < 2 * blocks; ++i) {
-      const std::size_t step = (i + 1) / 2;
-      if (i % 2 != 0 ? start + step >= blocks : step > start) continue;
-      const std::size_t b = i % 2 != 0 ? start + step : start - step;
-      if (!hopeful(promise[b], best)) continue;
-      const std::size_t k = first + b * kLanes;
-      try_block(task, dirs, k, look_near(task, k, dirs), best);
+    // A first good value from the most promising block lets others go without a look.
+    const std::size_t start = blocks.best(block_count);
+    if (!hopeful(blocks.lowest[start], best)) return best;
+    blocks.lowest[start] = look_near(task, first + start * kLanes, dirs);
+    if (hopeful(blocks.lowest[start], best)) {
+      try_best_of(task, dirs, first + start * kLanes, blocks.lowest[start], best);
+    }
+    for (std::size_t b = 0; b < block_count; ++b) {
+      if (b == start || !hopeful(blocks.lowest[b], best)) continue;
+      blocks.lowest[b] = look_near(task, first + b * kLanes, dirs);
+    }
+    for (std::size_t b = blocks.best(block_count); hopeful(blocks.lowest[b], best);
+         b = blocks.best(block_count)) {
+      try_best_of(task, dirs, first + b * kLanes, blocks.lowest[b], best);
     }
     return best;
   }
