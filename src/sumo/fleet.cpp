@@ -224,6 +224,12 @@ void Fleet::states(double dt, std::vector<VehicleState>& out) const {
   }
 }
 
+bool Fleet::touches(const Vec2& point, double radius) const {
+  return std::any_of(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
+    return body_of(vehicle).distance(point) < radius;
+  });
+}
+
 bool Fleet::approaches(const Vec2& point, double margin, double horizon) const {
   constexpr double kStanding = 0.5;  // [m/s] numerical: slower vehicles wait, they do not approach
   constexpr double kStep = 1.0;      // [m] numerical: sampling of the swept area

@@ -88,23 +88,23 @@ Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
   }
 }
 
-void Takeover::read() {
+void Takeover::read(const Fleet& fleet) {
   const std::vector<std::string> ids = api::Person::getIDList();
   if (!guests_.empty()) {
     const std::unordered_set<std::string> there(ids.begin(), ids.end());
     for (Guest& guest : guests_) guest.gone = !there.contains(guest.id);
     drop_gone();
-    check_guests();
+    check_guests(fleet);
   }
   for (const std::string& id : ids) {
-    if (!guest_index_.contains(id)) consider(id, nullptr);
+    if (!guest_index_.contains(id)) consider(id, nullptr, fleet);
   }
   see_others(ids);
 }
 
 /// A program that embeds us may have given a person another plan: it is then taken over anew,
 /// from where it stands, if the new plan still leads through the zone.
-void Takeover::check_guests() {
+void Takeover::check_guests(const Fleet& fleet) {
   std::vector<std::pair<std::string, Vec2>> replanned;
   for (Guest& guest : guests_) {
     const int left = api::Person::getRemainingStages(guest.id);
@@ -116,11 +116,12 @@ void Takeover::check_guests() {
   for (const auto& [id, position] : replanned) {
     past_[id] = {};
     past_[id].was_controlled = true;
-    consider(id, &position);
+    consider(id, &position, fleet);
   }
 }
 
-void Takeover::consider(const std::string& id, const Vec2* known_position) {
+void Takeover::consider(const std::string& id, const Vec2* known_position,
+                        const Fleet& fleet) {
   const auto found = network_.edge_index.find(api::Person::getRoadID(id));
   if (found == network_.edge_index.end()) return;
   const int edge = found->second;
@@ -149,6 +150,10 @@ void Takeover::consider(const std::string& id, const Vec2* known_position) {
   if (stretch->last == index && left_on_last(network_, *stretch, position) < kWorthWhile) return;
   const Vec2 inside = zones_[zone].walls.nearest_inside(position, 0.0);
   if ((inside - position).norm() > kStray) return;
+  if (!known_position && fleet.touches(inside, body_radius(id))) {
+    past.refused_edge = -1;  // SUMO walks people through vehicles; it ends here what it began
+    return;
+  }
   const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
   if (!zones_[zone].ways.way(inside, goal)) return;
   past.refused_edge = -1;

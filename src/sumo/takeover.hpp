@@ -51,7 +51,7 @@ class Takeover {
 
   /// After a step of SUMO: forgets persons that are gone, notices new plans, takes over who has
   /// entered a zone, and lets the crowds see who else is near.
-  void read();
+  void read(const Fleet& fleet);
 
   /// After the crowds have walked for `dt` [s]: writes everybody's place, hands over who is at
   /// the end of its stretch.
@@ -70,8 +70,8 @@ class Takeover {
     bool was_controlled = false;
   };
 
-  void check_guests();
-  void consider(const std::string& id, const Vec2* known_position);
+  void check_guests(const Fleet& fleet);
+  void consider(const std::string& id, const Vec2* known_position, const Fleet& fleet);
   void add_guest(const std::string& id, int zone, const ZoneStretch& stretch, std::size_t plan,
                  const Vec2& position, bool departs);
   void see_others(const std::vector<std::string>& ids);
