@@ -66,7 +66,7 @@ class Meddler {
         reroute(person);
         break;
       case 3:
-        send_elsewhere(person);
+        walk_elsewhere_next(person);
         break;
       case 4:
         walk_on_afterwards(person);
@@ -86,20 +86,24 @@ class Meddler {
     Person::remove(person);
   }
 
+  /// (Within a junction SUMO 1.15 itself breaks on this, sooner or later.)
   void reroute(const std::string& person) {
+    if (!is_street(Person::getRoadID(person))) return;
     log("reroute", person);
     Person::rerouteTraveltime(person);
   }
 
-  /// A new walk instead of the present one, from where the person is.
-  void send_elsewhere(const std::string& person) {
-    const std::string here = Person::getRoadID(person);
-    if (!is_street(here)) return;
-    const std::vector<libsumo::TraCIStage> way =
-        libsumo::Simulation::findIntermodalRoute(here, streets_[pick(random_, streets_.size())]);
+  /// Another walk after the present one, instead of the last stage. (SUMO 1.15 itself breaks when
+  /// the stage that is being walked is replaced or removed.)
+  void walk_elsewhere_next(const std::string& person) {
+    const std::vector<std::string> edges = Person::getStage(person).edges;
+    if (edges.empty() || Person::getRemainingStages(person) != 2) return;
+    if (Person::getStage(person, 1).type != libsumo::STAGE_WALKING) return;
+    const std::vector<libsumo::TraCIStage> way = libsumo::Simulation::findIntermodalRoute(
+        edges.back(), streets_[pick(random_, streets_.size())]);
     if (way.size() != 1 || way[0].type != libsumo::STAGE_WALKING || way[0].edges.empty()) return;
     log("elsewhere", person);
-    Person::replaceStage(person, 0, way[0]);
+    Person::replaceStage(person, 1, way[0]);
   }
 
   void walk_on_afterwards(const std::string& person) {

@@ -20,6 +20,7 @@ END = 600  # [s] everybody departs in the first minute; a walk through a whole n
 TIMEOUT = 300  # [s] of wall time for one run
 STEP_LENGTHS = (0.1, 0.5, 1.0)
 MOST_DISCONNECTED = 12
+MOST_ACROSS = 8.0  # [m] the widest lane, and what is walked in a step
 MOST_AT_BUS_STOP = 16.0  # [m] waiting places are spread over its 12 m, 3 m beside the lane
 
 
@@ -222,7 +223,7 @@ class Case:
         (self.folder / "check.json").write_text(json.dumps(result, indent=1))
         removed = [name for name, what in events.items() if "remove" in what]
         lost = [name for name in result["persons"]["lost_ids"] if name not in removed]
-        expect = {"lost": len(lost), "jumps": self.count_jumps(result["jumps"], events),
+        expect = {"lost": len(lost), "jumps": self.count_jumps(result["jumps"]),
                   "not a number": result["nan"], "persons outside": result["outside"]["persons"]}
         if not self.meddler:
             expect["other stages than in plain SUMO"] = result["plain"]["stages_differ"]
@@ -233,23 +234,21 @@ class Case:
                 outcome.failures.append(f"{count} {name}")
         outcome.contacts = result["contacts"]["controlled"]["pairs"]
 
-    def count_jumps(self, jumps: dict, events: dict) -> int:
-        """Jumps of persons in pedzone's hands, but those to the place along a bus stop where SUMO
-        lets somebody wait, and those of persons whom a meddler sent elsewhere, since SUMO puts them
-        on their new way at once."""
-        waits = {}
+    def count_jumps(self, jumps: dict) -> int:
+        """Jumps of persons in pedzone's hands, but those at the end of a walk to where SUMO begins
+        the next stage: beside the lane or somewhere across it, or along a bus stop."""
+        ends = {}
         for node in ET.parse(self.folder / "run" / "tripinfo.xml").getroot().iter("personinfo"):
             stages = list(node)
-            waits[node.get("id")] = [
-                float(before.get("arrival", "-1")) for before, stage in zip(stages, stages[1:])
-                if before.tag == "walk" and stage.tag == "ride"]
+            ends[node.get("id")] = [
+                (float(before.get("arrival", "-1")), MOST_AT_BUS_STOP if stage.tag == "ride"
+                 else MOST_ACROSS) for before, stage in zip(stages, stages[1:])
+                if before.tag == "walk"]
 
         def explained(jump: dict) -> bool:
-            if "elsewhere" in events.get(jump["person"], ()):
-                return True
-            return jump["distance"] <= MOST_AT_BUS_STOP and any(
-                abs(jump["time"] - time) <= 1.5 * self.outcome.step_length
-                for time in waits.get(jump["person"], ()))
+            return any(abs(jump["time"] - time) <= 1.5 * self.outcome.step_length
+                       and jump["distance"] <= distance
+                       for time, distance in ends.get(jump["person"], ()))
 
         known = sum(explained(jump) for jump in jumps["examples"])
         return max(0, jumps["controlled"] - known)
