@@ -27,7 +27,7 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");
   run_command->add_option("--seed", options.seed, "Seed of SUMO and pedzone [default: SUMO's]");
   run_command->add_option("--end", options.end, "End time in s [default: the scenario's]")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, 1e9));
   run_command->add_option("--threads", options.threads, "Threads for walking; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
@@ -68,7 +68,9 @@ int command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitInput;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    fmt::print(stderr, "Error: {}\nRun with --help to see what is allowed.\n", error.what());
+    return kExitInput;
   }
   return code;
 }

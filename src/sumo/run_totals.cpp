@@ -15,7 +15,6 @@ constexpr double kRange = 20.0;    // [m] numerical: pairs farther apart are not
 void RunTotals::count_persons() {
   departed_ += api::Simulation::getDepartedPersonNumber();
   arrived_ += api::Simulation::getArrivedPersonNumber();
-  present_ = api::Person::getIDCount();
 }
 
 void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
@@ -41,7 +40,8 @@ RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding) co
   summary.persons.seen = departed_;
   summary.persons.controlled = walks.controlled;
   summary.persons.arrived = arrived_;
-  summary.persons.walking = present_;
+  // Not getIDCount: that counts those who are yet to depart, too.
+  summary.persons.walking = static_cast<long>(api::Person::getIDList().size());
   summary.persons.lost = departed_ - arrived_ - summary.persons.walking;
   if (walks.time > 0.0) summary.persons.mean_speed = walks.distance / walks.time;
   summary.persons.mean_delay_s = (walks.time - walks.free_time) / persons;

@@ -40,13 +40,14 @@ class RunTotals {
   /// Distances between guests and vehicles now; delays of vehicles.
   void observe(const Fleet& fleet, const Takeover& takeover);
 
+  /// Figures so far; SUMO must still be running.
   RunSummary summary(const Takeover& takeover, std::size_t yielding) const;
 
  private:
   struct Delay {
     double first = 0.0, last = 0.0;  ///< [s] SUMO's timeLoss when first and last seen
   };
-  long departed_ = 0, arrived_ = 0, present_ = 0, person_steps_ = 0;
+  long departed_ = 0, arrived_ = 0, person_steps_ = 0;
   double min_clearance_ = std::numeric_limits<double>::infinity();
   std::set<std::pair<std::string, std::string>> contacts_;
   std::unordered_map<std::string, Delay> delays_;
