@@ -53,13 +53,14 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pedzone")
     parser.add_argument("scenario")
-    parser.add_argument("--seed", default="42")
+    parser.add_argument("--seed", help="SUMO's own where none is given, as in a user's run")
     parser.add_argument("--keep")
     arguments = parser.parse_args(own[:own.index("--")] if "--" in own else own)
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(arguments.keep or temporary)
         run = folder / "run"
-        words = [arguments.pedzone, "run", arguments.scenario, "--seed", arguments.seed,
+        seed = ["--seed", arguments.seed] if arguments.seed else []
+        words = [arguments.pedzone, "run", arguments.scenario, *seed,
                  "--trajectories", str(run / "trajectories.csv"), "--", *outputs(run)]
         if subprocess.run(words, env=ENV).returncode != 0:
             return 1
@@ -68,8 +69,7 @@ def main():
             if not set(users) & set(limits):
                 continue
             other = folder / option.strip("-")
-            plain = ["sumo", "-c", arguments.scenario, "--seed", arguments.seed, "--no-step-log",
-                     *outputs(other)]
+            plain = ["sumo", "-c", arguments.scenario, *seed, "--no-step-log", *outputs(other)]
             if option == "--free":
                 plain += ["--route-files", without_persons(arguments.scenario, other)]
             subprocess.run(plain, check=True, env=ENV, stdout=subprocess.DEVNULL)
