@@ -13,8 +13,12 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-/// [m] side of the tiles that list vehicles. Numerical, by timing.
+/// [m] side of the tiles that list vehicles, and at most so many tiles. Numerical, by timing.
 constexpr double kVehicleTile = 8.0;
+constexpr double kTilesPerPerson = 8.0, kTilesAtLeast = 4096.0;
+
+/// [m/s] nobody is taken to be slower, so that the time to walk as far as one sees is a number.
+constexpr double kLeastSpeed = 0.01;
 
 bool same(std::span<const Wall> a, std::span<const Wall> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -67,8 +71,11 @@ void HeuristicModel::prepare_vehicles() {
     vehicles_.push_back(shape_of(vehicle, origin_));
   }
   const double range = std::max(senses_.sight, senses_.hearing);
+  const std::int64_t tile =
+      tile_size_for(grid_.bounds(), to_lattice(kVehicleTile),
+                    kTilesPerPerson * static_cast<double>(grid_.size()) + kTilesAtLeast);
   vehicle_tiles_.build(
-      grid_.bounds(), to_lattice(kVehicleTile), vehicles_.size(),
+      grid_.bounds(), tile, vehicles_.size(),
       [&](std::size_t i) {
         const std::int64_t reach = to_lattice(range + vehicles_[i].reach);
         const LatticePoint& c = vehicles_[i].centre;
@@ -93,7 +100,7 @@ Walker HeuristicModel::walker(std::size_t i) const {
   w.heading_cos = static_cast<float>(heading.cos);
   w.heading_sin = static_cast<float>(heading.sin);
   w.radius = static_cast<float>(persons.radius[i]);
-  w.speed = static_cast<float>(persons.preferred_speed[i]);
+  w.speed = static_cast<float>(std::max(persons.preferred_speed[i], kLeastSpeed));
   // Nobody avoids what stands behind its goal. Not nearer than what Eq. 3 brakes for, so that the
   // speed never depends on the goal. The paper is silent; without this a person turns away from
   // the wall behind a waypoint at a corner, and circles a goal at a wall.
@@ -166,12 +173,14 @@ bool HeuristicModel::waits(const Walker& self, float ex, float ey,
   // Whoever is in a vehicle's way walks out of it. Its way is at least as wide here as where a
   // yielding vehicle minds people, so that nobody waits for a vehicle that waits for it.
   const float margin = std::max(kVehicleRoom, static_cast<float>(parameters.yield_margin));
-  const std::span<const VehicleView> vehicles = surroundings.vehicles();
-  const auto in_way = [&](const VehicleView& v) { return in_its_way(v, self, margin); };
-  if (std::any_of(vehicles.begin(), vehicles.end(), in_way)) return false;
-  return std::any_of(vehicles.begin(), vehicles.end(), [&](const VehicleView& v) {
-    return crosses_way(v, self, ex, ey, distance, time);
-  });
+  bool crossed = false;
+  for (const VehicleView& vehicle : surroundings.vehicles()) {
+    const float ahead = distance_in_its_way(vehicle, self, margin);
+    if (ahead <= vehicle.shape->speed * time) return false;
+    crossed =
+        crossed || (ahead == kNotInItsWay && crosses_way(vehicle, self, ex, ey, distance, time));
+  }
+  return crossed;
 }
 
 }  // namespace pedzone

@@ -72,8 +72,7 @@ void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, doub
   const double most_cells = kCellsPerPerson * static_cast<double>(size_) + kCellsAtLeast;
   double scale = 1.0;
   choose_cells(scale);
-  while (static_cast<double>(columns_) * rows_ > most_cells && columns_ > 3 && rows_ > 3 &&
-         kCellWidth * scale < sight_) {
+  while (static_cast<double>(columns_) * rows_ > most_cells) {
     scale *= 2.0;
     choose_cells(scale);
   }

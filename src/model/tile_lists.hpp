@@ -16,6 +16,19 @@ struct LatticeBox {
   std::int64_t left, low, right, high;
 };
 
+/// A tile size [lattice], `least` or twice as much as often as it takes, for which at most `most`
+/// tiles cover the bounds: so memory follows what there is to list, not the size of the map.
+inline std::int64_t tile_size_for(const LatticeBox& bounds, std::int64_t least, double most) {
+  const auto width = static_cast<double>(bounds.right - bounds.left);
+  const auto height = static_cast<double>(bounds.high - bounds.low);
+  std::int64_t size = least;
+  const auto tiles = [&] {
+    return (width / static_cast<double>(size) + 1.0) * (height / static_cast<double>(size) + 1.0);
+  };
+  while (tiles() > most) size *= 2;
+  return size;
+}
+
 class TileLists {
  public:
   /// Lists things 0 .. count − 1 for the tiles that cover `bounds`. `box(i)` is the LatticeBox in

@@ -210,11 +210,13 @@ float time_to_leave_its_way(const VehicleView& view, float vx, float vy) {
 
 // A vehicle moves along its own axis (reversing: against it), so its swept area is the rectangle
 // stretched that way; `forward` is the side of its leading end.
-bool in_its_way(const VehicleView& view, const Walker& person, float margin) {
+float distance_in_its_way(const VehicleView& view, const Walker& person, float margin) {
   const VehicleShape& s = *view.shape;
   const float forward = to_vehicle(s, s.vx, s.vy).x >= 0.0F ? 1.0F : -1.0F;
   const float room = person.radius + margin;
-  return std::abs(view.y) <= s.half_width + room && forward * view.x >= -(s.half_length + room);
+  if (std::abs(view.y) > s.half_width + room) return kNotInItsWay;
+  if (forward * view.x < -(s.half_length + room)) return kNotInItsWay;
+  return std::max(forward * view.x - (s.half_length + room), 0.0F);
 }
 
 bool crosses_way(const VehicleView& view, const Walker& person, float ex, float ey, float distance,

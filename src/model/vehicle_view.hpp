@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -69,9 +70,11 @@ float time_to_standing(const VehicleView& view, const Walker& person, float dx, 
 /// infinity when it never is.
 float time_to_leave_its_way(const VehicleView& view, float vx, float vy);
 
-/// Whether the person stands in the vehicle's way: in the band that it sweeps ahead, its own body
-/// and `margin` [m] included.
-bool in_its_way(const VehicleView& view, const Walker& person, float margin);
+inline constexpr float kNotInItsWay = std::numeric_limits<float>::infinity();
+
+/// How far [m] ahead of the vehicle the person stands in its way, the band that it sweeps, its own
+/// body and `margin` [m] included: 0 beside or at its front, kNotInItsWay outside of the band.
+float distance_in_its_way(const VehicleView& view, const Walker& person, float margin);
 
 /// Whether the vehicle's front reaches the first `distance` [m] of the person's way in direction
 /// (ex, ey) within `time` [s]. A way that meets the vehicle where it is now is not crossed by it.

@@ -9,6 +9,7 @@ namespace pedzone {
 namespace {
 
 constexpr double kTileSize = 4.0;  ///< [m] numerical: smaller ones cost memory, larger ones time
+constexpr double kTilesPerWall = 256.0, kTilesAtLeast = 65536.0;  // at most so many tiles
 /// [m] added to the reach, for rounding to the lattice.
 constexpr double kMargin = 0.01;
 
@@ -88,6 +89,9 @@ void WallTiles::build(std::span<const Wall> walls, double reach, const LatticeOr
     bounds = {std::min(bounds.left, b.left), std::min(bounds.low, b.low),
               std::max(bounds.right, b.right), std::max(bounds.high, b.high)};
   }
+  const std::int64_t size =
+      tile_size_for(bounds, to_lattice(kTileSize),
+                    kTilesPerWall * static_cast<double>(faces_.size()) + kTilesAtLeast);
   const auto meets = [&](std::size_t i, const LatticeBox& tile) {
     const auto metres = [](std::int64_t x, std::int64_t y) -> Vec2 {
       return Vec2(static_cast<double>(x), static_cast<double>(y)) / kLatticePerMetre;
@@ -95,9 +99,9 @@ void WallTiles::build(std::span<const Wall> walls, double reach, const LatticeOr
     const LatticePoint a = faces_[i].from, b = faces_[i].to;
     const Vec2 centre = 0.5 * (metres(tile.left, tile.low) + metres(tile.right, tile.high));
     return distance_to_segment(centre, metres(a.x, a.y), metres(b.x, b.y)) <=
-           reach + kMargin + kTileSize * std::sqrt(0.5);
+           reach + kMargin + static_cast<double>(size) / kLatticePerMetre * std::sqrt(0.5);
   };
-  tiles_.build(bounds, to_lattice(kTileSize), faces_.size(), box, meets);
+  tiles_.build(bounds, size, faces_.size(), box, meets);
 }
 
 }  // namespace pedzone

@@ -140,6 +140,14 @@ TEST(Waiting, nobody_freezes_in_a_vehicles_way) {
   }
 }
 
+TEST(Waiting, far_ahead_of_one_vehicle_also_for_another_that_crosses) {
+  Scene scene = at_the_kerb(1.0, -5.0, 3.0);
+  scene.vehicles.push_back(vehicle({8.0, 0.0}, kPi, 0.2));  // 7.5 m away, head-on, creeping
+  EXPECT_TRUE(scene.first().waits);
+  scene.vehicles.back() = vehicle({3.4, 0.0}, kPi, 1.5);  // will be here in 2 s: out of its way
+  EXPECT_FALSE(scene.first().waits);
+}
+
 TEST(Waiting, whoever_stands_before_a_creeping_vehicle_walks_out_of_its_way) {
   // Towards it, across it and away from it, from every place before its bumper.
   for (double y = -1.2; y <= 1.2; y += 0.3) {
