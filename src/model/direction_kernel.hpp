@@ -38,6 +38,9 @@ struct Sight {
   float static_reach;  ///< [m] who stands farther away than this does not count
 };
 
+/// Far persons are tried in so many at a time, between two questions whether to go on.
+inline constexpr std::size_t kFarGroup = 2 * kObstacleGroup;
+
 /// Room for persons who are seen: as many as there are slots to look at, and two groups more.
 struct SeenSpace {
   float *x, *y, *vx, *vy, *contact;  ///< while they are picked out

@@ -5,8 +5,7 @@
 // Exactness: whatever order contacts are looked at in, each goes through the same arithmetic and
 // the largest inverse time is free of order, so every short cut gives the brute-force choice to the
 // bit as long as it only leaves out what cannot be the answer:
-// (1) `see` drops who cannot be touched before the horizon: somebody no faster than V, since then
-//     |p + v·t| ≤ R + V·t at some t ≤ T needs |p + v·T| ≤ R + V·T;
+// (1) who cannot be touched before the horizon is not even listed (sight_impl.hpp);
 // (2) fewer obstacles give a later first contact: with t from the near ones alone, g(t') for the
 //     true t' ≤ t is at least g(min(t, D/2)), since g(t) = t² − t·D falls until D/2. A direction
 //     whose bound lies above the best value found is out.
@@ -23,130 +22,12 @@ template <class Float>
 struct KernelImpl {
   static constexpr std::size_t kLanes = Float::kLanes;
 
-  /// [m] plus a share of the distance seen: protects from rounding in (1), where near-grazing
-  /// contacts lose half of their digits (3e-4 of the time to contact).
-  static constexpr float kReachMargin = 0.01F, kReachShare = 0.001F;
   /// Share of the largest g by which bounds are lowered: protects from rounding in (2), 1e-7.
   static constexpr float kBoundShare = 4e-6F;
-  /// Far discs are looked at in groups of this many between two questions whether to go on.
-  static constexpr std::size_t kFarGroup = 2 * kObstacleGroup;
-  /// [m] somebody there is touched by nobody.
-  static constexpr float kFarAway = 1e6F;
   /// [s] protects from dividing by zero.
   static constexpr float kLeastTime = 1e-30F;
   /// Bound of a direction that has been tried or is excluded.
   static constexpr float kTried = std::numeric_limits<float>::infinity();
-
-  // ---- perceiving persons -------------------------------------------------------------------
-
-  /// What `see` compares with, in vectors.
-  struct Seer {
-    std::int32_t x, y;
-    Float heading_cos, heading_sin, field, reach2, near2, radius, speed2, horizon, walk,
-        static_reach;
-
-    explicit Seer(const Sight& s)
-        : x(s.x),
-          y(s.y),
-          heading_cos(Float::all(s.heading_cos)),
-          heading_sin(Float::all(s.heading_sin)),
-          field(Float::all(s.field_cos * (s.field_cos < 0.0F ? -s.field_cos : s.field_cos))),
-          reach2(Float::all(s.reach * s.reach)),
-          near2(Float::all(s.near * s.near)),
-          radius(Float::all(s.radius)),
-          speed2(Float::all(s.speed * s.speed)),
-          horizon(Float::all(s.horizon)),
-          walk(Float::all(s.speed * s.horizon * (1.0F + kReachShare) + kReachMargin)),
-          static_reach(Float::all(s.static_reach)) {}
-  };
-
-  static Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
-                  const Sight& sight, const SeenSpace& near, const SeenSpace& far) {
-    const Seer seer(sight);
-    const PersonSlots persons = slots;
-    const SeenSpace near_space = near, far_space = far;
-    Seen seen{0, 0};
-    for (std::size_t g = 0; g < count; ++g) {
-      for (std::uint32_t half = 0; half < kSlotGroup; half += kLanes) {
-        const std::uint32_t used = groups[g].used >> half & ((1U << kLanes) - 1U);
-        see_lanes(persons, groups[g].first + half, used, seer, near_space, far_space, seen);
-      }
-    }
-    finish_discs(near_space, seen.near, seer.speed2);
-    finish_discs(far_space, seen.far, seer.speed2);
-    return seen;
-  }
-
-  static void see_lanes(const PersonSlots& slots, std::size_t first, std::uint32_t used,
-                        const Seer& s, const SeenSpace& near, const SeenSpace& far, Seen& n) {
-    Spotted p;
-    p.x = Float::metres(slots.x + first, s.x);
-    p.y = Float::metres(slots.y + first, s.y);
-    const Float d2 = p.x * p.x + p.y * p.y;
-    // cos of the angle to the heading ≥ cos of the half field, both squared with their signs.
-    const Float ahead = p.x * s.heading_cos + p.y * s.heading_sin;
-    const Float seen = both(both(at_least(s.reach2, d2), more(d2, Float::all(0.0F))),
-                            at_least(ahead * absolute(ahead), s.field * d2));
-
-    p.vx = Float::load(slots.vx + first);
-    p.vy = Float::load(slots.vy + first);
-    p.contact = s.radius + Float::load(slots.radius + first);
-    const Float v2 = Float::load(slots.speed2 + first);
-    const Float fx = p.x + p.vx * s.horizon, fy = p.y + p.vy * s.horizon;
-    const Float farthest = p.contact + s.walk, still = p.contact + s.static_reach;
-    const Float touchable =
-        either(at_least(farthest * farthest, fx * fx + fy * fy), more(v2, s.speed2));
-    const Float counts = either(at_least(v2, Float::all(kStandingSpeed * kStandingSpeed)),
-                                at_least(still * still, d2));
-
-    const std::uint32_t lanes = bits(both(both(seen, touchable), counts)) & used;
-    const std::uint32_t close = bits(at_least(s.near2, d2)) & lanes;
-    if (close != 0) n.near += p.store(close, near, n.near);
-    n.far += p.store(lanes & ~close, far, n.far);
-  }
-
-  /// Persons picked out.
-  struct Spotted {
-    Float x, y, vx, vy, contact;
-
-    std::size_t store(std::uint32_t lanes, const SeenSpace& space, std::size_t n) const {
-      const typename Float::Packer pack(lanes);
-      pack.store(x, space.x + n);
-      pack.store(y, space.y + n);
-      pack.store(vx, space.vx + n);
-      pack.store(vy, space.vy + n);
-      pack.store(contact, space.contact + n);
-      return static_cast<std::size_t>(__builtin_popcount(lanes));
-    }
-  };
-
-  /// Turns the n persons of a space into discs.
-  static void finish_discs(const SeenSpace& space, std::size_t n, Float speed2) {
-    for (std::size_t j = n; j % kFarGroup != 0; ++j) {  // somebody far away: never touched
-      space.x[j] = space.y[j] = kFarAway;
-      space.vx[j] = space.vy[j] = space.contact[j] = 0.0F;
-    }
-    for (std::size_t j = 0; j < n; j += kFarGroup) {
-      for (std::size_t i = j; i < j + kFarGroup; i += kLanes) finish_lanes(space, i, speed2);
-    }
-  }
-
-  static void finish_lanes(const SeenSpace& space, std::size_t j, Float speed2) {
-    const Float x = Float::load(space.x + j), y = Float::load(space.y + j);
-    const Float vx = Float::load(space.vx + j), vy = Float::load(space.vy + j);
-    const Float contact = Float::load(space.contact + j);
-    const Float apart = x * x + y * y;
-    const Float soft = larger(Float::all(kSoftness) * apart, Float::all(kLeastDiscGap));
-    const Float gamma = Float::all(1.0F) / larger(apart - contact * contact, soft);
-    DiscGroup& g = space.discs[j / kObstacleGroup];
-    const std::size_t i = j % kObstacleGroup;
-    (gamma * x).store(g.px + i);
-    (gamma * y).store(g.py + i);
-    (gamma * (x * vx + y * vy)).store(g.q + i);
-    (gamma * (speed2 + (vx * vx + vy * vy))).store(g.a + i);
-    (Float::all(2.0F) * gamma * vx).store(g.wx + i);
-    (Float::all(2.0F) * gamma * vy).store(g.wy + i);
-  }
 
   // ---- inverse times of contact ---------------------------------------------------------------
 

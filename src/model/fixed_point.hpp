@@ -4,9 +4,13 @@
 
 #include <cstdint>
 
-#include "model/trigonometry.hpp"
-
 namespace pedzone {
+
+/// Nearest integer, ties to even; |x| below 2^51, default rounding mode.
+inline double nearest_integer(double x) {
+  constexpr double kShift = 6755399441055744.0;  // 1.5·2^52: the sum's last bit is worth 1
+  return (x + kShift) - kShift;
+}
 
 /// Lattice points per metre. Numerical: 61 µm are far below what a step moves anybody; 32 bits
 /// then span ±131 km, and differences up to 1 km are exact in single precision.

@@ -3,18 +3,13 @@
 #pragma once
 
 #include "core/vec.hpp"
+#include "model/fixed_point.hpp"
 
 namespace pedzone {
 
 struct SineCosine {
   double sin, cos;
 };
-
-/// Nearest integer, ties to even; |x| below 2^51, default rounding mode.
-inline double nearest_integer(double x) {
-  constexpr double kShift = 6755399441055744.0;  // 1.5·2^52: the sum's last bit is worth 1
-  return (x + kShift) - kShift;
-}
 
 /// Sine and cosine of an angle [rad] in [-2·pi, 2·pi], to 1e-11 (single precision holds 6e-8).
 inline SineCosine sine_cosine(double angle) {
