@@ -110,7 +110,6 @@ class NetworkReader {
       edge.lanes.push_back(read_lane(child, index, edge.function));
     }
     if (edge.lanes.empty()) throw file_.error("has no <lane>", node);
-    if (edge.function == EdgeFunction::kWalkingArea) network_.walking_areas = true;
     if (!network_.edge_index.emplace(edge.id, index).second) {
       throw file_.error("is used twice", node, "id", edge.id);
     }

@@ -133,16 +133,22 @@ std::map<std::string, std::vector<int>> edges_by_junction(const Network& network
   return meeting;
 }
 
-std::vector<Link> links_at_once(const Network& network, const std::vector<int>& edges) {
-  std::vector<Link> links;
+/// At junctions without a walking area SUMO's persons step from any edge to any other. netconvert
+/// builds no walking area where two streets meet in line.
+void link_at_once(const Network& network, const std::vector<int>& edges,
+                  std::vector<Link>& links) {
+  std::set<std::string> with_walking_area;
+  for (const Edge& edge : network.edges) {
+    if (edge.function == EdgeFunction::kWalkingArea) with_walking_area.insert(junction_of(edge));
+  }
   for (const auto& [junction, meeting] : edges_by_junction(network, edges)) {
+    if (with_walking_area.contains(junction)) continue;
     for (std::size_t i = 0; i < meeting.size(); ++i) {
       for (std::size_t j = i + 1; j < meeting.size(); ++j) {
         links.push_back({meeting[i], meeting[j], junction, {}});
       }
     }
   }
-  return links;
 }
 
 std::set<std::string> signalled_junctions(const Network& network) {
@@ -180,7 +186,9 @@ void add_vehicle_ways(const Network& network, const std::unordered_set<int>& zon
 }  // namespace
 
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges) {
-  return network.walking_areas ? links_on_foot(network, edges) : links_at_once(network, edges);
+  auto links = links_on_foot(network, edges);
+  link_at_once(network, edges, links);
+  return links;
 }
 
 std::vector<int> inner_lanes(const Network& network, const std::vector<int>& lanes,

@@ -13,13 +13,13 @@ struct Link {
   int from = -1, to = -1;  ///< Network edges, from < to
   std::string junction;    ///< id
   std::vector<int> way;    ///< lanes of walking areas and crossings passed, in order; empty
-                           ///< in networks without walking areas
+                           ///< at junctions without walking areas
 };
 
-/// All passages between edges of a zone (`edges`, ascending), one per pair and junction. With
-/// walking areas: the shortest way over walking areas and crossings, none where it leads over a
-/// signalled crossing (that stays SUMO's). Without: all edges that meet at a junction, as SUMO's
-/// persons pass between them at once.
+/// All passages between edges of a zone (`edges`, ascending), one per pair and junction. At a
+/// junction with walking areas: the shortest way over walking areas and crossings, none where it
+/// leads over a signalled crossing (that stays SUMO's). At one without: between all edges that meet
+/// there, as SUMO's persons pass between them at once.
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges);
 
 /// Lanes inside junctions that belong to a zone with these lanes (ascending): walking areas that

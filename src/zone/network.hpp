@@ -62,8 +62,6 @@ struct Network {
   std::vector<Junction> junctions;
   std::vector<MapPolygon> polygons;
   std::unordered_map<std::string, int> edge_index, lane_index, junction_index;
-  bool walking_areas = false;         ///< persons cross junctions on walking areas and crossings;
-                                      ///< otherwise they pass from edge to edge at once
   std::vector<std::string> warnings;  ///< what could not be used, one line each
 };
 

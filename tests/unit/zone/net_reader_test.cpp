@@ -68,8 +68,6 @@ TEST_F(NetReader, reads_edges_lanes_junctions_and_connections) {
   EXPECT_FALSE(road.persons);
   EXPECT_TRUE(road.vehicles);
   EXPECT_EQ(walking_lane(town, town.edge_index.at("main1")), edge.lanes[0]);
-  EXPECT_TRUE(town.walking_areas);
-  EXPECT_FALSE(read_network(data_file("bare.net.xml")).walking_areas);
   const Edge& crossing = town.edges[town.edge_index.at(":crossing_c0")];
   EXPECT_EQ(crossing.function, EdgeFunction::kCrossing);
   EXPECT_THAT(crossing.crossed, ElementsAre("main2", "-main2"));

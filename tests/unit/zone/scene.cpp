@@ -93,4 +93,6 @@ std::vector<std::string> lane_ids(const Network& network, const Zone& zone) {
 
 std::string data_file(const std::string& name) { return PEDZONE_TEST_DATA "/" + name; }
 
+std::string network_file(const std::string& name) { return PEDZONE_NETWORKS "/" + name; }
+
 }  // namespace pedzone::test

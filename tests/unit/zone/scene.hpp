@@ -55,4 +55,7 @@ std::vector<std::string> lane_ids(const Network& network, const Zone& zone);
 /// A file of the folder of test data.
 std::string data_file(const std::string& name);
 
+/// A file of the project's networks/.
+std::string network_file(const std::string& name);
+
 }  // namespace pedzone::test

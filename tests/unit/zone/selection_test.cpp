@@ -125,6 +125,16 @@ TEST_F(Town, without_walking_areas_edges_that_meet_are_joined) {
   }
 }
 
+// netconvert builds no walking area where two streets meet in line, though elsewhere it does.
+TEST(NarrowLane, streets_in_line_are_joined_where_the_junction_has_no_walking_area) {
+  const Network lane = read_network(network_file("narrow-lane/narrow-lane.net.xml"));
+  const Zone zone = build_zones(lane, {}).front();
+  const auto edge = [&](const char* id) { return lane.edge_index.at(id); };
+  EXPECT_TRUE(linked(zone, edge("west_street"), edge("lane_west")));
+  EXPECT_TRUE(linked(zone, edge("lane_west"), edge("alley")));
+  EXPECT_FALSE(linked(zone, edge("west_street"), edge("alley")));
+}
+
 TEST_F(Town, unknown_or_unusable_names_are_errors_that_say_what_is_allowed) {
   ZoneSpec spec;
   spec.id = "z";

@@ -23,7 +23,7 @@ const Town& town(const std::string& name) {
   static std::map<std::string, Town> towns;
   const auto [entry, fresh] = towns.try_emplace(name);
   if (fresh) {
-    const std::string folder = PEDZONE_NETWORKS "/bad-hersfeld/";
+    const std::string folder = network_file("bad-hersfeld/");
     Town& built = entry->second;
     built.network = read_network(folder + name + ".net.xml.gz");
     read_polygons(folder + name + ".poly.xml", built.network);
