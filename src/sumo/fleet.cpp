@@ -9,8 +9,9 @@ namespace pedzone {
 namespace {
 
 constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
-constexpr double kLookAhead = 30.0;  // [m] numerical: least length of the way that is built
-constexpr double kMoved = 0.01;      // [m] numerical: less than this in a step gives no direction
+constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
+constexpr double kStandingSpeed = 0.5;  // [m/s] numerical: slower vehicles wait
+constexpr double kMoved = 0.01;  // [m] numerical: less than this in a step gives no direction
 
 bool is_true(const std::string& text) { return text == "true" || text == "1" || text == "yes"; }
 bool is_false(const std::string& text) { return text == "false" || text == "0" || text == "no"; }
@@ -231,10 +232,9 @@ bool Fleet::touches(const Vec2& point, double radius) const {
 }
 
 bool Fleet::approaches(const Vec2& point, double margin, double horizon) const {
-  constexpr double kStanding = 0.5;  // [m/s] numerical: slower vehicles wait, they do not approach
-  constexpr double kStep = 1.0;      // [m] numerical: sampling of the swept area
+  constexpr double kStep = 1.0;  // [m] numerical: sampling of the swept area
   for (const FleetVehicle& vehicle : vehicles_) {
-    if (vehicle.speed < kStanding) continue;
+    if (vehicle.speed < kStandingSpeed) continue;
     const double reach = vehicle.speed * horizon;
     if ((point - vehicle.front).norm() > reach + vehicle.traits.length + margin) continue;
     for (double travelled = 0.0; travelled <= reach; travelled += kStep) {
@@ -242,6 +242,15 @@ bool Fleet::approaches(const Vec2& point, double margin, double horizon) const {
     }
   }
   return false;
+}
+
+const FleetVehicle* Fleet::waiting_beside(const Vec2& point, double margin) const {
+  const auto found =
+      std::find_if(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
+        return vehicle.speed < kStandingSpeed && !vehicle.stopped &&
+               body_of(vehicle).distance(point) < margin;
+      });
+  return found == vehicles_.end() ? nullptr : &*found;
 }
 
 }  // namespace pedzone

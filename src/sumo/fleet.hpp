@@ -73,6 +73,8 @@ class Fleet {
   bool touches(const Vec2& point, double radius) const;
   /// Whether a moving vehicle will sweep within `margin` [m] of a point in the next `horizon` [s].
   bool approaches(const Vec2& point, double margin, double horizon) const;
+  /// A vehicle within `margin` [m] that waits in traffic, not at a stop of its own; null: none.
+  const FleetVehicle* waiting_beside(const Vec2& point, double margin) const;
 
  private:
   bool near_zone(const Vec2& point) const;

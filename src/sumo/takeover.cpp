@@ -15,8 +15,9 @@ constexpr double kWorthWhile = 1.5;  // [m] numerical: a shorter way to the port
 constexpr double kStray = 1.0;       // [m] numerical: SUMO's place may lie so far outside the area
 constexpr double kHandOverLook = 3.0;  // [s] assumed: no hand-over before a vehicle this near ...
 constexpr double kHandOverSide = 0.5;  // [m] ... whose swept area comes this near
-constexpr int kKeepRouteFree = 2;      // moveToXY: may leave the network
-constexpr double kNoMatch = -1.0;      // moveToXY matchThreshold: no lane is ever matched
+constexpr double kHandOverPatience = 10.0;  // [s] assumed
+constexpr int kKeepRouteFree = 2;           // moveToXY: may leave the network
+constexpr double kNoMatch = -1.0;           // moveToXY matchThreshold: no lane is ever matched
 
 std::size_t hash_plan(int stages_left, const std::vector<std::string>& edges) {
   std::size_t hash = static_cast<std::size_t>(stages_left);
@@ -24,16 +25,6 @@ std::size_t hash_plan(int stages_left, const std::vector<std::string>& edges) {
     hash = hash * 1099511628211ULL ^ std::hash<std::string>{}(edge);
   }
   return hash;
-}
-
-std::vector<int> indices_of(const Network& network, const std::vector<std::string>& edges) {
-  std::vector<int> route;
-  route.reserve(edges.size());
-  for (const std::string& edge : edges) {
-    const auto found = network.edge_index.find(edge);
-    route.push_back(found == network.edge_index.end() ? -1 : found->second);
-  }
-  return route;
 }
 
 /// The route index of `edge` after `last`; -1 when it is not there or there more than once, for
@@ -53,6 +44,13 @@ double left_on_last(const Network& network, const ZoneStretch& stretch, const Ve
   const double at = project_on_lane(network.lanes[stretch.lane], position).offset;
   if (stretch.release != Release::kLeave) return std::abs(stretch.position - at);
   return stretch.forward ? stretch.position - at : at - stretch.position;
+}
+
+/// The middle of a destination's width, so narrow that a body there is within the street.
+Destination with_room(const Destination& portal, double radius) {
+  const Vec2 along = portal.b - portal.a;
+  const double share = std::min(0.5, radius / std::max(along.norm(), 1e-9));
+  return {portal.a + share * along, portal.b - share * along};
 }
 
 /// A person's body as a disc [m]: as large as its rectangle and never narrower than it is.
@@ -120,74 +118,85 @@ void Takeover::check_guests(const Fleet& fleet) {
   }
 }
 
-void Takeover::consider(const std::string& id, const Vec2* known_position,
-                        const Fleet& fleet) {
+void Takeover::consider(const std::string& id, const Vec2* known_position, const Fleet& fleet) {
   const auto found = network_.edge_index.find(api::Person::getRoadID(id));
   if (found == network_.edge_index.end()) return;
   const int edge = found->second;
   const int zone = zone_of_edge_[edge];
-  if (zone < 0 || network_.edges[edge].function != EdgeFunction::kNormal) return;
-  const auto remembered = past_.find(id);
-  if (remembered != past_.end() && remembered->second.refused_edge == edge) return;
+  if (zone < 0) return;
+  Past& past = past_[id];
+  if (past.refused_edge == edge) return;
   const libsumo::TraCIStage stage = api::Person::getStage(id);
   if (stage.type != libsumo::STAGE_WALKING) return;
 
   const std::vector<std::string> edges = api::Person::getEdges(id);
   const std::size_t plan = hash_plan(api::Person::getRemainingStages(id), edges);
-  Past& past = past_[id];
   if (past.plan != plan) {
     past.plan = plan;
-    past.last = past.refused_edge = -1;
+    past.last = -1;
   }
   past.refused_edge = edge;  // unless all goes well below
-  const std::vector<int> route = indices_of(network_, edges);
+  const std::vector<int> route = edge_indices(network_, edges);
   const int index = only_index(route, edge, past.last);
   if (index < 0) return;
-  const auto stretch = plan_stretch(network_, zones_[zone], route, index, stage.arrivalPos);
-  if (!stretch) return;
   const auto there = api::Person::getPosition(id);
-  Vec2 position = known_position ? *known_position : Vec2(there.x, there.y);
-  if (stretch->last == index && left_on_last(network_, *stretch, position) < kWorthWhile) return;
-  const Vec2 inside = zones_[zone].walls.nearest_inside(position, 0.0);
-  if ((inside - position).norm() > kStray) return;
-  if (!known_position && fleet.touches(inside, body_radius(id))) {
-    past.refused_edge = -1;  // SUMO walks people through vehicles; it ends here what it began
-    return;
-  }
-  const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
-  if (!zones_[zone].ways.way(inside, goal)) return;
+  const Vec2 position = known_position ? *known_position : Vec2(there.x, there.y);
+  const auto walk = plan_walk(zone, route, index, stage.arrivalPos, position);
+  if (!walk) return;
   past.refused_edge = -1;
-  if (!past.was_controlled) {
-    past.was_controlled = true;
-    ++totals_.controlled;
-  }
+  // SUMO walks people through vehicles. Whom it brings here inside one is put beside it.
+  const bool blocked = fleet.touches(walk->start, body_radius(id));
   const bool departs = !known_position && index == 0 && api::Person::getSpeed(id) == 0.0;
-  add_guest(id, zone, *stretch, plan, inside, departs);
+  if (!add_guest(id, zone, *walk, plan, blocked || departs, fleet)) return;
+  if (!past.was_controlled) ++totals_.controlled;
+  past.was_controlled = true;
 }
 
-void Takeover::add_guest(const std::string& id, int zone, const ZoneStretch& stretch,
-                         std::size_t plan, const Vec2& position, bool departs) {
+/// The walk of a person at `position` on route[index]; nothing where pedzone cannot take it over.
+std::optional<Takeover::Walk> Takeover::plan_walk(int zone, const std::vector<int>& route,
+                                                  int index, double arrival_position,
+                                                  const Vec2& position) const {
+  const auto stretch = plan_stretch(network_, zones_[zone], route, index, arrival_position);
+  if (!stretch) return std::nullopt;
+  if (stretch->last == index && left_on_last(network_, *stretch, position) < kWorthWhile) {
+    return std::nullopt;
+  }
+  const Vec2 inside = zones_[zone].walls.nearest_inside(position, 0.0);
+  if ((inside - position).norm() > kStray) return std::nullopt;
+  const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
+  if (!zones_[zone].ways.way(inside, goal)) return std::nullopt;
+  return Walk{*stretch, inside};
+}
+
+/// False, and nothing has changed, where there is no room beside a vehicle.
+bool Takeover::add_guest(const std::string& id, int zone, const Walk& walk, std::size_t plan,
+                         bool place_freely, const Fleet& fleet) {
   Guest guest;
   guest.id = id;
   guest.zone = zone;
-  guest.stretch = stretch;
+  guest.stretch = walk.stretch;
   guest.plan = plan;
   guest.radius = body_radius(id);
   guest.preferred_speed = striping_share_ * api::Person::getMaxSpeed(id);
   NewPerson person;
   person.key = person_key(id);
-  person.position = position;
+  person.position = walk.start;
   person.heading = radians_from_sumo(api::Person::getAngle(id));
   person.velocity = unit(person.heading) *
                     std::min(std::max(0.0, api::Person::getSpeed(id)), guest.preferred_speed);
   person.radius = guest.radius;
   person.preferred_speed = guest.preferred_speed;
-  person.destination = stretch.destination;
-  person.place_freely = departs;
+  person.destination = with_room(walk.stretch.destination, guest.radius);
+  person.place_freely = place_freely;
   guest.handle = crowds_[zone]->add(person);
   guest.position = crowds_[zone]->view(guest.handle).position;
+  if (place_freely && fleet.touches(guest.position, guest.radius)) {
+    crowds_[zone]->remove(guest.handle);
+    return false;
+  }
   guest_index_[id] = guests_.size();
   guests_.push_back(std::move(guest));
+  return true;
 }
 
 void Takeover::see_others(const std::vector<std::string>& ids) {
@@ -239,6 +248,17 @@ bool Takeover::hand_over(const Guest& guest, const PersonView& view, double dt) 
   return true;
 }
 
+/// SUMO walks people into vehicles: not beside one that moves or will. For one that waits for
+/// people a person does not wait for ever, since that may be the one it waits for.
+bool Takeover::may_hand_over(Guest& guest, const Vec2& place, double dt, const Fleet& fleet) {
+  const double room = guest.radius + kHandOverSide;
+  if (fleet.approaches(place, room, kHandOverLook)) return false;
+  const FleetVehicle* beside = fleet.waiting_beside(place, room);
+  if (beside == nullptr || guest.held >= kHandOverPatience) return true;
+  if (beside->commanded >= 0.0) guest.held += dt;
+  return false;
+}
+
 void Takeover::write(double dt, const Fleet& fleet) {
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
@@ -247,7 +267,7 @@ void Takeover::write(double dt, const Fleet& fleet) {
     totals_.time += dt;
     if (guest.preferred_speed > 0.0) totals_.free_time += walked / guest.preferred_speed;
     if (view.activity != Activity::kWalking) totals_.waiting += dt;
-    if (view.arrived && !fleet.approaches(view.position, kHandOverSide, kHandOverLook)) {
+    if (view.arrived && may_hand_over(guest, view.position, dt, fleet)) {
       guest.gone = hand_over(guest, view, dt);
       past_[guest.id].last = guest.stretch.last;
     } else {

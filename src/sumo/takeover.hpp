@@ -31,6 +31,7 @@ struct Guest {
   Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
   double radius = 0.24;          ///< [m]
   double preferred_speed = 0.0;  ///< [m/s]
+  double held = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
   bool gone = false;             ///< no longer ours: dropped at the end of the phase
 };
 
@@ -49,8 +50,8 @@ class Takeover {
   Takeover(const Network& network, const std::vector<Zone>& zones,
            std::vector<std::unique_ptr<Crowd>>& crowds, double dawdling);
 
-  /// After a step of SUMO: forgets persons that are gone, notices new plans, takes over who has
-  /// entered a zone, and lets the crowds see who else is near.
+  /// After a step of SUMO: forgets persons that are gone, notices new plans, takes over
+  /// who has entered a zone, and lets the crowds see who else is near.
   void read(const Fleet& fleet);
 
   /// After the crowds have walked for `dt` [s]: writes everybody's place, hands over who is at
@@ -70,11 +71,20 @@ class Takeover {
     bool was_controlled = false;
   };
 
+  /// A walk through a zone, from where it can begin.
+  struct Walk {
+    ZoneStretch stretch;
+    Vec2 start;  ///< [m] inside the walls
+  };
+
   void check_guests(const Fleet& fleet);
   void consider(const std::string& id, const Vec2* known_position, const Fleet& fleet);
-  void add_guest(const std::string& id, int zone, const ZoneStretch& stretch, std::size_t plan,
-                 const Vec2& position, bool departs);
+  std::optional<Walk> plan_walk(int zone, const std::vector<int>& route, int index,
+                                double arrival_position, const Vec2& position) const;
+  bool add_guest(const std::string& id, int zone, const Walk& walk, std::size_t plan,
+                 bool place_freely, const Fleet& fleet);
   void see_others(const std::vector<std::string>& ids);
+  static bool may_hand_over(Guest& guest, const Vec2& place, double dt, const Fleet& fleet);
   bool hand_over(const Guest& guest, const PersonView& view, double dt);
   void drop_gone();
 

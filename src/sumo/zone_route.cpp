@@ -81,6 +81,16 @@ std::optional<ZoneStretch> arrive_at(const Network& network, const std::vector<i
 
 }  // namespace
 
+std::vector<int> edge_indices(const Network& network, const std::vector<std::string>& edges) {
+  std::vector<int> route;
+  route.reserve(edges.size());
+  for (const std::string& edge : edges) {
+    const auto found = network.edge_index.find(edge);
+    route.push_back(found == network.edge_index.end() ? -1 : found->second);
+  }
+  return route;
+}
+
 std::optional<ZoneStretch> plan_stretch(const Network& network, const Zone& zone,
                                         const std::vector<int>& route, int first,
                                         double arrival_position) {

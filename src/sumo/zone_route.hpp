@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "crowd/crowd.hpp"
@@ -41,6 +42,9 @@ struct ZoneStretch {
   bool forward = true;      ///< walks along the lane's direction where it leaves
   Destination destination;  ///< where the crowd walks it to
 };
+
+/// Network indices of a route's edges; -1 for one that the network lacks.
+std::vector<int> edge_indices(const Network& network, const std::vector<std::string>& edges);
 
 /// Plans the stretch of a walk that begins on route[first], which must be an edge of the zone. It
 /// goes on as long as the zone links the route's edges: where a signalled crossing lies between

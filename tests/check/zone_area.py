@@ -27,6 +27,7 @@ LANE_WIDTH = 3.2  # [m] SUMO's, where a lane has none
 CORRIDOR = 1.0  # [m] at least, on each side of a centre line that an obstacle cuts
 ROAD_MARGIN = 1.5  # [m] round zone lanes, where a road's shape may lap into the zone
 TOLERANCE = 0.05  # [m] a centre may be beyond a border
+SLIT = 0.4  # [m] apart lie the crossings and walking areas that SUMO's persons step between
 
 
 @dataclass
@@ -236,7 +237,8 @@ class ZoneArea:
         passages = list(self._passages(zone))
         roads = unary_union(self._road_parts(zone)).buffer(-TOLERANCE)
         roads = roads.difference(unary_union([own.buffer(ROAD_MARGIN)] + walkable + passages))
-        self.reach = PointTest(unary_union(reach + inner + walkable + passages).buffer(TOLERANCE))
+        reach = unary_union(reach + inner + walkable + passages)
+        self.reach = PointTest(reach.buffer(SLIT / 2).buffer(TOLERANCE - SLIT / 2))
         self.buildings = PointTest(buildings)
         self.roads = PointTest(roads)
 

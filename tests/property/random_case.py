@@ -16,6 +16,7 @@ from random_network import SUMO_ENVIRONMENT, make_network
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "check"))
 import check_run  # noqa: E402  (found only now)
 
+LONGER = 1500  # [s] for who is late: SUMO lets people and vehicles that block each other go after 300
 END = 600  # [s] everybody departs in the first minute; a walk through a whole network takes less
 TIMEOUT = 300  # [s] of wall time for one run
 STEP_LENGTHS = (0.1, 0.5, 1.0)
@@ -154,14 +155,12 @@ class Case:
 
     def walk_and_check(self) -> None:
         outcome, trajectories = self.outcome, self.folder / "run" / "trajectories.csv"
-        options = self.outputs("run")
         if self.meddler:
             command = [self.meddler, "town.sumocfg", str(outcome.seed), "events.csv",
-                       str(trajectories), "--", *options]
+                       str(trajectories), "--", *self.outputs("run")]
         else:
-            zone = ["--zone", str(self.zone_file)] if self.zone_file else []
-            command = [self.pedzone, "run", "town.sumocfg", *zone, "--seed", str(outcome.seed),
-                       "--threads", "1", "--trajectories", str(trajectories), "--", *options]
+            command = self.pedzone_command("--trajectories", str(trajectories), "--",
+                                           *self.outputs("run"))
         code, text = self.execute(command)
         (self.folder / "run" / "output.txt").write_text(text)
         if code != 0:
@@ -170,6 +169,11 @@ class Case:
         self.read_trajectories(trajectories)
         removed = self.read_events()
         self.check(removed)
+
+    def pedzone_command(self, *arguments: str) -> list:
+        zone = ["--zone", str(self.zone_file)] if self.zone_file else []
+        return [self.pedzone, "run", "town.sumocfg", *zone, "--seed", str(self.outcome.seed),
+                "--threads", "1", *arguments]
 
     # --- checks ---
 
@@ -253,15 +257,21 @@ class Case:
         known = sum(explained(jump) for jump in jumps["examples"])
         return max(0, jumps["controlled"] - known)
 
+    def arrivals(self, kind: str) -> dict:
+        """{person: time [s]} of those who have ended all of their stages."""
+        found = {}
+        for node in ET.parse(self.folder / kind / "tripinfo.xml").getroot().iter("personinfo"):
+            times = [float(stage.get("arrival", "-1")) for stage in node]
+            if times and min(times) >= 0:
+                found[node.get("id")] = times[-1]
+        return found
+
     def stranded(self) -> set:
-        """Persons that arrive in plain SUMO and not with pedzone, though half the time is left."""
-        def arrivals(kind):
-            found = {}
-            for node in ET.parse(self.folder / kind / "tripinfo.xml").getroot().iter("personinfo"):
-                times = [float(stage.get("arrival", "-1")) for stage in node]
-                if times and min(times) >= 0:
-                    found[node.get("id")] = times[-1]
-            return found
-        with_pedzone = arrivals("run")
-        return {name for name, time in arrivals("plain").items()
-                if time < END / 2 and name not in with_pedzone}
+        """Persons that arrive in plain SUMO, with half the time left, and never with pedzone."""
+        due = {name for name, time in self.arrivals("plain").items() if time < END / 2}
+        late = due - self.arrivals("run").keys()
+        if not late:
+            return late
+        code, _ = self.execute(self.pedzone_command("--end", str(LONGER), "--",
+                                                    *self.outputs("longer")))
+        return late if code else late - self.arrivals("longer").keys()
