@@ -1,5 +1,6 @@
 #include "geometry/wall_index.hpp"
 
+#include <atomic>
 #include <limits>
 
 #include "geometry/segment.hpp"
@@ -52,12 +53,19 @@ bool crosses(const Wall& wall, const Vec2& point, const Vec2& corner, const Vec2
 
 }  // namespace
 
-WallIndex::WallIndex(const Region& walkable) : walls_(borders(walkable)), bounded_(true) {
+std::uint64_t WallIndex::next_identity() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+WallIndex::WallIndex(const Region& walkable)
+    : walls_(borders(walkable)), identity_(next_identity()), bounded_(true) {
   grid_ = WallGrid(walls_);
   mark_cells();
 }
 
-WallIndex::WallIndex(std::vector<Wall> walls) : walls_(std::move(walls)) {
+WallIndex::WallIndex(std::vector<Wall> walls)
+    : walls_(std::move(walls)), identity_(next_identity()) {
   std::erase_if(walls_, [](const Wall& wall) {
     return !wall.a.allFinite() || !wall.b.allFinite() || wall.a == wall.b;
   });

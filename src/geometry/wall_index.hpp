@@ -22,6 +22,9 @@ class WallIndex {
 
   std::span<const Wall> walls() const { return walls_; }
 
+  /// Tells this content from any other in the program; copies share it. 0: no walls.
+  std::uint64_t identity() const { return walls_.empty() ? 0 : identity_; }
+
   /// Indices of the walls that may be within `reach` [m] of `point`, ascending, each once,
   /// appended to `out` (cleared first). A superset: all that are within reach are there.
   void near(const Vec2& point, double reach, std::vector<std::uint32_t>& out) const;
@@ -51,6 +54,8 @@ class WallIndex {
   Vec2 slide(const Vec2& from, const Vec2& to, double radius) const;
 
  private:
+  static std::uint64_t next_identity();
+
   /// The place of a wall that is nearest to a point.
   struct Nearest {
     std::uint32_t wall = 0;
@@ -91,6 +96,7 @@ class WallIndex {
   Vec2 gain_room(const Vec2& point, const Vec2& push, double before) const;
 
   std::vector<Wall> walls_;
+  std::uint64_t identity_ = 0;
   WallGrid grid_;
   bool bounded_ = false;              ///< built from a region: inside() means something
   std::vector<char> inside_of_cell_;  ///< whether each cell's reference point is inside

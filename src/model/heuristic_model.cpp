@@ -20,11 +20,6 @@ constexpr double kTilesPerPerson = 8.0, kTilesAtLeast = 4096.0;
 /// [m/s] nobody is taken to be slower, so that the time to walk as far as one sees is a number.
 constexpr double kLeastSpeed = 0.01;
 
-bool same(std::span<const Wall> a, std::span<const Wall> b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Wall& p, const Wall& q) { return p.a == q.a && p.b == q.b; });
-}
-
 }  // namespace
 
 /// What one thread needs while it decides; reused from person to person and step to step.
@@ -54,14 +49,15 @@ void HeuristicModel::prepare_walls() {
       snapshot_.walls != nullptr ? snapshot_.walls->walls() : std::span<const Wall>();
   const double reach = snapshot_.parameters->sight;
   const Persons& persons = *snapshot_.persons;
-  if (known_reach_ == reach && same(walls, known_walls_) && !walls.empty()) return;
+  const std::uint64_t identity = walls.empty() ? 0 : snapshot_.walls->identity();
+  if (known_reach_ == reach && identity != 0 && identity == known_walls_) return;
   // Any lattice point near the scene serves as origin.
   const Vec2 near = !walls.empty()       ? walls.front().a
                     : persons.size() > 0 ? Vec2(persons.x[0], persons.y[0])
                                          : Vec2::Zero();
   origin_ = {to_lattice(near.x()), to_lattice(near.y())};
   walls_.build(walls, reach, origin_);
-  known_walls_.assign(walls.begin(), walls.end());
+  known_walls_ = identity;
   known_reach_ = reach;
 }
 

@@ -43,7 +43,7 @@ class HeuristicModel : public WalkingModel {
   std::vector<VehicleShape> vehicles_;
   TileLists vehicle_tiles_;  ///< vehicles that somebody on a tile may be aware of
   WallTiles walls_;
-  std::vector<Wall> known_walls_;  ///< what walls_ was built from
+  std::uint64_t known_walls_ = 0;  ///< identity of what walls_ was built from
   double known_reach_ = 0.0;       ///< [m]
 };
 

@@ -71,7 +71,7 @@ struct Simulation::Parts {
 /// From SUMO's present state to what it is told for its next step.
 void Simulation::Parts::walk_and_yield(double dt) {
   fleet.read(dt);
-  takeover.read(fleet);
+  takeover.read(session.time(), fleet);
   totals.observe(fleet, takeover);
   takeover.people(people);
   yielding.apply(fleet, people, dt);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <unordered_set>
 
 #include "core/random.hpp"
 #include "sumo/api.hpp"
@@ -11,8 +10,9 @@
 namespace pedzone {
 namespace {
 
-constexpr double kWorthWhile = 1.5;  // [m] numerical: a shorter way to the portal stays SUMO's
-constexpr double kStray = 1.0;       // [m] numerical: SUMO's place may lie so far outside the area
+constexpr double kWorthWhile = 1.5;    // [m] numerical: a shorter way to the portal stays SUMO's
+constexpr double kPlanInterval = 0.5;  // [s] numerical
+constexpr double kStray = 1.0;  // [m] numerical: SUMO's place may lie so far outside the area
 constexpr double kHandOverLook = 3.0;  // [s] assumed: no hand-over before a vehicle this near ...
 constexpr double kHandOverSide = 0.5;  // [m] ... whose swept area comes this near
 constexpr double kHandOverPatience = 10.0;  // [s] assumed
@@ -53,13 +53,6 @@ Destination with_room(const Destination& portal, double radius) {
   return {portal.a + share * along, portal.b - share * along};
 }
 
-/// A person's body as a disc [m]: as large as its rectangle and never narrower than it is.
-double body_radius(const std::string& id) {
-  const double width = api::Person::getWidth(id);
-  const double disc = std::sqrt(std::max(0.0, width * api::Person::getLength(id)) / kPi);
-  return std::clamp(std::max(0.5 * width, disc), 0.1, 1.0);
-}
-
 }  // namespace
 
 // Striping takes a random share of up to `dawdling` off the top speed in every step, so its free
@@ -71,42 +64,42 @@ Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
       crowds_(crowds),
       striping_share_(1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0)),
       zone_of_edge_(network.edges.size(), -1),
-      seen_(zones.size()) {
+      bystanders_(zones) {
   for (std::size_t z = 0; z < zones.size(); ++z) {
     for (const int edge : zones[z].edges) zone_of_edge_[edge] = static_cast<int>(z);
-    const double reach = zones[z].parameters.sight;
-    Vec2 low(1e18, 1e18), high(-1e18, -1e18);
-    for (const Polygon& polygon : zones[z].walkable) {
-      for (const Vec2& point : polygon.outer) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-      }
-    }
-    seen_boxes_.emplace_back(low - Vec2(reach, reach), high + Vec2(reach, reach));
   }
 }
 
-void Takeover::read(const Fleet& fleet) {
-  const std::vector<std::string> ids = api::Person::getIDList();
-  if (!guests_.empty()) {
-    const std::unordered_set<std::string> there(ids.begin(), ids.end());
-    for (Guest& guest : guests_) guest.gone = !there.contains(guest.id);
-    drop_gone();
-    check_guests(fleet);
+void Takeover::read(double time, const Fleet& fleet) {
+  bystanders_.read(time);
+  for (const std::string& id : bystanders_.gone()) guests_[guest_index_.at(id)].gone = true;
+  drop_gone();
+  check_guests(time, fleet);
+  for (const Bystander& person : bystanders_.all()) {
+    if (person.near && !person.guest) consider(person.id, nullptr, fleet);
   }
-  for (const std::string& id : ids) {
-    if (!guest_index_.contains(id)) consider(id, nullptr, fleet);
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    bystanders_.seen_from(z, seen_);
+    crowds_[z]->see(seen_);
   }
-  see_others(ids);
+}
+
+bool Takeover::has_plan(const Guest& guest) {
+  const int left = api::Person::getRemainingStages(guest.id);
+  return hash_plan(left, api::Person::getEdges(guest.id)) == guest.plan;
 }
 
 /// A program that embeds us may have given a person another plan: it is then taken over anew,
-/// from where it stands, if the new plan still leads through the zone.
-void Takeover::check_guests(const Fleet& fleet) {
+/// from where it stands, if the new plan still leads through the zone. Reading plans is dear: each
+/// is read twice a second and before it is acted upon, and when the number of stages has changed.
+void Takeover::check_guests(double time, const Fleet& fleet) {
   std::vector<std::pair<std::string, Vec2>> replanned;
   for (Guest& guest : guests_) {
     const int left = api::Person::getRemainingStages(guest.id);
-    if (hash_plan(left, api::Person::getEdges(guest.id)) == guest.plan) continue;
+    if (time < guest.check_at && left == guest.stages_left) continue;
+    guest.check_at = time + kPlanInterval;
+    guest.stages_left = left;
+    if (has_plan(guest)) continue;
     guest.gone = true;
     replanned.emplace_back(guest.id, guest.position);
   }
@@ -194,29 +187,10 @@ bool Takeover::add_guest(const std::string& id, int zone, const Walk& walk, std:
     crowds_[zone]->remove(guest.handle);
     return false;
   }
+  bystanders_.set_guest(id, true);
   guest_index_[id] = guests_.size();
   guests_.push_back(std::move(guest));
   return true;
-}
-
-void Takeover::see_others(const std::vector<std::string>& ids) {
-  for (auto& list : seen_) list.clear();
-  for (const std::string& id : ids) {
-    if (guest_index_.contains(id)) continue;
-    const auto at = api::Person::getPosition(id);
-    const Vec2 position(at.x, at.y);
-    for (std::size_t z = 0; z < seen_.size(); ++z) {
-      const auto& [low, high] = seen_boxes_[z];
-      if (!(position.array() >= low.array()).all() || !(position.array() <= high.array()).all()) {
-        continue;
-      }
-      if (!api::Person::getVehicle(id).empty()) break;  // rides
-      const double heading = radians_from_sumo(api::Person::getAngle(id));
-      const double radius = body_radius(id);
-      seen_[z].push_back({position, unit(heading) * api::Person::getSpeed(id), radius});
-    }
-  }
-  for (std::size_t z = 0; z < seen_.size(); ++z) crowds_[z]->see(seen_[z]);
 }
 
 /// Gives a person back to SUMO where the crowd has brought it. False: not yet.
@@ -267,7 +241,8 @@ void Takeover::write(double dt, const Fleet& fleet) {
     totals_.time += dt;
     if (guest.preferred_speed > 0.0) totals_.free_time += walked / guest.preferred_speed;
     if (view.activity != Activity::kWalking) totals_.waiting += dt;
-    if (view.arrived && may_hand_over(guest, view.position, dt, fleet)) {
+    if (view.arrived && !has_plan(guest)) guest.check_at = 0.0;
+    if (view.arrived && guest.check_at > 0.0 && may_hand_over(guest, view.position, dt, fleet)) {
       guest.gone = hand_over(guest, view, dt);
       past_[guest.id].last = guest.stretch.last;
     } else {
@@ -283,7 +258,9 @@ void Takeover::drop_gone() {
   const auto gone = [](const Guest& guest) { return guest.gone; };
   if (std::none_of(guests_.begin(), guests_.end(), gone)) return;
   for (const Guest& guest : guests_) {
-    if (guest.gone) crowds_[guest.zone]->remove(guest.handle);
+    if (!guest.gone) continue;
+    crowds_[guest.zone]->remove(guest.handle);
+    bystanders_.set_guest(guest.id, false);
   }
   std::erase_if(guests_, gone);
   guest_index_.clear();

@@ -15,6 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "sumo/bystanders.hpp"
 #include "sumo/fleet.hpp"
 #include "sumo/yielding.hpp"
 #include "sumo/zone_route.hpp"
@@ -27,10 +28,12 @@ struct Guest {
   int zone = 0;  ///< index into the zones
   Crowd::Handle handle = 0;
   ZoneStretch stretch;
+  int stages_left = 0;
   std::size_t plan = 0;          ///< hash of SUMO's plan for it: stages left and route
   Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
   double radius = 0.24;          ///< [m]
   double preferred_speed = 0.0;  ///< [m/s]
+  double check_at = 0.0;         ///< [s] when its plan is looked at again
   double held = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
   bool gone = false;             ///< no longer ours: dropped at the end of the phase
 };
@@ -50,9 +53,9 @@ class Takeover {
   Takeover(const Network& network, const std::vector<Zone>& zones,
            std::vector<std::unique_ptr<Crowd>>& crowds, double dawdling);
 
-  /// After a step of SUMO: forgets persons that are gone, notices new plans, takes over
-  /// who has entered a zone, and lets the crowds see who else is near.
-  void read(const Fleet& fleet);
+  /// After a step of SUMO, at `time` [s]: forgets persons that are gone, notices new plans, takes
+  /// over who has entered a zone, and lets the crowds see who else is near.
+  void read(double time, const Fleet& fleet);
 
   /// After the crowds have walked for `dt` [s]: writes everybody's place, hands over who is at
   /// the end of its stretch.
@@ -77,13 +80,13 @@ class Takeover {
     Vec2 start;  ///< [m] inside the walls
   };
 
-  void check_guests(const Fleet& fleet);
+  static bool has_plan(const Guest& guest);
+  void check_guests(double time, const Fleet& fleet);
   void consider(const std::string& id, const Vec2* known_position, const Fleet& fleet);
   std::optional<Walk> plan_walk(int zone, const std::vector<int>& route, int index,
                                 double arrival_position, const Vec2& position) const;
   bool add_guest(const std::string& id, int zone, const Walk& walk, std::size_t plan,
                  bool place_freely, const Fleet& fleet);
-  void see_others(const std::vector<std::string>& ids);
   static bool may_hand_over(Guest& guest, const Vec2& place, double dt, const Fleet& fleet);
   bool hand_over(const Guest& guest, const PersonView& view, double dt);
   void drop_gone();
@@ -93,11 +96,11 @@ class Takeover {
   std::vector<std::unique_ptr<Crowd>>& crowds_;
   double striping_share_;          ///< of top speed, see takeover.cpp
   std::vector<int> zone_of_edge_;  ///< -1: SUMO's
-  std::vector<std::pair<Vec2, Vec2>> seen_boxes_;
+  Bystanders bystanders_;
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;
   std::unordered_map<std::string, Past> past_;
-  std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
+  std::vector<SeenPerson> seen_;
   WalkTotals totals_;
 };
 

@@ -53,6 +53,16 @@ def last_words(text: str) -> str:
     return re.sub(r"\s+", " ", (telling or lines or ["no message"])[-1])[-200:]
 
 
+def most_between(before: ET.Element, stage: ET.Element) -> float:
+    """[m] how far apart a walk's end and the begin of the next stage may be."""
+    if stage.tag == "ride":
+        return MOST_AT_BUS_STOP
+    if stage.tag == "walk":
+        gap = float(stage.get("departPos", "0")) - float(before.get("arrivalPos", "0"))
+        return MOST_ACROSS + abs(gap)
+    return MOST_ACROSS
+
+
 class Case:
     """A seed's scenario in a folder of its own."""
 
@@ -240,14 +250,14 @@ class Case:
 
     def count_jumps(self, jumps: dict) -> int:
         """Jumps of persons in pedzone's hands, but those at the end of a walk to where SUMO begins
-        the next stage: beside the lane or somewhere across it, or along a bus stop."""
+        the next stage: beside the lane or somewhere across it, along a bus stop, or for a walk that
+        a meddler appended at that stage's own departPos."""
         ends = {}
         for node in ET.parse(self.folder / "run" / "tripinfo.xml").getroot().iter("personinfo"):
             stages = list(node)
             ends[node.get("id")] = [
-                (float(before.get("arrival", "-1")), MOST_AT_BUS_STOP if stage.tag == "ride"
-                 else MOST_ACROSS) for before, stage in zip(stages, stages[1:])
-                if before.tag == "walk"]
+                (float(before.get("arrival", "-1")), most_between(before, stage))
+                for before, stage in zip(stages, stages[1:]) if before.tag == "walk"]
 
         def explained(jump: dict) -> bool:
             return any(abs(jump["time"] - time) <= 1.5 * self.outcome.step_length

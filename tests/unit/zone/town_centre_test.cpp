@@ -6,6 +6,7 @@
 #include "scene.hpp"
 #include "sumo/net_reader.hpp"
 #include "zone/shapes.hpp"
+#include "zone/zone_distance.hpp"
 
 namespace pedzone::test {
 namespace {
@@ -117,6 +118,28 @@ TEST_P(TownCentre, only_zone_lanes_lie_on_buildings_or_ordinary_roads) {
   // Slits between shapes are closed; the lanes' own overlap is warned of.
   EXPECT_LT(area(without_lanes), 0.0005 * area(zone_.walkable));
   EXPECT_THAT(zone_.warnings, Contains(HasSubstr("which stays SUMO's")));
+}
+
+TEST_P(TownCentre, the_quick_distance_is_a_lower_bound) {
+  const ZoneDistance quick(zone_);
+  const WallIndex& walls = zone_.walls;
+  Vec2 low = walls.walls().front().a, high = low;
+  for (const Wall& wall : walls.walls()) {
+    low = low.cwiseMin(wall.a);
+    high = high.cwiseMax(wall.a);
+  }
+  const Vec2 border = Vec2::Constant(200.0), step = (high - low + 2.0 * border) / 60.0;
+  int far = 0;
+  for (int i = 0; i <= 60; ++i) {
+    for (int j = 0; j <= 60; ++j) {
+      const Vec2 point = low - border + step.cwiseProduct(Vec2(i, j));
+      const double exact = (walls.nearest_inside(point, 0.0) - point).norm();
+      EXPECT_LE(quick.at_least(point), exact + 1e-9) << i << " " << j;
+      EXPECT_GE(quick.at_least(point), 0.5 * exact - 40.0) << i << " " << j;
+      far += exact > 100.0;
+    }
+  }
+  EXPECT_GT(far, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(BadHersfeld, TownCentre, ::testing::Values("centre", "centre-shuttle"),

@@ -1,0 +1,86 @@
+#include "sumo/bystanders.hpp"
+
+#include <algorithm>
+
+#include "sumo/api.hpp"
+#include "sumo/frames.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kFastest = 40.0;  // [m/s] numerical: nobody comes nearer faster, riding included
+constexpr double kLatest = 1.0;    // [s] numerical: a program that embeds us may move them anyhow
+
+}  // namespace
+
+double body_radius(const std::string& id) {
+  const double width = api::Person::getWidth(id);
+  const double disc = std::sqrt(std::max(0.0, width * api::Person::getLength(id)) / kPi);
+  return std::clamp(std::max(0.5 * width, disc), 0.1, 1.0);
+}
+
+Bystanders::Bystanders(const std::vector<Zone>& zones) : zones_(zones) {
+  for (const Zone& zone : zones) distances_.emplace_back(zone);
+}
+
+/// SUMO's list and ours have the same order, so one pass over both finds who came and who went.
+void Bystanders::read(double time) {
+  std::vector<std::string> ids = api::Person::getIDList();
+  if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
+  std::swap(all_, before_);
+  all_.clear();
+  gone_.clear();
+  auto known = before_.begin();
+  const auto leave = [&](const Bystander& person) {
+    if (person.guest) gone_.push_back(person.id);
+  };
+  for (std::string& id : ids) {
+    while (known != before_.end() && known->id < id) leave(*known++);
+    if (known != before_.end() && known->id == id) {
+      all_.push_back(std::move(*known++));
+    } else {
+      all_.emplace_back().id = std::move(id);
+    }
+  }
+  std::for_each(known, before_.end(), leave);
+  for (Bystander& person : all_) {
+    if (!person.guest && time >= person.look_at) look(person, time);
+  }
+}
+
+void Bystanders::look(Bystander& person, double time) const {
+  const auto at = api::Person::getPosition(person.id);
+  person.position = {at.x, at.y};
+  double beyond = kFastest * kLatest;
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    const double distance = distances_[z].at_least(person.position);
+    beyond = std::min(beyond, distance - zones_[z].parameters.sight);
+  }
+  person.near = beyond <= 0.0;
+  person.look_at = person.near ? time : time + beyond / kFastest;
+}
+
+void Bystanders::set_guest(const std::string& id, bool guest) {
+  const auto found = std::lower_bound(
+      all_.begin(), all_.end(), id,
+      [](const Bystander& person, const std::string& key) { return person.id < key; });
+  if (found == all_.end() || found->id != id) return;
+  found->guest = guest;
+  found->look_at = -1.0;
+}
+
+void Bystanders::seen_from(std::size_t zone, std::vector<SeenPerson>& out) {
+  out.clear();
+  const double sight = zones_[zone].parameters.sight;
+  for (Bystander& person : all_) {
+    if (person.guest || !person.near) continue;
+    if (distances_[zone].at_least(person.position) > sight) continue;
+    if (!api::Person::getVehicle(person.id).empty()) continue;  // rides
+    if (person.radius == 0.0) person.radius = body_radius(person.id);
+    const double heading = radians_from_sumo(api::Person::getAngle(person.id));
+    out.push_back(
+        {person.position, unit(heading) * api::Person::getSpeed(person.id), person.radius});
+  }
+}
+
+}  // namespace pedzone
