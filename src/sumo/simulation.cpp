@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
+#include "sumo/stand_off.hpp"
 
 namespace pedzone {
 namespace {
@@ -34,6 +35,7 @@ struct Simulation::Parts {
         session(options.scenario, options_for(options)),
         fleet(network, zones),
         yielding(zones),
+        stand_offs(zones),
         seed(options.seed ? *options.seed
                           : static_cast<std::uint64_t>(number_option(session, "seed"))),
         crowds(make_crowds()),
@@ -60,6 +62,7 @@ struct Simulation::Parts {
   Session session;
   Fleet fleet;
   Yielding yielding;
+  StandOffs stand_offs;
   std::uint64_t seed;
   std::vector<std::unique_ptr<Crowd>> crowds;
   Takeover takeover;
@@ -75,6 +78,8 @@ void Simulation::Parts::walk_and_yield(double dt) {
   totals.observe(fleet, takeover);
   takeover.people(people);
   yielding.apply(fleet, people, dt);
+  takeover.add_bystanders(people);
+  stand_offs.apply(fleet, people, dt);
   fleet.states(dt, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
   takeover.write(dt, fleet);

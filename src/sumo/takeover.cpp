@@ -13,7 +13,7 @@ namespace {
 constexpr double kWorthWhile = 1.5;    // [m] numerical: a shorter way to the portal stays SUMO's
 constexpr double kPlanInterval = 0.5;  // [s] numerical
 constexpr double kStray = 1.0;  // [m] numerical: SUMO's place may lie so far outside the area
-constexpr double kHandOverLook = 3.0;  // [s] assumed: no hand-over before a vehicle this near ...
+constexpr double kHandOverLook = 5.0;  // [s] assumed: no hand-over before a vehicle this near ...
 constexpr double kHandOverSide = 0.5;  // [m] ... whose swept area comes this near
 constexpr double kHandOverPatience = 10.0;  // [s] assumed
 constexpr int kKeepRouteFree = 2;           // moveToXY: may leave the network
@@ -64,7 +64,8 @@ Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
       crowds_(crowds),
       striping_share_(1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0)),
       zone_of_edge_(network.edges.size(), -1),
-      bystanders_(zones) {
+      bystanders_(zones),
+      seen_(zones.size()) {
   for (std::size_t z = 0; z < zones.size(); ++z) {
     for (const int edge : zones[z].edges) zone_of_edge_[edge] = static_cast<int>(z);
   }
@@ -79,8 +80,8 @@ void Takeover::read(double time, const Fleet& fleet) {
     if (person.near && !person.guest) consider(person.id, nullptr, fleet);
   }
   for (std::size_t z = 0; z < zones_.size(); ++z) {
-    bystanders_.seen_from(z, seen_);
-    crowds_[z]->see(seen_);
+    bystanders_.seen_from(z, seen_[z]);
+    crowds_[z]->see(seen_[z]);
   }
 }
 
@@ -272,6 +273,14 @@ void Takeover::people(std::vector<PersonAhead>& out) const {
   for (const Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     out.push_back({view.position, view.velocity, guest.radius});
+  }
+}
+
+void Takeover::add_bystanders(std::vector<PersonAhead>& out) const {
+  for (const auto& near_zone : seen_) {
+    for (const SeenPerson& person : near_zone) {
+      out.push_back({person.position, person.velocity, person.radius});
+    }
   }
 }
 

@@ -65,6 +65,8 @@ class Takeover {
   const WalkTotals& totals() const { return totals_; }
   /// The guests as vehicles see them.
   void people(std::vector<PersonAhead>& out) const;
+  /// Adds those near a zone whom SUMO walks.
+  void add_bystanders(std::vector<PersonAhead>& out) const;
 
  private:
   struct Past {             ///< what is remembered of a person that is not a guest
@@ -100,7 +102,7 @@ class Takeover {
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;
   std::unordered_map<std::string, Past> past_;
-  std::vector<SeenPerson> seen_;
+  std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
   WalkTotals totals_;
 };
 
