@@ -215,8 +215,13 @@ bool Takeover::hand_over(const Guest& guest, const PersonView& view, double dt) 
     api::Person::removeStage(guest.id, 0);
     return true;
   }
-  if (api::Person::getLaneID(guest.id) == lane_id) {
-    const Lane& hop = network_.lanes[stretch.hop_lane];
+  const Lane& hop = network_.lanes[stretch.hop_lane];
+  const std::string present = api::Person::getLaneID(guest.id);
+  if (stretch.release == Release::kStepOver) {
+    // By way of the edge before, or SUMO takes the next one for the begin of a walk.
+    if (present == hop.id) api::Person::moveTo(guest.id, lane_id, 0.5 * lane.length);
+    api::Person::moveTo(guest.id, hop.id, 0.5 * hop.length);
+  } else if (present == lane_id) {
     api::Person::moveTo(guest.id, hop.id, 0.5 * hop.length);
   }
   api::Person::moveTo(guest.id, lane_id, position, lateral);

@@ -1,11 +1,14 @@
 #include "sumo/zone_route.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "sumo/lane_geometry.hpp"
 
 namespace pedzone {
 namespace {
+
+constexpr double kLongStep = 3.0;  // [m] assumed: so far over a junction nobody watches the way
 
 /// Whether the person leaves `edge` towards `next` at the edge's end (true) or its beginning
 /// (false). Nothing when they do not meet, or when they meet at both ends and the person comes
@@ -79,6 +82,55 @@ std::optional<ZoneStretch> arrive_at(const Network& network, const std::vector<i
   return stretch;
 }
 
+/// Whether SUMO's persons pass from one edge to the other over a single walking area.
+bool share_walking_area(const Network& network, int a, int b) {
+  std::set<int> beside_a, beside_b;
+  for (const Connection& connection : network.connections) {
+    const int from = network.lanes[connection.from].edge;
+    const int to = network.lanes[connection.to].edge;
+    for (const auto& [edge, area] : {std::pair(from, to), std::pair(to, from)}) {
+      if (network.edges[area].function != EdgeFunction::kWalkingArea) continue;
+      if (edge == a) beside_a.insert(area);
+      if (edge == b) beside_b.insert(area);
+    }
+  }
+  return std::any_of(beside_a.begin(), beside_a.end(),
+                     [&](int area) { return beside_b.contains(area); });
+}
+
+/// Across the zone's last junction onto the edge after it. Nothing where SUMO would have to guess
+/// in which direction the person then walks.
+std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
+                                     const std::vector<int>& route, int first, int last) {
+  const int next = last + 1;
+  if (next + 1 >= static_cast<int>(route.size()) || !is_first_occurrence(route, next)) return {};
+  const int lane = walking_lane(network, route[next]);
+  const auto forward = leaves_forward(network, route[last], route[next], route[next + 1]);
+  if (lane < 0 || network.lanes[lane].length < 2.0 * kPortalInset || !forward) return {};
+  const Edge &before = network.edges[route[last]], &after = network.edges[route[next]];
+  const std::string& entered_at = *forward ? after.from : after.to;
+  if (before.from != entered_at && before.to != entered_at) return {};
+  if (!share_walking_area(network, route[last], route[next])) return {};
+  ZoneStretch stretch;
+  stretch.last = last;
+  stretch.release = Release::kStepOver;
+  stretch.lane = lane;
+  stretch.forward = *forward;
+  const double length = network.lanes[lane].length;
+  stretch.position = *forward ? kPortalInset : length - kPortalInset;
+  for (int i = first; i < last && stretch.hop_lane < 0; ++i) {
+    const int hop = walking_lane(network, route[i]);
+    if (hop >= 0 && network.lanes[hop].length >= kShortEdge && is_first_occurrence(route, i)) {
+      stretch.hop_lane = hop;
+    }
+  }
+  const Vec2 entry = point_on_lane(network.lanes[lane], *forward ? 0.0 : length).point;
+  const Vec2 inside = zone.walls.nearest_inside(entry, kWayClearance);
+  if (stretch.hop_lane < 0 || (inside - entry).norm() > kLongStep) return {};
+  stretch.destination = {inside, inside};
+  return stretch;
+}
+
 }  // namespace
 
 std::vector<int> edge_indices(const Network& network, const std::vector<std::string>& edges) {
@@ -97,6 +149,12 @@ std::optional<ZoneStretch> plan_stretch(const Network& network, const Zone& zone
   int last = first;
   const int end = static_cast<int>(route.size());
   while (last + 1 < end && linked(zone, route[last], route[last + 1])) ++last;
+  if (last + 1 < end) {
+    const int lane = walking_lane(network, route[last]);
+    if (lane < 0 || network.lanes[lane].length < kShortEdge) {
+      if (const auto stretch = step_over(network, zone, route, first, last)) return stretch;
+    }
+  }
   for (; last >= first; --last) {
     const int lane = walking_lane(network, route[last]);
     if (lane < 0 || network.lanes[lane].length < kShortEdge) continue;

@@ -30,6 +30,7 @@ enum class Release {
   kLeave,        ///< the route goes on: moveTo the last lane, near its end
   kArrive,       ///< the walk ends in the zone: moveTo the arrival position
   kRemoveStage,  ///< a route of one edge with one lane: no lane to hop over
+  kStepOver,     ///< the zone ends with edges too short to be put on: moveTo the edge after it
 };
 
 /// The part of a route that pedzone walks.

@@ -42,9 +42,7 @@ class ZoneRouteTest : public testing::Test {
     link(e1_, e2_);
   }
 
-  void link(int a, int b) {
-    zone_.links.insert({std::min(a, b), std::max(a, b)});
-  }
+  void link(int a, int b) { zone_.links.insert({std::min(a, b), std::max(a, b)}); }
 
   Network network_;
   Zone zone_;
@@ -117,6 +115,35 @@ TEST_F(ZoneRouteTest, never_releases_on_a_short_edge) {
   ASSERT_TRUE(stretch);
   EXPECT_EQ(stretch->last, 1) << "released on e2, before the short edge";
   EXPECT_EQ(network_.lanes[stretch->hop_lane].id, "brief_0");
+}
+
+TEST_F(ZoneRouteTest, steps_over_the_last_junction_where_the_zone_ends_with_a_short_edge) {
+  const int stub = add_edge("stub", "D", "F", 150, 151);
+  const int path = add_edge("path", "F", "G", 152, 190);
+  const int beyond = add_edge("beyond", "G", "H", 190, 230);
+  const int area = add_edge(":F_w0", "", "", 151, 152);
+  network_.edges[area].function = EdgeFunction::kWalkingArea;
+  const auto lane = [&](int edge) { return network_.edges[edge].lanes[0]; };
+  network_.connections.push_back({lane(stub), lane(area)});
+  zone_.edges.insert(stub);
+  link(e2_, stub);
+  zone_.walls = WallIndex(Region{Polygon{{{50, -2}, {152, -2}, {152, 2}, {50, 2}}, {}}});
+  const std::vector<int> route{e1_, e2_, stub, path, beyond};
+  // Not where other than a single walking area lies between: SUMO walks the person across that.
+  EXPECT_EQ(plan_stretch(network_, zone_, route, 0, 20.0)->release, Release::kLeave);
+  network_.connections.push_back({lane(area), lane(path)});
+  const auto stretch = plan_stretch(network_, zone_, route, 0, 20.0);
+  ASSERT_TRUE(stretch);
+  EXPECT_EQ(stretch->release, Release::kStepOver);
+  EXPECT_EQ(stretch->last, 2);
+  EXPECT_EQ(network_.lanes[stretch->lane].id, "path_0");
+  EXPECT_EQ(network_.lanes[stretch->hop_lane].id, "e1_0");
+  EXPECT_DOUBLE_EQ(stretch->position, kPortalInset);
+  EXPECT_LE(stretch->destination.a.x(), 152.0);
+  EXPECT_GT(stretch->destination.a.x(), 151.0);
+  // Where the walk ends on that edge SUMO would guess the direction.
+  EXPECT_EQ(plan_stretch(network_, zone_, {e1_, e2_, stub, path}, 0, 20.0)->release,
+            Release::kLeave);
 }
 
 TEST_F(ZoneRouteTest, is_not_planned_on_a_short_edge_alone) {
