@@ -137,6 +137,8 @@ void Takeover::consider(const std::string& id, const Vec2* known_position, const
   const Vec2 position = known_position ? *known_position : Vec2(there.x, there.y);
   const auto walk = plan_walk(zone, route, index, stage.arrivalPos, position);
   if (!walk) return;
+  // Who was walked until now goes on even so: SUMO would walk on from where it was taken over.
+  if (!known_position && !worth_while(*walk, index, position)) return;
   past.refused_edge = -1;
   // SUMO walks people through vehicles. Whom it brings here inside one is put beside it.
   const bool blocked = fleet.touches(walk->start, body_radius(id));
@@ -146,15 +148,17 @@ void Takeover::consider(const std::string& id, const Vec2* known_position, const
   past.was_controlled = true;
 }
 
+bool Takeover::worth_while(const Walk& walk, int index, const Vec2& position) const {
+  return walk.stretch.last != index ||
+         left_on_last(network_, walk.stretch, position) >= kWorthWhile;
+}
+
 /// The walk of a person at `position` on route[index]; nothing where pedzone cannot take it over.
 std::optional<Takeover::Walk> Takeover::plan_walk(int zone, const std::vector<int>& route,
                                                   int index, double arrival_position,
                                                   const Vec2& position) const {
   const auto stretch = plan_stretch(network_, zones_[zone], route, index, arrival_position);
   if (!stretch) return std::nullopt;
-  if (stretch->last == index && left_on_last(network_, *stretch, position) < kWorthWhile) {
-    return std::nullopt;
-  }
   const Vec2 inside = zones_[zone].walls.nearest_inside(position, 0.0);
   if ((inside - position).norm() > kStray) return std::nullopt;
   const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);

@@ -87,6 +87,7 @@ class Takeover {
   void consider(const std::string& id, const Vec2* known_position, const Fleet& fleet);
   std::optional<Walk> plan_walk(int zone, const std::vector<int>& route, int index,
                                 double arrival_position, const Vec2& position) const;
+  bool worth_while(const Walk& walk, int index, const Vec2& position) const;
   bool add_guest(const std::string& id, int zone, const Walk& walk, std::size_t plan,
                  bool place_freely, const Fleet& fleet);
   static bool may_hand_over(Guest& guest, const Vec2& place, double dt, const Fleet& fleet);
