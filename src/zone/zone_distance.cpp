@@ -6,9 +6,9 @@
 namespace pedzone {
 namespace {
 
-constexpr double kCell = 16.0;    // [m] numerical: memory against how early somebody is noticed
+constexpr double kCell = 8.0;     // [m] numerical: memory against how early somebody is noticed
 constexpr double kSample = 2.0;   // [m] numerical: spacing of the points that mark cells on borders
-constexpr double kMargin = 20.0;  // [m] numerical: a cell and the corners between two samples
+constexpr double kMargin = 10.0;  // [m] numerical: a cell and the corners between two samples
 
 }  // namespace
 

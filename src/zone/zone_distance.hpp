@@ -13,7 +13,7 @@ class ZoneDistance {
   explicit ZoneDistance(const Zone& zone);
 
   /// A lower bound [m] of the distance from a point to the zone's walkable area; never less than
-  /// half of it by more than 40 m.
+  /// half of it by more than 20 m.
   double at_least(const Vec2& point) const;
 
  private:
