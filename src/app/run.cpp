@@ -49,6 +49,7 @@ struct Outputs {
 
   /// `time` [s] before the step, by which SUMO's own outputs name a step's result.
   void step(double time, const Simulation& simulation) {
+    if (picture) paths.observe(simulation);
     if (!trajectories) return;
     for (const Guest& guest : simulation.guests()) {
       trajectories->row(time, guest.id, simulation.view(guest));

@@ -86,7 +86,7 @@ class Check:
         return result
 
     def _persons(self):
-        losses = measures.find_losses(self.fcd, self.run.persons)
+        losses = measures.find_losses(self.fcd, self.run.persons, self.run.vehicles)
         on_foot = self.fcd.persons.who[self.controlled]
         return {"departed": losses.departed, "arrived": losses.arrived,
                 "walking": losses.walking, "lost": len(losses.lost),

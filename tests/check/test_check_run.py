@@ -23,6 +23,17 @@ class Losses(TinyRun):
                 self.assertEqual(figures["persons"]["lost_ids"], ["a"])
                 self.assertEqual(len(figures["broken_limits"]), 1)
 
+    def test_person_in_a_vehicle_that_teleports_at_the_end_is_not_lost(self):
+        rider = ('    <personinfo id="a" depart="0.00" type="adult" speedFactor="1">\n'
+                 '        <ride waitingTime="0.00" vehicle="v" depart="0.00" arrival="-1"/>\n'
+                 '    </personinfo>\n')
+        for arrival, lost in (("-1.00", []), ("1.00", ["a"])):
+            with self.subTest(arrival=arrival):
+                vehicle = (f'    <tripinfo id="v" depart="0.00" arrival="{arrival}" duration="1.00" '
+                           'vType="van"/>\n')
+                figures = self.check([[person("a", 1, 0)], []], [rider, vehicle])
+                self.assertEqual(figures["persons"]["lost_ids"], lost)
+
     def test_person_whose_departure_lies_after_the_end_is_not_lost(self):
         late = '    <personinfo id="late" depart="99.00" type="adult" speedFactor="1"/>\n'
         figures = self.check([[person("a", 1, 0)]], [walked("a", 0, -1), late])

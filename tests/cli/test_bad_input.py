@@ -4,7 +4,9 @@
 usage: test_bad_input.py PEDZONE_PROGRAM
 """
 
+import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -53,10 +55,15 @@ class BadInput(unittest.TestCase):
     # The scenario
 
     def test_the_good_scenario_runs(self):
-        done = self.run_scenario(self.tiny.config())
+        done = self.run_scenario(self.tiny.config(), "--paths-svg", "out/paths.svg")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertTrue((self.folder / "out/summary.json").exists())
-        self.assertTrue((self.folder / "out/trajectories.csv").exists())
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        self.assertGreater(summary["persons"]["controlled"], 0)
+        rows = (self.folder / "out/trajectories.csv").read_text().splitlines()
+        self.assertGreater(len(rows), 10)
+        paths = re.search(r"paths of people in the zone \((\d+)\)",
+                          (self.folder / "out/paths.svg").read_text())
+        self.assertEqual(int(paths.group(1)), summary["persons"]["controlled"])
 
     def test_missing_scenario(self):
         self.expect(self.run_scenario("nowhere.sumocfg"), 2, "nowhere.sumocfg")
