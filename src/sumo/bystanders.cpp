@@ -1,6 +1,7 @@
 #include "sumo/bystanders.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sumo/api.hpp"
 #include "sumo/frames.hpp"
@@ -9,7 +10,21 @@ namespace pedzone {
 namespace {
 
 constexpr double kFastest = 40.0;  // [m/s] numerical: nobody comes nearer faster, riding included
-constexpr double kLatest = 1.0;    // [s] numerical: a program that embeds us may move them anyhow
+constexpr double kBeyondSight = 10.0;  // [m] numerical: bodies, and what comes towards somebody
+constexpr double kLatest = 1.0;  // [s] numerical: a program that embeds us may move them anyhow
+
+/// Square cells of the plane, numbered.
+class Cells {
+ public:
+  explicit Cells(double size) : size_(size) {}
+  std::int64_t of(const Vec2& point, int right = 0, int up = 0) const {
+    const auto index = [&](double x) { return static_cast<std::int64_t>(std::floor(x / size_)); };
+    return (index(point.x()) + right) * (std::int64_t{1} << 32) + index(point.y()) + up;
+  }
+
+ private:
+  double size_;
+};
 
 }  // namespace
 
@@ -69,11 +84,23 @@ void Bystanders::set_guest(const std::string& id, bool guest) {
   found->look_at = -1.0;
 }
 
-void Bystanders::seen_from(std::size_t zone, std::vector<SeenPerson>& out) {
+void Bystanders::seen_from(std::size_t zone, std::span<const Vec2> eyes,
+                           std::vector<SeenPerson>& out) {
   out.clear();
   const double sight = zones_[zone].parameters.sight;
+  const Cells cells(sight + kBeyondSight);
+  eyed_.clear();
+  for (const Vec2& point : eyes) eyed_.insert(cells.of(point));
+  const auto is_eyed = [&](const Vec2& point) {
+    for (int right = -1; right <= 1; ++right) {
+      for (int up = -1; up <= 1; ++up) {
+        if (eyed_.contains(cells.of(point, right, up))) return true;
+      }
+    }
+    return false;
+  };
   for (Bystander& person : all_) {
-    if (person.guest || !person.near) continue;
+    if (person.guest || !person.near || !is_eyed(person.position)) continue;
     if (distances_[zone].at_least(person.position) > sight) continue;
     if (!api::Person::getVehicle(person.id).empty()) continue;  // rides
     if (person.radius == 0.0) person.radius = body_radius(person.id);

@@ -3,7 +3,10 @@
 // near.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "crowd/crowd.hpp"
@@ -32,8 +35,9 @@ class Bystanders {
   const std::vector<std::string>& gone() const { return gone_; }  ///< guests that SUMO lost
   void set_guest(const std::string& id, bool guest);
 
-  /// Those near each zone, who walk or stand.
-  void seen_from(std::size_t zone, std::vector<SeenPerson>& out);
+  /// Those near a zone, who walk or stand, within sight of one of `eyes` [m] at least: reading them
+  /// all is dear, and most have nobody near.
+  void seen_from(std::size_t zone, std::span<const Vec2> eyes, std::vector<SeenPerson>& out);
 
  private:
   void look(Bystander& person, double time) const;
@@ -42,6 +46,7 @@ class Bystanders {
   std::vector<ZoneDistance> distances_;
   std::vector<Bystander> all_, before_;  ///< by ascending id
   std::vector<std::string> gone_;
+  std::unordered_set<std::int64_t> eyed_;  ///< cells with eyes; kept for its memory
 };
 
 /// A person's body as a disc [m]: as large as its rectangle and never narrower than it is.

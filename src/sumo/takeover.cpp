@@ -79,8 +79,13 @@ void Takeover::read(double time, const Fleet& fleet) {
   for (const Bystander& person : bystanders_.all()) {
     if (person.near && !person.guest) consider(person.id, nullptr, fleet);
   }
+  eyes_.clear();
+  for (const Guest& guest : guests_) eyes_.push_back(guest.position);
+  for (const FleetVehicle& vehicle : fleet.vehicles()) {
+    eyes_.insert(eyes_.end(), {vehicle.front, vehicle.centre()});
+  }
   for (std::size_t z = 0; z < zones_.size(); ++z) {
-    bystanders_.seen_from(z, seen_[z]);
+    bystanders_.seen_from(z, eyes_, seen_[z]);
     crowds_[z]->see(seen_[z]);
   }
 }

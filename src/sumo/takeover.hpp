@@ -103,6 +103,7 @@ class Takeover {
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;
   std::unordered_map<std::string, Past> past_;
+  std::vector<Vec2> eyes_;                     ///< [m] who looks at bystanders
   std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
   WalkTotals totals_;
 };
