@@ -29,6 +29,15 @@ std::optional<bool> leaves_forward(const Network& network, int before, int edge,
   return std::nullopt;
 }
 
+/// Whether a person comes through `next` from one end to the other on its way from `edge` to
+/// `after`. Where it would turn round on it, SUMO 1.15 walks it off the wrong end.
+bool passes_through(const Network& network, int edge, int next, int after) {
+  const auto forward = leaves_forward(network, edge, next, after);
+  if (!forward) return false;
+  const std::string& entered_at = *forward ? network.edges[next].from : network.edges[next].to;
+  return network.edges[edge].from == entered_at || network.edges[edge].to == entered_at;
+}
+
 Destination across_lane(const Lane& lane, double position) {
   const LinePoint middle = point_on_lane(lane, position);
   const Vec2 half = left_of(middle.direction) * (0.5 * lane.width);
@@ -47,6 +56,10 @@ std::optional<ZoneStretch> leave_at(const Network& network, const std::vector<in
   const auto forward =
       leaves_forward(network, index > 0 ? route[index - 1] : -1, edge, route[index + 1]);
   if (lane < 0 || hop < 0 || !forward) return std::nullopt;
+  if (index + 2 < static_cast<int>(route.size()) && route[index + 2] >= 0 &&
+      !passes_through(network, edge, route[index + 1], route[index + 2])) {
+    return std::nullopt;
+  }
   if (network.edges[route[index + 1]].id == network.edges[edge].id) return std::nullopt;
   ZoneStretch stretch;
   stretch.last = index;
@@ -107,9 +120,7 @@ std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
   const int lane = walking_lane(network, route[next]);
   const auto forward = leaves_forward(network, route[last], route[next], route[next + 1]);
   if (lane < 0 || network.lanes[lane].length < 2.0 * kPortalInset || !forward) return {};
-  const Edge &before = network.edges[route[last]], &after = network.edges[route[next]];
-  const std::string& entered_at = *forward ? after.from : after.to;
-  if (before.from != entered_at && before.to != entered_at) return {};
+  if (!passes_through(network, route[last], route[next], route[next + 1])) return {};
   if (!share_walking_area(network, route[last], route[next])) return {};
   ZoneStretch stretch;
   stretch.last = last;

@@ -81,15 +81,15 @@ class Losses:
 
 def find_losses(fcd, trips, vehicles):
     """lost = departed - arrived - still in SUMO at the last time step. Still there is, too, who
-    rides in a vehicle that has not arrived: FCD shows neither while SUMO teleports it."""
+    sits in a vehicle that has not arrived: FCD shows neither while SUMO teleports it or has no room
+    to insert it."""
     rows = fcd.persons
     seen = {rows.names[number] for number in numpy.unique(rows.who)}
     last = {rows.names[number] for number in rows.who[rows.step == len(fcd.times) - 1]}
     for name, trip in trips.items():
         now = next((stage for stage in trip.stages if stage.arrival is None), None)
-        if now is not None and now.kind == "ride" and now.depart is not None:
-            vehicle = vehicles.get(now.vehicle)
-            if vehicle is not None and not vehicle.arrived:
+        if now is not None and now.kind == "ride" and now.vehicle:
+            if now.vehicle not in vehicles or not vehicles[now.vehicle].arrived:
                 last.add(name)
     departed = seen | {name for name, trip in trips.items()
                        if any(stage.depart is not None for stage in trip.stages)}

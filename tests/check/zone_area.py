@@ -270,19 +270,26 @@ class ZoneArea:
         network, parts = self._network, []
         parts += [network.junctions[name] for name, whole in self._junctions_of(zone).items()
                   if whole and name in network.junctions]
-        walking_areas = set()
+        walking_areas = self._walking_areas(zone)
         for start, end, via in network.links:
             if start in zone and end in zone and via:
                 parts += [lane.area() for lane in self._lanes_of(via)]
-            for lane_id, other in ((start, end), (end, start)):
-                if lane_id in zone:
-                    walking_areas.add(other.rpartition("_")[0])
         for edge in network.edges.values():
             if edge.function == "walkingarea" and edge.id in walking_areas:
                 parts.append(_ring(list(edge.lanes[0].line.coords)))
-            elif edge.function == "crossing" and self._is_inside(edge, walking_areas, zone):
-                parts += [lane.area() for lane in edge.lanes]
-        return parts
+        return parts + [lane.area() for lane in self._crossings(zone)]
+
+    def _walking_areas(self, zone):
+        """Ids of what touches the zone's lanes, walking areas among it."""
+        return {other.rpartition("_")[0] for start, end, _ in self._network.links
+                for lane, other in ((start, end), (end, start)) if lane in zone}
+
+    def _crossings(self, zone):
+        """Lanes of the crossings that are the zone's."""
+        walking_areas = self._walking_areas(zone)
+        return [lane for edge in self._network.edges.values()
+                if edge.function == "crossing" and self._is_inside(edge, walking_areas, zone)
+                for lane in edge.lanes]
 
     def _is_inside(self, crossing, walking_areas, zone):
         """Whether a crossing is the zone's: over its own lanes only, or without a traffic light
@@ -303,7 +310,10 @@ class ZoneArea:
         return [lane for lane in edge.lanes if lane.id == lane_id] if edge else []
 
     def _centre_lines(self, zone):
-        """(line, half width [m]): the zone's lanes and the straight ways between their ends."""
+        """(line, half width [m]): the zone's lanes and crossings, and the straight ways between the
+        lanes' ends."""
+        for lane in self._crossings(zone):
+            yield lane.line, lane.width / 2
         ends = {}
         for lane in zone.values():
             yield lane.line, lane.width / 2

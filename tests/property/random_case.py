@@ -34,7 +34,7 @@ class Outcome:
     failures: list = field(default_factory=list)
     person_steps: int = 0          # rows of the trajectories
     controlled: int = 0            # persons
-    rides: int = 0
+    stuck: int = 0                 # persons that arrive in plain SUMO and never with pedzone
     events: int = 0                # meddled with
     contacts: int = 0              # person-vehicle pairs, for information
 
@@ -43,7 +43,8 @@ class Outcome:
         if self.skipped:
             return text + "skipped: " + self.skipped
         text += f"{self.controlled} persons, {self.person_steps} person-steps, {self.events} events"
-        return text + (": " + "; ".join(self.failures) if self.failures else ": fine")
+        bad = self.failures + ([f"{self.stuck} arrived in plain SUMO only"] if self.stuck else [])
+        return text + (": " + "; ".join(bad) if bad else ": fine")
 
 
 def last_words(text: str) -> str:
@@ -242,7 +243,7 @@ class Case:
         if not self.meddler:
             expect["other stages than in plain SUMO"] = result["plain"]["stages_differ"]
             expect["not departed, unlike in plain SUMO"] = result["plain"]["missing"]
-            expect["arrived in plain SUMO only"] = len(self.stranded())
+            outcome.stuck = len(self.stranded())
         for name, count in expect.items():
             if count:
                 outcome.failures.append(f"{count} {name}")

@@ -37,6 +37,8 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--steps", type=int, default=100_000, help="controlled person-steps wanted")
     parser.add_argument("--networks", type=int, default=24, help="networks wanted")
     parser.add_argument("--seed", type=int, default=1, help="the first seed")
+    parser.add_argument("--max-stuck", type=int, default=0, help="networks at most in which people "
+                        "who arrive in plain SUMO never do: jams in very narrow places")
     parser.add_argument("--jobs", type=int, default=1, help="networks at once")
     parser.add_argument("--keep", help="folder for inputs and outputs; default: only those of "
                         "failures are kept, in a temporary one")
@@ -47,7 +49,7 @@ def run_seed(work: Path, pedzone: str, meddler: str, keep: bool, seed: int):
     folder = work / f"seed{seed}"
     outcome = Case(seed, folder, pedzone, meddler).run()
     print(outcome.line(), flush=True)
-    if not outcome.failures and not keep:
+    if not outcome.failures and not outcome.stuck and not keep:
         shutil.rmtree(folder)
     return outcome
 
@@ -74,19 +76,24 @@ def main() -> int:
 def report(options: argparse.Namespace, outcomes: list, work: Path) -> int:
     failed = [outcome for outcome in outcomes if outcome.failures]
     skipped = [outcome for outcome in outcomes if outcome.skipped]
+    stuck = [outcome for outcome in outcomes if outcome.stuck]
     print(f"\n{len(outcomes)} networks: {sum(o.person_steps for o in outcomes)} controlled "
           f"person-steps of {sum(o.controlled for o in outcomes)} persons, "
-          f"{sum(o.events for o in outcomes)} events; {len(failed)} failed, {len(skipped)} skipped "
-          f"since plain SUMO fails; {sum(o.contacts for o in outcomes)} pairs in contact")
-    for outcome in failed:
+          f"{sum(o.events for o in outcomes)} events; {len(failed)} failed, {len(stuck)} with "
+          f"people stuck for ever, {len(skipped)} skipped since plain SUMO fails; {sum(o.contacts for o in outcomes)} pairs in contact")
+    for outcome in failed + [one for one in stuck if not one.failures]:
         meddler = f" --meddler {options.meddler}" if options.meddler else ""
-        print(f"failed: {outcome.line()}\n  kept in {work}/seed{outcome.seed}; again: {sys.argv[0]} "
+        verdict = "failed" if outcome.failures else "stuck"
+        print(f"{verdict}: {outcome.line()}\n  kept in {work}/seed{outcome.seed}; again: {sys.argv[0]} "
               f"--pedzone {options.pedzone}{meddler} --seed {outcome.seed} --networks 1 --steps 0 "
               f"--keep {work}")
-    if not failed and not options.keep:
+    if not failed and not stuck and not options.keep:
         shutil.rmtree(work)
     if len(skipped) > max(1, SKIPPED_SHARE * len(outcomes)):
         print("failed: too many inputs were skipped")
+        return 1
+    if len(stuck) > options.max_stuck:
+        print(f"failed: people are stuck in {len(stuck)} networks, allowed {options.max_stuck}")
         return 1
     return 1 if failed else 0
 
