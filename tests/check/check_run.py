@@ -151,8 +151,13 @@ class Check:
                                                  measures.find_jumps(plain_fcd, riding))
         result = vars(measures.describe(
             self.fcd, jumps.rows, lambda i: {"distance": round(float(jumps.distance[i]), 2)}))
-        result["controlled"] = int((self.controlled[jumps.rows]
-                                    | self.controlled[jumps.before]).sum())
+        controlled = self.controlled[jumps.rows] | self.controlled[jumps.before]
+        result["controlled"] = int(controlled.sum())
+        persons = self.fcd.persons
+        result["controlled_jumps"] = [
+            {"person": persons.names[persons.who[row]],
+             "time": float(self.fcd.times[persons.step[row]]), "distance": float(distance)}
+            for row, distance in zip(jumps.rows[controlled], jumps.distance[controlled])]
         return result
 
     def _outside(self):

@@ -252,28 +252,20 @@ class Case:
     def count_jumps(self, jumps: dict) -> int:
         """Jumps of persons in pedzone's hands, but those at the end of a walk to where SUMO begins
         the next stage: beside the lane or somewhere across it, along a bus stop, or for a walk that
-        a meddler appended at that stage's own departPos; and those between a walk's end and the
-        ride that follows: to a waiting place, into the bus."""
-        ends, boarding = {}, {}
+        a meddler appended at that stage's own departPos."""
+        ends = {}
         for node in ET.parse(self.folder / "run" / "tripinfo.xml").getroot().iter("personinfo"):
             stages = list(node)
             ends[node.get("id")] = [
                 (float(before.get("arrival", "-1")), most_between(before, stage))
                 for before, stage in zip(stages, stages[1:]) if before.tag == "walk"]
-            boarding[node.get("id")] = [
-                (float(before.get("arrival", "-1")), float(stage.get("depart", "-1")))
-                for before, stage in zip(stages, stages[1:]) if stage.tag == "ride"]
 
         def explained(jump: dict) -> bool:
-            if any(begin <= jump["time"] <= end and jump["distance"] <= MOST_AT_BUS_STOP
-                   for begin, end in boarding.get(jump["person"], ())):
-                return True
             return any(abs(jump["time"] - time) <= 1.5 * self.outcome.step_length
                        and jump["distance"] <= distance
                        for time, distance in ends.get(jump["person"], ()))
 
-        known = sum(explained(jump) for jump in jumps["examples"])
-        return max(0, jumps["controlled"] - known)
+        return sum(not explained(jump) for jump in jumps["controlled_jumps"])
 
     def arrivals(self, kind: str) -> dict:
         """{person: time [s]} of those who have ended all of their stages."""
