@@ -38,7 +38,8 @@ double preferred_speed(const Clip& clip, const PersonTrack& track, std::uint64_t
   const Vec2 first_second = track.places[kFollows] - track.places.front();
   const double z =
       random_normal(seed, person_key(clip.name + '/' + track.id), 0, Purpose::kSpeedJitter);
-  return first_second.norm() / (kFollows * kFrame) * (1.0 + kJitter * z);
+  const double jitter = seed != 0 ? kJitter * z : 0.0;
+  return first_second.norm() / (kFollows * kFrame) * (1.0 + jitter);
 }
 
 Vec2 recorded_velocity(const PersonTrack& track, std::size_t i) {

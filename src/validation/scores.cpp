@@ -107,18 +107,38 @@ bool counts(const PersonTrack& track) {
          (track.places.back() - track.places.front()).norm() >= kLeastWay;
 }
 
+/// What does not depend on the model: recorded measures, and the clearance of straight walking.
+static std::vector<ScoredPerson> recorded_persons(const std::vector<Clip>& clips, std::size_t c) {
+  ReplayModel straight;
+  straight.kind = ReplayModel::Kind::kStraight;
+  const Clip& clip = clips[c];
+  const std::vector<Polyline> ways = replay(clip, straight, 0);
+  std::vector<ScoredPerson> persons;
+  for (std::size_t i = 0; i < clip.persons.size(); ++i) {
+    const PersonTrack& track = clip.persons[i];
+    if (!counts(track)) continue;
+    ScoredPerson person;
+    person.clip = static_cast<std::uint32_t>(c);
+    person.person = static_cast<std::uint32_t>(i);
+    person.recorded = measure(clip, track, track.places);
+    person.straight_clearance = measure(clip, track, ways[i]).clearance;
+    persons.push_back(person);
+  }
+  return persons;
+}
+
 ScoredRuns score(const std::vector<Clip>& clips, const ReplayModel& model, int seeds) {
   const std::size_t runs = static_cast<std::size_t>(seeds);
-  std::vector<std::vector<ScoredPerson>> parts(clips.size() * runs);
+  std::vector<std::vector<ScoredPerson>> recorded(clips.size()), parts(clips.size() * runs);
+  oneapi::tbb::parallel_for(std::size_t{0}, clips.size(),
+                            [&](std::size_t c) { recorded[c] = recorded_persons(clips, c); });
   oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) {
     const std::size_t c = k % clips.size();
     const Clip& clip = clips[c];
     const std::vector<Polyline> ways = replay(clip, model, k / clips.size() + 1);
-    for (std::size_t i = 0; i < clip.persons.size(); ++i) {
-      const PersonTrack& track = clip.persons[i];
-      if (!counts(track)) continue;
-      parts[k].push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(i),
-                          measure(clip, track, track.places), measure(clip, track, ways[i])});
+    parts[k] = recorded[c];
+    for (ScoredPerson& person : parts[k]) {
+      person.walked = measure(clip, clip.persons[person.person], ways[person.person]);
     }
   });
   ScoredRuns scored(runs);

@@ -18,6 +18,8 @@ namespace pedzone {
 struct ScoredPerson {
   std::uint32_t clip = 0, person = 0;  ///< indices
   Measures recorded, walked;
+  double straight_clearance = 0.0;  ///< [m] as Measures::clearance, had it walked straight to its
+                                    ///< goal at its own speed
 };
 
 enum class Figure {
