@@ -6,6 +6,7 @@
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
 #include "app/run.hpp"
+#include "app/validate.hpp"
 #include "core/error.hpp"
 
 namespace pedzone {
@@ -65,6 +66,8 @@ int command_line(int argc, char** argv) {
   add_run(app, run_options, code);
   add_inspect(app, inspect_options, code);
   add_parameters(app);
+  add_validate(app, code);
+  add_calibrate(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/guarded.hpp"
 #include "app/path_recorder.hpp"
 #include "app/progress.hpp"
 #include "app/summary.hpp"
@@ -96,21 +97,7 @@ void simulate(const RunOptions& options) {
 }  // namespace
 
 int run(const RunOptions& options) {
-  const auto work = [&options] {
-    try {
-      simulate(options);
-      return 0;
-    } catch (const InputError& error) {
-      fmt::print(stderr, "Error: {}\n", error.what());
-      return kExitInput;
-    } catch (const SumoError& error) {
-      fmt::print(stderr, "Error: {}\n", error.what());
-      return kExitSumo;
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "Error: {}\n", error.what());
-      return 1;
-    }
-  };
+  const auto work = [&options] { return guarded([&] { simulate(options); }); };
   return supervise(work, {options.summary, options.trajectories, options.picture});
 }
 

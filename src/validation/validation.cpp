@@ -169,7 +169,8 @@ ValidationResult validate(std::vector<Clip> clips, const ValidationOptions& opti
   result.clips = result.data.size();
   result.seeds = options.seeds;
   for (const Clip& clip : result.data) result.persons += clip.persons.size();
-  std::vector<ReplayModel> models = reference_models();
+  std::vector<ReplayModel> models;
+  if (options.references) models = reference_models();
   models.insert(models.end(), options.models.begin(), options.models.end());
   for (std::size_t m = 0; m < models.size(); ++m) {
     result.models.push_back(models[m].name);

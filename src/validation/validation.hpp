@@ -13,7 +13,7 @@ namespace pedzone {
 enum class PersonSet {
   kRecorded,  ///< recorded clearance to a moving vehicle under 3 m
   kStraight   ///< that clearance of walking straight to the goal under 3 m: unlike the first, it
-             ///< does not leave out those, and only those, whom giving way took farther away
+              ///< does not leave out those, and only those, whom giving way took farther away
 };
 const char* name_of(PersonSet set);  ///< "recorded", "straight"
 
@@ -21,6 +21,7 @@ struct ValidationOptions {
   std::vector<ReplayModel> models;  ///< besides the reference rows
   int seeds = 5;                    ///< at least 5 jittered seeds (protocol 6)
   int resamples = 1000;             ///< of the bootstrap by clip
+  bool references = true;           ///< straight, constant velocity and plain, too
 };
 
 /// One row of the table: a model ("recorded": the recording itself) in a group of a set.
