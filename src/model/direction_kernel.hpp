@@ -123,9 +123,10 @@ struct DirectionKernel {
   /// (index kNoDirection); `first` is a multiple of kDirectionGroup. None where all are excluded.
   DirectionChoice (*choose)(const DirectionTask& task, std::size_t first, std::size_t count,
                             DirectionChoice best);
-  /// `out[k]`: time [s] until the first contact with these alone, at most the horizon.
+  /// `out[k]` for directions [first, first + count), multiples of kDirectionGroup: time [s] until
+  /// the first contact with these alone, at most the horizon.
   void (*times_of)(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
-                   float* out);
+                   std::size_t first, std::size_t count, float* out);
   /// Raises `out[k]` for directions [first, first + count) to the discomfort h that the vehicle is
   /// at its worst within the stroll's time; first and count are multiples of kDirectionGroup. With
   /// c the least clearance of the person's centre and m the margin: (1 − c/m)² for c < m,

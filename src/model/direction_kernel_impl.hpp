@@ -276,8 +276,8 @@ struct KernelImpl {
   // ------------------------------------------------------
 
   static void times_of(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
-                       float* out) {
-    for (std::size_t k = 0; k < task.candidates.padded; k += kLanes) {
+                       std::size_t first, std::size_t count, float* out) {
+    for (std::size_t k = first; k < first + count; k += kLanes) {
       const Velocity e = velocity(task, k);
       Float u = of_discs(discs, e.x, e.y, Float::all(1.0F / task.horizon));
       u = of_faces(faces, e.x, e.y, u);

@@ -24,15 +24,15 @@ namespace pedzone {
 class GivingWay {
  public:
   /// Lists the vehicles that can be a discomfort, for a person whose margins are `caution` times
-  /// the usual; whether there are any.
+  /// the usual. Whether one may be in direction (ex, ey), where nothing is in the person's way for
+  /// `free_time` [s]: a quick look that says yes too often, never no wrongly.
   bool notice(const Walker& walker, std::span<const VehicleView> vehicles,
-              const Parameters& parameters, float caution);
+              const Parameters& parameters, float caution, float ex, float ey, float free_time);
 
-  /// Whether the direction is free of discomfort at full speed: then the choice that knows nothing
-  /// of it is the best one, since it costs nothing there and something elsewhere. To be called
-  /// before choose().
-  bool comfortable(const DirectionTask& task, std::uint32_t direction, const Parameters& parameters,
-                   const DirectionKernel& kernel);
+  /// Whether the choice that knows nothing of discomfort is free of it at full speed: then it is the
+  /// best one. To be called before choose().
+  bool comfortable(const DirectionTask& task, const DirectionChoice& known,
+                   const Parameters& parameters, const DirectionKernel& kernel);
 
   struct Choice {
     DirectionChoice direction;
@@ -47,6 +47,13 @@ class GivingWay {
                 std::size_t first, std::size_t count, const DirectionKernel& kernel);
 
   float vx_ = 0.0F, vy_ = 0.0F;  ///< [m/s] of the person
+  /// Costs of a group of directions, each at its best share of the speed; right up to `most` [s²].
+  void price(const DirectionTask& task, const Parameters& parameters, std::size_t first,
+             float most, const DirectionKernel& kernel);
+  /// [s²] that no direction of the group can get below, whatever is in its way: t² − t·D is at least
+  /// −(D/2)².
+  static float least_value(const DirectionTask& task, std::size_t first);
+
   std::vector<Annoyance> vehicles_;
   float stop_[kMaxDirections];        ///< [s] until something that stands blocks the way
   float discomfort_[kMaxDirections];  ///< h

@@ -171,8 +171,11 @@ HeuristicModel::Chosen HeuristicModel::give_way(std::size_t i, const Walker& sel
   const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
   const auto caution = static_cast<float>(std::exp(parameters.margin_spread * z));
   GivingWay& giving_way = scratch.giving_way;
-  if (!giving_way.notice(self, vehicles, parameters, caution) ||
-      giving_way.comfortable(task, best.index, parameters, kernel_)) {
+  const float c = task.candidates.cosine[best.index], s = task.candidates.sine[best.index];
+  const float ex = self.heading_cos * c - self.heading_sin * s;
+  const float ey = self.heading_sin * c + self.heading_cos * s;
+  if (!giving_way.notice(self, vehicles, parameters, caution, ex, ey, best.time) ||
+      giving_way.comfortable(task, best, parameters, kernel_)) {
     return {best, 1.0};
   }
   const GivingWay::Choice choice = giving_way.choose(candidates_, task, parameters, best, kernel_);

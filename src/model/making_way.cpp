@@ -15,7 +15,7 @@ void MakingWay::foresee(const Walker& walker, const VehicleView& view, const Dir
   discs_.clear();
   faces_.clear();
   add_vehicle(view, walker, discs_, faces_);
-  kernel.times_of(task, discs_.view(), faces_.view(), touch_);
+  kernel.times_of(task, discs_.view(), faces_.view(), 0, task.candidates.padded, touch_);
   for (std::size_t k = 0; k < task.candidates.padded; ++k) {
     const float c = task.candidates.cosine[k], s = task.candidates.sine[k];
     const float vx = (walker.heading_cos * c - walker.heading_sin * s) * walker.speed;
@@ -33,7 +33,7 @@ DirectionChoice MakingWay::choose(const Walker& walker, const Surroundings& surr
                                   const Candidates& candidates, DirectionTask task, float soon,
                                   const DirectionKernel& kernel) {
   const std::size_t count = candidates.padded();
-  kernel.times_of(task, surroundings.still_discs(), surroundings.still_faces(), stop_);
+  kernel.times_of(task, surroundings.still_discs(), surroundings.still_faces(), 0, count, stop_);
   std::fill(clear_, clear_ + count, soon);
   std::fill(lacking_, lacking_ + count, 0.0F);
   for (const VehicleView& view : surroundings.vehicles()) foresee(walker, view, task, kernel);

@@ -98,8 +98,9 @@ DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t
   return best;
 }
 
-void times_of(const DirectionTask& task, const DiscView& discs, const FaceView& faces, float* out) {
-  for (std::size_t k = 0; k < task.candidates.padded; ++k) {
+void times_of(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
+              std::size_t first, std::size_t count, float* out) {
+  for (std::size_t k = first; k < first + count; ++k) {
     const Velocity e = velocity(task, k);
     out[k] = 1.0F / with_faces(faces, e, with_discs(discs, e, 1.0F / task.horizon));
   }
