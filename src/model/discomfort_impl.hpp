@@ -46,8 +46,9 @@ struct DiscomfortImpl {
     Float enter, leave;
   };
   static Span slab(Float x, Float u, Float half) {
-    // Away from zero on the side of its own sign; which one for zero itself does not matter.
-    const Float inverse = u / larger(u * u, all(kLeast));
+    // Away from zero; on which side does not matter, since neither end is then within the way.
+    const Float inverse =
+        all(1.0F) / (u + both(at_least(all(kLeast), absolute(u)), all(2.0F * kLeast)));
     const Float a = (all(0.0F) - half - x) * inverse, b = (half - x) * inverse;
     return {smaller(a, b), larger(a, b)};
   }

@@ -163,4 +163,102 @@ OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_dir
   return best;
 }
 
+double signed_distance_to(const VehicleState& vehicle, const Vec2& point) {
+  const double outside = distance_to(vehicle, point);
+  if (outside > 0.0) return outside;
+  const Vec2 ahead = unit(vehicle.heading), d = point - vehicle.centre;
+  return std::max(std::abs(d.dot(ahead)) - vehicle.length / 2.0,
+                  std::abs(cross(ahead, d)) - vehicle.width / 2.0);
+}
+
+Stride stride(const Vec2& at, const Vec2& now, const Vec2& wanted, double lag, double stop) {
+  return {at + lag * (now - wanted), wanted, stop};
+}
+
+double least_clearance(const VehicleState& vehicle, const Stride& stride, double horizon,
+                       int samples) {
+  const auto clearance = [&](double t) {
+    return signed_distance_to(vehicle, stride.at(t) - t * vehicle.velocity);
+  };
+  double best = 0.0, least = clearance(0.0);
+  const auto look_at = [&](double t) {
+    const double c = clearance(t);
+    if (c >= least) return;
+    best = t;
+    least = c;
+  };
+  const double apart = horizon / samples;
+  for (int i = 1; i <= samples; ++i) look_at(i * apart);
+  look_at(std::clamp(stride.stop, 0.0, horizon));
+  const double middle = best;
+  for (int i = -50; i <= 50; ++i) {
+    look_at(std::clamp(middle + i * apart / 50.0, 0.0, horizon));
+  }
+  return least;
+}
+
+Bounds discomfort(double clearance, double margin) {
+  constexpr double kUnsure = 1e-4;
+  const auto h = [&](double c, double depth_share) {
+    if (c >= margin) return 0.0;
+    return c > 0.0 ? (1.0 - c / margin) * (1.0 - c / margin)
+                   : 1.0 - depth_share * c / (2.0 * margin);
+  };
+  return {h(clearance + kUnsure, 0.5), h(clearance - kUnsure, 1.0)};
+}
+
+/// Soonest and latest time [s] of a contact with obstacles of a kind, as grazes count or not.
+static Bounds contact_with(const std::vector<Obstacle>& around, Obstacle::Kind kind,
+                           const PersonSpec& self, double heading, double horizon) {
+  constexpr double kGraze = 2e-3;  // [m]
+  Bounds times{horizon, horizon};
+  for (Obstacle o : around) {
+    if (o.kind != kind) continue;
+    const double contact = o.contact;
+    const Vec2 velocity = self.speed * unit(heading);
+    o.contact = contact + kGraze;
+    times.least = std::min(times.least, time_to_contact(o, self.at, velocity, horizon));
+    o.contact = contact - kGraze;
+    times.most = std::min(times.most, time_to_contact(o, self.at, velocity, horizon));
+  }
+  return times;
+}
+
+Bounds total_value(const Scene& scene, const std::vector<Obstacle>& around, double offset,
+                   double share, double caution) {
+  constexpr double kFullMarginSpeed = 0.5;  // [m/s]
+  const Parameters& p = scene.parameters;
+  const PersonSpec& self = scene.people[0];
+  const double heading = self.heading + offset, horizon = p.sight / self.speed;
+  const Bounds wall = contact_with(around, Obstacle::Kind::kWall, self, heading, horizon);
+  const Bounds vehicle = contact_with(around, Obstacle::Kind::kVehicle, self, heading, horizon);
+  Bounds worst;
+  for (const Obstacle& o : around) {
+    if (o.kind != Obstacle::Kind::kVehicle) continue;
+    const double v = o.speed();
+    const double margin = (p.discomfort_margin + p.discomfort_margin_time * v) * caution *
+                          std::min(1.0, v / kFullMarginSpeed);
+    const auto h = [&](double stop) {
+      const Stride way = stride(self.at, self.velocity, share * self.speed * unit(heading),
+                                p.relaxation_time, share > 0.0 ? stop / share : 1e9);
+      return discomfort(least_clearance(o.vehicle, way, p.discomfort_horizon, 400), margin);
+    };
+    const Bounds soon = h(wall.least), late = wall.most > wall.least ? h(wall.most) : soon;
+    worst = {std::max(worst.least, std::min(soon.least, late.least)),
+             std::max({worst.most, soon.most, late.most})};
+  }
+  const double unit2 = p.sight * p.sight;
+  const double slow = unit2 * p.slowing_cost * (1.0 - share) * (1.0 - share);
+  // d falls until f is at its lowest point, then rises.
+  const double from_goal = wrap_angle(self.goal - heading);
+  const auto d = [&](double f) {
+    return value(static_cast<int>(p.equation), f, p.sight, from_goal);
+  };
+  const double nearest = std::min(wall.least, vehicle.least) * self.speed;
+  const double farthest = std::min(wall.most, vehicle.most) * self.speed;
+  const double lowest = std::clamp(p.sight * std::cos(from_goal / p.equation), nearest, farthest);
+  return {d(lowest) + unit2 * p.discomfort * worst.least + slow,
+          std::max(d(nearest), d(farthest)) + unit2 * p.discomfort * worst.most + slow};
+}
+
 }  // namespace pedzone::test

@@ -2,6 +2,7 @@
 // directions by trying all of them in double precision. Shares nothing with src/model.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "scene.hpp"
@@ -53,5 +54,39 @@ struct OracleChoice {
   double margin = 0.0;  ///< [m²] by which the second best is worse
 };
 OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_directions);
+
+/// Distance [m] from a point to a vehicle's rectangle; negative inside: the depth.
+double signed_distance_to(const VehicleState& vehicle, const Vec2& point);
+
+/// How giving_way.hpp takes a person to go on: shifted at once by what its present velocity still
+/// carries it, then straight on, from `stop` [s] on standing.
+struct Stride {
+  Vec2 from = Vec2::Zero(), velocity = Vec2::Zero();
+  double stop = 1e9;
+
+  Vec2 at(double time) const { return from + std::min(time, stop) * velocity; }
+};
+/// `now`: the person's velocity [m/s], which relaxes to `wanted` within `lag` [s].
+Stride stride(const Vec2& at, const Vec2& now, const Vec2& wanted, double lag, double stop);
+
+/// The least signed distance [m] within [0, horizon], by samples: `samples` of them, a further 100
+/// beside the best one.
+double least_clearance(const VehicleState& vehicle, const Stride& stride, double horizon,
+                       int samples = 4000);
+
+/// Bounds of a number.
+struct Bounds {
+  double least = 0.0, most = 0.0;
+};
+/// The discomfort h by its definition, where the least clearance is known to 0.1 mm. Inside the
+/// rectangle the model takes the depth in the middle of the crossing for the greatest one: at least
+/// half of it, since depth is concave along a line.
+Bounds discomfort(double clearance, double margin);
+
+/// d(α) + d_max²·[k·h + w·(1 − s)²] of one direction [rad from the heading] and speed share, for
+/// the scene's first person among the vehicles and walls that it is aware of; its margins are
+/// `caution` times the usual. A graze may be a contact or not.
+Bounds total_value(const Scene& scene, const std::vector<Obstacle>& around, double offset,
+                   double share, double caution);
 
 }  // namespace pedzone::test

@@ -129,7 +129,7 @@ float at_worst(const Annoyance& v, Velocity way) {
     }
   }
   const auto span = [](float from, float way_along, float half) {
-    const float slope = way_along / larger(way_along * way_along, 1e-12F);
+    const float slope = 1.0F / (std::abs(way_along) <= 1e-12F ? way_along + 2e-12F : way_along);
     const float a = (0.0F - half - from) * slope, b = (half - from) * slope;
     return std::pair(std::min(a, b), std::max(a, b));
   };
