@@ -42,8 +42,10 @@ void HeuristicModel::prepare(const Snapshot& snapshot) {
   snapshot_ = snapshot;
   const Parameters& parameters = *snapshot.parameters;
   const double half_field = parameters.field_of_view * kDegree;
-  senses_ = {static_cast<float>(parameters.sight), static_cast<float>(parameters.hearing),
-             static_cast<float>(std::cos(half_field)), static_cast<float>(std::sin(half_field))};
+  const double vehicle_sight =
+      gives_way() ? std::max(parameters.sight, parameters.vehicle_sight) : parameters.sight;
+  senses_ = {static_cast<float>(parameters.sight), static_cast<float>(vehicle_sight),
+             static_cast<float>(parameters.hearing), static_cast<float>(std::cos(half_field)), static_cast<float>(std::sin(half_field))};
   if (candidates_.field() != parameters.candidate_field) {
     candidates_ = Candidates(parameters.candidate_field);
   }
@@ -74,7 +76,7 @@ void HeuristicModel::prepare_vehicles() {
   for (const VehicleState& vehicle : snapshot_.vehicles) {
     vehicles_.push_back(shape_of(vehicle, origin_));
   }
-  const double range = std::max(senses_.sight, senses_.hearing);
+  const double range = std::max(senses_.vehicle_sight, senses_.hearing);
   const std::int64_t tile =
       tile_size_for(grid_.bounds(), to_lattice(kVehicleTile),
                     kTilesPerPerson * static_cast<double>(grid_.size()) + kTilesAtLeast);

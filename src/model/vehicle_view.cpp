@@ -116,7 +116,8 @@ VehicleView view_of(const VehicleShape& shape, const Walker& person) {
 }
 
 Awareness awareness(const VehicleView& view, const Walker& person, const Senses& senses) {
-  if (view.distance > senses.sight) {
+  const float sight = view.shape->moving() ? senses.vehicle_sight : senses.sight;
+  if (view.distance > sight) {
     return view.shape->moving() && view.distance <= senses.hearing ? Awareness::kHeard
                                                                    : Awareness::kNone;
   }
@@ -137,7 +138,7 @@ Awareness awareness(const VehicleView& view, const Walker& person, const Senses&
   for (const float side : {-1.0F, 1.0F}) {
     const float rx = h.x * senses.field_cos - h.y * senses.field_sin * side;
     const float ry = h.y * senses.field_cos + h.x * senses.field_sin * side;
-    if (ray_meets(view.x, view.y, rx, ry, s, senses.sight)) return Awareness::kSeen;
+    if (ray_meets(view.x, view.y, rx, ry, s, sight)) return Awareness::kSeen;
   }
   return view.distance <= senses.hearing ? Awareness::kHeard : Awareness::kNone;
 }

@@ -10,6 +10,7 @@ namespace pedzone {
 /// How far and wide people perceive; the same for all persons of a zone.
 struct Senses {
   float sight = 10.0F;                       ///< [m]
+  float vehicle_sight = 10.0F;               ///< [m] of moving vehicles
   float hearing = 8.0F;                      ///< [m] of moving vehicles outside the field of view
   float field_cos = 0.0F, field_sin = 1.0F;  ///< of the half field of view
 };

@@ -37,7 +37,7 @@ class Contact : public testing::TestWithParam<const DirectionKernel*> {
   /// so that a graze may count or not.
   void expect_times(const DiscList& discs, const FaceList& faces, Obstacle obstacle) {
     float times[kMaxDirections];
-    GetParam()->times_of(task_, discs.view(), faces.view(), times);
+    GetParam()->times_of(task_, discs.view(), faces.view(), 0, candidates_.padded(), times);
     for (std::size_t k = 0; k < candidates_.padded(); ++k) {
       if (candidates_.excluded()[k] != 0.0F) continue;
       Obstacle wider = obstacle, narrower = obstacle;
@@ -103,7 +103,7 @@ TEST_P(Contact, with_walls_from_their_walkable_side) {
     DirectionTask filled = task_;
     around.fill(filled);
     float times[kMaxDirections];
-    GetParam()->times_of(task_, filled.still_discs, filled.still_faces, times);
+    GetParam()->times_of(task_, filled.still_discs, filled.still_faces, 0, candidates_.padded(), times);
     for (std::size_t k = 0; k < candidates_.padded(); ++k) {
       if (candidates_.excluded()[k] != 0.0F) continue;
       const auto at = [&](double contact) {
