@@ -9,6 +9,7 @@
 #include "app/validation_output.hpp"
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
+#include "validation/page.hpp"
 
 namespace pedzone {
 namespace {
@@ -74,7 +75,7 @@ void validate(const ValidateOptions& options) {
     worst = worst_cases(result, validation.models.back(), kWorstCases);
   }
   if (json) json->write(validation_json(result));
-  (void)worst;  // PAGE
+  if (html) html->write(validation_page(result, worst));
   if (json) json->finish();
   if (html) html->finish();
   fmt::print("{}", validation_table(result));

@@ -10,7 +10,6 @@ namespace pedzone {
 
 std::string validation_table(const ValidationResult& result);
 std::string validation_json(const ValidationResult& result);
-std::string validation_page(const ValidationResult& result, const std::vector<DrawnCase>& worst);
 
 std::string calibration_table(const CalibrationResult& result);
 std::string calibration_json(const CalibrationResult& result);
