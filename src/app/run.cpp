@@ -65,6 +65,13 @@ struct Outputs {
   }
 };
 
+std::string state_of(const Simulation& simulation, double begin, double elapsed) {
+  const double time = simulation.time(), end = simulation.end_time();
+  const std::string of = end > begin ? fmt::format(" of {:.0f}", end) : "";
+  return fmt::format("{:.0f}{} s simulated, {:.1f}x real time, {} persons controlled", time, of,
+                     (time - begin) / elapsed, simulation.guests().size());
+}
+
 void simulate(const RunOptions& options) {
   const int threads =
       options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -79,12 +86,14 @@ void simulate(const RunOptions& options) {
                  zone.id, zone.warnings.size());
     }
   }
-  Progress progress(simulation.time(), simulation.end_time());
+  const double begin = simulation.time();
+  Progress progress(begin, simulation.end_time());
   while (!simulation.finished()) {
     const double time = simulation.time();
     simulation.step();
     outputs.step(time, simulation);
-    progress.update(simulation.time(), simulation.guests().size());
+    progress.update(simulation.time(),
+                    [&](double elapsed) { return state_of(simulation, begin, elapsed); });
   }
   progress.finish();
   const RunSummary totals = simulation.summary();

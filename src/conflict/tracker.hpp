@@ -51,7 +51,7 @@ inline constexpr double kNear = 2.0;
 inline constexpr double kMemory = 5.0;
 /// [m/s²] a vehicle that slows down harder is braking. Assumed: more than rolling out, or than the
 /// rounding of speeds in a file, makes of it.
-inline constexpr double kBraking = 1.0;
+inline constexpr double kBraking = 0.5;
 
 class ConflictTracker {
  public:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sumo/api.hpp"
+#include "sumo/body_sizes.hpp"
 #include "sumo/frames.hpp"
 
 namespace pedzone {
@@ -29,9 +30,7 @@ class Cells {
 }  // namespace
 
 double body_radius(const std::string& id) {
-  const double width = api::Person::getWidth(id);
-  const double disc = std::sqrt(std::max(0.0, width * api::Person::getLength(id)) / kPi);
-  return std::clamp(std::max(0.5 * width, disc), 0.1, 1.0);
+  return disc_radius({api::Person::getLength(id), api::Person::getWidth(id)});
 }
 
 Bystanders::Bystanders(const std::vector<Zone>& zones) : zones_(zones) {
