@@ -36,6 +36,7 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--trajectories", options.trajectories,
                           "Write time,id,x,y,vx,vy,heading,activity of each person and step");
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
+  add_conflict_options(*run_command, options.conflicts);
   run_command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
   run_command->callback([&options, &code] { code = run(options); });
 }

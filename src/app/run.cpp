@@ -10,6 +10,7 @@
 #include "app/progress.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
+#include "conflict/tracker.hpp"
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
 #include "output/trajectory_writer.hpp"
@@ -34,6 +35,9 @@ struct Outputs {
   std::unique_ptr<TrajectoryWriter> trajectories;
   std::unique_ptr<CompleteFile> picture;
   PathRecorder paths;
+  std::unique_ptr<ConflictWriter> conflicts;
+  std::unique_ptr<ConflictTracker> tracker;
+  std::vector<Conflict> over;
 
   explicit Outputs(const RunOptions& options) {
     if (!options.summary.empty()) {
@@ -45,6 +49,23 @@ struct Outputs {
     if (!options.picture.empty()) {
       picture = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
     }
+    if (options.conflicts.wanted()) {
+      conflicts = std::make_unique<ConflictWriter>(options.conflicts.paths());
+      tracker = std::make_unique<ConflictTracker>(options.conflicts.limits);
+    }
+  }
+
+  void observe(Simulation& simulation) {
+    if (!tracker) return;
+    simulation.observe([this](const Scene& scene) {
+      tracker->step(scene.time, scene.persons, scene.vehicles, scene.aware, over);
+      write_conflicts();
+    });
+  }
+
+  void write_conflicts() {
+    for (const Conflict& conflict : over) conflicts->write(conflict);
+    over.clear();
   }
 
   /// `time` [s] before the step, by which SUMO's own outputs name a step's result.
@@ -59,6 +80,11 @@ struct Outputs {
   void finish(const Simulation& simulation, const RunSummary& totals) {
     if (summary) summary->write(summary_json(totals));
     if (picture) picture->write(paths.picture(simulation));
+    if (tracker) {
+      tracker->finish(over);
+      write_conflicts();
+      conflicts->finish();
+    }
     if (trajectories) trajectories->finish();
     if (picture) picture->finish();
     if (summary) summary->finish();
@@ -80,6 +106,7 @@ void simulate(const RunOptions& options) {
   const SimulationOptions prepared = prepare(options);
   Outputs outputs(options);
   Simulation simulation(prepared);
+  outputs.observe(simulation);
   for (const Zone& zone : simulation.zones()) {
     if (!zone.warnings.empty()) {
       fmt::print(stderr, "Zone '{}': {} warnings about its shape; `pedzone inspect` lists them.\n",
@@ -120,7 +147,8 @@ int run(const RunOptions& options) {
       return 1;
     }
   };
-  return supervise(work, {options.summary, options.trajectories, options.picture});
+  return supervise(work, {options.summary, options.trajectories, options.picture,
+                          options.conflicts.xml, options.conflicts.csv});
 }
 
 }  // namespace pedzone

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/random.hpp"
+#include "crowd/awareness.hpp"
 #include "crowd/placement.hpp"
 #include "crowd/state.hpp"
 #include "crowd/step.hpp"
@@ -178,6 +179,11 @@ PersonView Crowd::view(Handle handle) const {
                                                            : Activity::kWalking;
   return {state.position(i), state.velocity(i), state.persons.heading[i],
           activity,          walker.arrived,    walker.gave_up};
+}
+
+bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {
+  const State& state = *state_;
+  return is_aware(state.persons, state.row_of(handle), vehicle, state.zone.parameters);
 }
 
 std::size_t Crowd::size() const { return state_->persons.walking; }

@@ -14,9 +14,9 @@ constexpr NumberRange kPlaces{-1e9, 1e9};        // [m]
 constexpr NumberRange kAngles{-360.0, 360.0};    // [deg]
 constexpr NumberRange kSpeeds{-1000.0, 1000.0};  // [m/s]
 
-/// [m] way after which an older direction counts a third (1/e). Assumed: positions are rounded to
-/// 0.01 m, and a person's step of 0.1 s is 0.13 m.
-constexpr double kDirectionWay = 0.3;
+/// [m] way after which an older direction counts a third (1/e). Positions are rounded to 0.01 m.
+/// Assumed, against `pedzone run`, which knows velocities: with 0.3 m directions lag too much.
+constexpr double kDirectionWay = 0.05;
 
 constexpr std::uint64_t kForgetEvery = 256;  // [steps] numerical: those who are gone
 
