@@ -54,7 +54,7 @@ double distance_to_rectangle(const Approach& a, const Vec2& at) {
   const double x = std::abs(at.x()) - a.sizes.half_length,
                y = std::abs(at.y()) - a.sizes.half_width;
   if (x <= 0.0 && y <= 0.0) return std::max(x, y);
-  return std::hypot(std::max(x, 0.0), std::max(y, 0.0));
+  return Vec2(std::max(x, 0.0), std::max(y, 0.0)).norm();
 }
 
 /// Distance of the origin from the line from a to b.

@@ -7,6 +7,9 @@
 namespace pedzone {
 namespace {
 
+/// [m] numerical: ways are summed up in single precision.
+constexpr double kRounding = 0.01;
+
 /// A moment of each way, as shares [0, 1] of the two pieces.
 using Moments = Vec2;  // x: the person's, y: the vehicle's
 
@@ -77,7 +80,7 @@ void visit_near_pieces(const Trail<Pose>& trail, double moved, double since, dou
                        const Room& room, const Visit& visit) {
   std::size_t k = 0;
   while (k + 1 < trail.size() && since - static_cast<double>(trail[k].time) < least) {
-    const double needed = room(k) - moved, here = trail[k].travelled;
+    const double needed = room(k) - moved - kRounding, here = trail[k].travelled;
     if (here - trail[trail.size() - 1].travelled < needed) return;
     const std::size_t looked = k;
     while (k + 1 < trail.size() && here - trail[k + 1].travelled < needed) ++k;
@@ -113,7 +116,7 @@ std::optional<Passing> closest_in_time(const PersonPose& p0, const PersonPose& p
 
 std::optional<Passing> latest_passing(const Trail<PersonPose>& person,
                                       const Trail<VehiclePose>& vehicle, const Sizes& sizes,
-                                      double below) {
+                                      double below, const Order& order) {
   if (person.size() < 2 || vehicle.size() < 2) return std::nullopt;
   std::optional<Passing> best;
   double least = below;
@@ -126,14 +129,18 @@ std::optional<Passing> latest_passing(const Trail<PersonPose>& person,
     }
     return least;
   };
-  visit_near_pieces(
-      vehicle, person[0].travelled - person[1].travelled, person[1].time, least,
-      [&](std::size_t k) { return clearance(approach_of(person[0], vehicle[k], sizes)); },
-      [&](std::size_t k) { return look(0, k); });
-  visit_near_pieces(
-      person, vehicle[0].travelled - vehicle[1].travelled, vehicle[1].time, least,
-      [&](std::size_t k) { return clearance(approach_of(person[k], vehicle[0], sizes)); },
-      [&](std::size_t k) { return look(k, 0); });
+  if (order.vehicle_first) {
+    visit_near_pieces(
+        vehicle, static_cast<double>(person[0].travelled - person[1].travelled), person[1].time,
+        least, [&](std::size_t k) { return clearance(approach_of(person[0], vehicle[k], sizes)); },
+        [&](std::size_t k) { return look(0, k); });
+  }
+  if (order.person_first) {
+    visit_near_pieces(
+        person, vehicle[0].travelled - vehicle[1].travelled, vehicle[1].time, least,
+        [&](std::size_t k) { return clearance(approach_of(person[k], vehicle[0], sizes)); },
+        [&](std::size_t k) { return look(k, 0); });
+  }
   return best;
 }
 

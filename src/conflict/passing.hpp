@@ -10,10 +10,11 @@
 
 namespace pedzone {
 
+/// In single precision what may be: there is one for every person and step of the memory.
 struct PersonPose {
-  double time = 0.0;       ///< [s]
   Vec2 at = Vec2::Zero();  ///< [m] centre of the disc
-  double travelled = 0.0;  ///< [m] so far
+  double time = 0.0;       ///< [s]
+  float travelled = 0.0F;  ///< [m] so far
   float direction = 0.0F;  ///< [rad] in which it moves
 };
 
@@ -40,12 +41,18 @@ std::optional<Passing> closest_in_time(const PersonPose& p0, const PersonPose& p
                                        const VehiclePose& v0, const VehiclePose& v1,
                                        const Sizes& sizes);
 
+/// Which of the two may have been first at a place; who was not need not be looked for.
+struct Order {
+  bool vehicle_first = true, person_first = true;
+};
+
 /// The same of each one's newest piece and the other's whole trail, where it is less than `below`
 /// [s]. Ways along each other do not count (directions less than kSameWay apart): behind somebody
 /// who walks or drives ahead one always enters what the other has left.
 std::optional<Passing> latest_passing(const Trail<PersonPose>& person,
                                       const Trail<VehiclePose>& vehicle, const Sizes& sizes,
-                                      double below = std::numeric_limits<double>::infinity());
+                                      double below = std::numeric_limits<double>::infinity(),
+                                      const Order& order = {});
 
 /// [rad] directions that differ by less are the same way, by more than π less it the opposite one.
 /// Assumed: the quarter turn that lies about each axis.

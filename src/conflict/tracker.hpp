@@ -17,7 +17,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "conflict/cast.hpp"
 #include "conflict/encounter.hpp"
+#include "conflict/search.hpp"
 
 namespace pedzone {
 
@@ -44,8 +46,6 @@ struct VehicleSample {
 /// Whether person i is aware of vehicle j (indices into the step's samples); nothing: not known.
 using AwareOf = std::function<std::optional<bool>(std::size_t person, std::size_t vehicle)>;
 
-/// [m] a pair as near as this is followed whatever its TTC, for its clearance. Assumed.
-inline constexpr double kNear = 2.0;
 /// [s] a PET is looked for at least so far back, also where only a smaller one makes a conflict.
 /// Assumed: beyond this nobody would tell that one had to do with the other.
 inline constexpr double kMemory = 5.0;
@@ -72,60 +72,39 @@ class ConflictTracker {
   std::size_t encounters() const { return encounters_.size(); }
 
  private:
-  struct Person {
-    std::string id;
-    std::uint64_t serial = 0;  ///< number of the body, never used again
-    std::uint64_t seen = 0;    ///< number of the step
-    std::size_t sample = 0;
+  struct Person : CastMember {
     Vec2 velocity = Vec2::Zero();
     double radius = 0.0;
     std::uint64_t own_vehicle = 0;  ///< serial number of the one it rides or rode in; 0: none
     Trail<PersonPose> trail;
   };
-  struct Vehicle {
-    std::string id;
-    std::uint64_t serial = 0, seen = 0;
-    std::size_t sample = 0;
+  struct Vehicle : CastMember {
     Vec2 velocity = Vec2::Zero();
     double half_length = 0.0, half_width = 0.0;
     bool braking = false;
     Trail<VehiclePose> trail;
   };
-  /// Bodies of one kind under their ids; places of those who are gone are used again.
-  template <typename Body>
-  struct Cast {
-    struct Hash : std::hash<std::string_view> {
-      using is_transparent = void;
-    };
-    std::vector<Body> bodies;
-    std::vector<std::uint32_t> unused;
-    std::uint64_t serials = 0;
-    std::unordered_map<std::string, std::uint32_t, Hash, std::equal_to<>> places;
-    std::uint32_t place_of(std::string_view id);
-    void forget_unseen(std::uint64_t step);
-  };
-  /// A person by where it is, for searching.
-  struct Row {
-    double x, y;  ///< [m]
-    std::uint32_t place;
-  };
+
   void take(const PersonSample& sample, std::size_t index);
   void take(const VehicleSample& sample, std::size_t index);
   void board(Person& person, std::uint32_t place, std::string_view vehicle);
+  void sort_persons();
   void meet_persons(std::uint32_t vehicle, const AwareOf& aware);
-  void meet(std::uint32_t person, std::uint32_t vehicle, const AwareOf& aware);
-  bool measure(const Trail<PersonPose>& person, const Trail<VehiclePose>& vehicle,
-               Meeting& meeting) const;
+  void meet(const PersonRow& person, std::uint32_t vehicle, const Search::Reasons& reasons,
+            const AwareOf& aware);
+  void measure(const Trail<PersonPose>& person, const Trail<VehiclePose>& vehicle,
+               const Search::Reasons& reasons, Meeting& meeting) const;
   void close(bool all, std::vector<Conflict>& over);
 
   ConflictLimits limits_;
   double memory_;                     ///< [s]
   double time_ = 0.0, before_ = 0.0;  ///< [s] of this step and the one before
-  std::uint64_t step_ = 0;
-  double fastest_ = 0.0;  ///< [m/s] of this step's persons
+  bool begun_ = false;
   Cast<Person> persons_;
   Cast<Vehicle> vehicles_;
-  std::vector<Row> rows_;                                    ///< this step's persons by ascending x
+  std::vector<PersonRow> unsorted_, rows_;               ///< this step's; rows_: by ascending x
+  std::vector<std::pair<double, std::uint32_t>> order_;  ///< x [m] and index in unsorted_
+  PersonExtremes most_;
   std::unordered_map<std::uint64_t, Encounter> encounters_;  ///< by both places
 };
 

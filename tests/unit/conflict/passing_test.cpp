@@ -23,7 +23,8 @@ std::optional<Passing> pet(double t_vehicle, double v, double t_person, double u
   std::optional<Passing> best;
   for (double t = 0.0; t <= last; t += kStep) {
     const Vec2 at = u * (t - t_person) * unit(person_direction), centre(v * (t - t_vehicle), 0.0);
-    pair.person.push({t, at, u * t, static_cast<float>(person_direction)}, t - 10.0);
+    pair.person.push({at, t, static_cast<float>(u * t), static_cast<float>(person_direction)},
+                     t - 10.0);
     pair.vehicle.push({t, centre, Vec2::UnitX(), v * t, 0.0F}, t - 10.0);
     const auto found = latest_passing(pair.person, pair.vehicle, kSizes);
     if (found && (!best || found->pet() < best->pet())) best = found;
@@ -68,7 +69,8 @@ TEST(PostEncroachmentTime, of_a_person_who_has_stood_there) {
     // Stands in the way until 4 s, then walks out of it at 1 m/s: out of |y| < 1.25 at 5.25 s. The
     // vehicle's front is there, x = -0.25, at 8 - 2.25/4 s.
     const double walked = std::max(0.0, t - 4.0);
-    person.push({t, {0.0, walked}, walked, static_cast<float>(kPi / 2.0)}, t - 10.0);
+    person.push({{0.0, walked}, t, static_cast<float>(walked), static_cast<float>(kPi / 2.0)},
+                t - 10.0);
     vehicle.push({t, {4.0 * (t - 8.0), 0.0}, Vec2::UnitX(), 4.0 * t, 0.0F}, t - 10.0);
     const auto found = latest_passing(person, vehicle, kSizes);
     if (found && (!best || found->pet() < best->pet())) best = found;
@@ -80,7 +82,7 @@ TEST(PostEncroachmentTime, of_a_person_who_has_stood_there) {
 TEST(Trail, keeps_what_is_needed_for_the_way_since) {
   Trail<PersonPose> trail;
   for (int t = 0; t < 100; ++t)
-    trail.push({static_cast<double>(t), Vec2::Zero(), 0.0, 0.0F}, t - 20.5);
+    trail.push({Vec2::Zero(), static_cast<double>(t), 0.0F, 0.0F}, t - 20.5);
   ASSERT_EQ(trail.size(), 22U);
   for (std::size_t k = 0; k < trail.size(); ++k)
     EXPECT_EQ(trail[k].time, 99.0 - static_cast<double>(k));
