@@ -32,7 +32,9 @@ class XmlStream : public ::testing::Test {
     return told;
   }
 
-  std::string file_ = testing::TempDir() + "pedzone_xml_stream_test.xml";
+  /// Its own for each test: they run side by side.
+  std::string file_ = testing::TempDir() + "pedzone_xml_stream_test." +
+                      testing::UnitTest::GetInstance()->current_test_info()->name() + ".xml";
 };
 
 TEST_F(XmlStream, visits_opening_tags_with_their_attributes) {

@@ -44,7 +44,9 @@ class Fcd : public ::testing::Test {
     return visited;
   }
 
-  std::string file_ = testing::TempDir() + "pedzone_fcd_reader_test.xml";
+  /// Its own for each test: they run side by side.
+  std::string file_ = testing::TempDir() + "pedzone_fcd_reader_test." +
+                      testing::UnitTest::GetInstance()->current_test_info()->name() + ".xml";
   std::unordered_set<std::string> as_persons_;
 };
 
