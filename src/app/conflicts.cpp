@@ -4,7 +4,8 @@
 
 #include <unordered_set>
 
-#include "app/progress.hpp"
+#include "app/guarded.hpp"
+#include "app/share_bar.hpp"
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
 #include "sumo/fcd_reader.hpp"
@@ -44,12 +45,11 @@ void measure(const ConflictsOptions& options) {
   ConflictWriter writer(options.conflicts.paths());
   ConflictTracker tracker(options.conflicts.limits);
   std::vector<Conflict> over;
-  double now = 0.0;
   const auto write = [&] {
     for (const Conflict& conflict : over) writer.write(conflict);
     over.clear();
   };
-  Progress progress(0.0, 1.0);
+  ShareBar bar("measuring conflicts");
   const std::unordered_set<std::string> as_persons(options.as_persons.begin(),
                                                    options.as_persons.end());
   FcdReader(sizes, as_persons)
@@ -57,18 +57,13 @@ void measure(const ConflictsOptions& options) {
           options.fcd,
           [&](double time, std::span<const PersonSample> persons,
               std::span<const VehicleSample> vehicles) {
-            now = time;
             tracker.step(time, persons, vehicles, {}, over);
             write();
           },
-          [&](double share) {
-            progress.update(share, [&](double) {
-              return fmt::format("{:.0f} s measured, {} conflicts", now, writer.written());
-            });
-          });
+          [&](double share) { bar.update(share); });
   tracker.finish(over);
   write();
-  progress.finish();
+  bar.finish();
   writer.finish();
   fmt::print("{} conflicts\n", writer.written());
 }
@@ -76,16 +71,7 @@ void measure(const ConflictsOptions& options) {
 }  // namespace
 
 int conflicts(const ConflictsOptions& options) {
-  try {
-    measure(options);
-    return 0;
-  } catch (const InputError& error) {
-    fmt::print(stderr, "Error: {}\n", error.what());
-    return kExitInput;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "Error: {}\n", error.what());
-    return 1;
-  }
+  return guarded([&options] { measure(options); });
 }
 
 }  // namespace pedzone

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/error.hpp"
+#include "app/guarded.hpp"
 #include "output/complete_file.hpp"
 #include "sumo/scenario.hpp"
 #include "view/zone_report.hpp"
@@ -31,16 +31,7 @@ void report(const InspectOptions& options) {
 }  // namespace
 
 int inspect(const InspectOptions& options) {
-  try {
-    report(options);
-    return 0;
-  } catch (const InputError& error) {
-    fmt::print(stderr, "Error: {}\n", error.what());
-    return kExitInput;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "Error: {}\n", error.what());
-    return 1;
-  }
+  return guarded([&] { report(options); });
 }
 
 }  // namespace pedzone

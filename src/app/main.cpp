@@ -7,6 +7,7 @@
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
 #include "app/run.hpp"
+#include "app/validate.hpp"
 #include "core/error.hpp"
 
 namespace pedzone {
@@ -72,8 +73,9 @@ void add_conflicts(CLI::App& app, ConflictsOptions& options, int& code) {
                       "SUMO configuration whose files tell how large vehicles and persons are");
   command->add_option("--vtypes", options.types, "More route or additional files that tell it")
       ->allow_extra_args(false);
-  command->add_option("--treat-as-person", options.as_persons,
-                      "Types of vehicles that count as persons, e.g. wheelchairs")
+  command
+      ->add_option("--treat-as-person", options.as_persons,
+                   "Types of vehicles that count as persons, e.g. wheelchairs")
       ->allow_extra_args(false);
   add_conflict_options(*command, options.conflicts);
   command->callback([&options, &code] { code = conflicts(options); });
@@ -91,6 +93,8 @@ int command_line(int argc, char** argv) {
   add_inspect(app, inspect_options, code);
   add_conflicts(app, conflicts_options, code);
   add_parameters(app);
+  add_validate(app, code);
+  add_calibrate(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -30,7 +30,7 @@ Progress::Progress(double begin, double end)
       start_(Clock::now()),
       last_(start_) {}
 
-void Progress::update(double position, const Tell& tell) {
+void Progress::update(double time, std::size_t controlled) {
   const Clock::time_point now = Clock::now();
   const auto since = [&](Clock::time_point then) {
     return std::chrono::duration<double>(now - then).count();
@@ -38,18 +38,19 @@ void Progress::update(double position, const Tell& tell) {
   if (since(last_) < (terminal_ ? kOnTerminal : kElsewhere)) return;
   last_ = now;
   const double elapsed = std::max(since(start_), 1e-9);
-  std::string line = tell(elapsed);
+  const double factor = (time - begin_) / elapsed;
+  std::string line = fmt::format("{:.0f} s simulated", time);
+  std::string left;
   if (end_ > begin_) {
-    const double share = std::clamp((position - begin_) / (end_ - begin_), 0.0, 1.0);
-    line = fmt::format("{:3.0f} %  {}", 100.0 * share, line);
-    if (share > 0.0) {
-      line += fmt::format(", {} left", clock_text(elapsed * (1.0 - share) / share));
-    }
+    const double share = std::clamp((time - begin_) / (end_ - begin_), 0.0, 1.0);
+    line = fmt::format("{:3.0f} %  {:.0f} of {:.0f} s simulated", 100.0 * share, time, end_);
+    if (factor > 0.0) left = fmt::format(", {} left", clock_text((end_ - time) / factor));
     if (terminal_) {
       const int filled = static_cast<int>(share * kBarWidth);
       line = "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + "] " + line;
     }
   }
+  line += fmt::format(", {:.1f}x real time, {} persons controlled{}", factor, controlled, left);
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", line, terminal_ ? "" : "\n");
   std::fflush(stderr);
   shown_ = true;

@@ -1,22 +1,17 @@
-// Progress of something long: a bar on a terminal, a plain line every half minute elsewhere.
+// Progress of a long run: a bar on a terminal, a plain line every half minute elsewhere.
 #pragma once
 
 #include <chrono>
-#include <functional>
-#include <string>
+#include <cstddef>
 
 namespace pedzone {
 
 class Progress {
  public:
-  /// Says what has been done so far, `elapsed` [s] after the beginning.
-  using Tell = std::function<std::string(double elapsed)>;
-
-  /// From `begin` to `end`, in any unit; an end before the beginning: unknown. Writes to standard
-  /// error.
+  /// `end` [s] simulated; negative when unknown. Writes to standard error.
   Progress(double begin, double end);
-  /// Call after each step, when `position` is reached; prints only now and then.
-  void update(double position, const Tell& tell);
+  /// Call after each step; prints only now and then.
+  void update(double time, std::size_t controlled);
   /// Clears the bar.
   void finish();
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/guarded.hpp"
 #include "app/path_recorder.hpp"
 #include "app/progress.hpp"
 #include "app/summary.hpp"
@@ -59,7 +60,6 @@ struct Outputs {
     if (!tracker) return;
     simulation.observe([this](const Scene& scene) {
       tracker->step(scene.time, scene.persons, scene.vehicles, scene.aware, over);
-      write_conflicts();
     });
   }
 
@@ -70,6 +70,7 @@ struct Outputs {
 
   /// `time` [s] before the step, by which SUMO's own outputs name a step's result.
   void step(double time, const Simulation& simulation) {
+    if (tracker) write_conflicts();
     if (picture) paths.observe(simulation);
     if (!trajectories) return;
     for (const Guest& guest : simulation.guests()) {
@@ -91,13 +92,6 @@ struct Outputs {
   }
 };
 
-std::string state_of(const Simulation& simulation, double begin, double elapsed) {
-  const double time = simulation.time(), end = simulation.end_time();
-  const std::string of = end > begin ? fmt::format(" of {:.0f}", end) : "";
-  return fmt::format("{:.0f}{} s simulated, {:.1f}x real time, {} persons controlled", time, of,
-                     (time - begin) / elapsed, simulation.guests().size());
-}
-
 void simulate(const RunOptions& options) {
   const int threads =
       options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -113,14 +107,12 @@ void simulate(const RunOptions& options) {
                  zone.id, zone.warnings.size());
     }
   }
-  const double begin = simulation.time();
-  Progress progress(begin, simulation.end_time());
+  Progress progress(simulation.time(), simulation.end_time());
   while (!simulation.finished()) {
     const double time = simulation.time();
     simulation.step();
     outputs.step(time, simulation);
-    progress.update(simulation.time(),
-                    [&](double elapsed) { return state_of(simulation, begin, elapsed); });
+    progress.update(simulation.time(), simulation.guests().size());
   }
   progress.finish();
   const RunSummary totals = simulation.summary();
@@ -132,21 +124,7 @@ void simulate(const RunOptions& options) {
 }  // namespace
 
 int run(const RunOptions& options) {
-  const auto work = [&options] {
-    try {
-      simulate(options);
-      return 0;
-    } catch (const InputError& error) {
-      fmt::print(stderr, "Error: {}\n", error.what());
-      return kExitInput;
-    } catch (const SumoError& error) {
-      fmt::print(stderr, "Error: {}\n", error.what());
-      return kExitSumo;
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "Error: {}\n", error.what());
-      return 1;
-    }
-  };
+  const auto work = [&options] { return guarded([&] { simulate(options); }); };
   return supervise(work, {options.summary, options.trajectories, options.picture,
                           options.conflicts.xml, options.conflicts.csv});
 }

@@ -56,7 +56,9 @@ struct Seen {
 /// lists is looked at first, the rest only for directions that may still be the best.
 struct DirectionTask {
   CandidateView candidates;
-  const float* excluded = nullptr;  ///< 0; infinity for what is no candidate (the padding, too)
+  /// [s²] ≥ 0, added to a candidate's value: 0 in Eq. 1 and 2; discomfort over V² (giving_way.hpp);
+  /// infinity for what is no candidate (the padding, too).
+  const float* cost = nullptr;
   float heading_cos = 1.0F, heading_sin = 0.0F;
   /// cos and sin of α0 − heading (Eq. 1) or of half of it (Eq. 2).
   float goal_cos = 1.0F, goal_sin = 0.0F;
@@ -76,7 +78,7 @@ struct DirectionTask {
 struct DirectionChoice {
   std::uint32_t index = 0;  ///< in Candidates
   float time = 0.0F;        ///< [s] until the first contact, at most the horizon
-  float value = 0.0F;  ///< [s²] t² − t·D, D = 2·horizon·cos((α0 − α)/x): Eq. 1 or 2 over V²
+  float value = 0.0F;  ///< [s²] t² − t·D + cost, D = 2·horizon·cos((α0 − α)/x): Eq. 1 or 2 over V²
   float weight = 0.0F;  ///< [s] D
 };
 
@@ -89,6 +91,27 @@ struct DirectionChoice {
 }
 
 inline constexpr std::uint32_t kNoDirection = ~0U;
+
+/// A vehicle that comes near enough to be a discomfort, as one person meets it.
+struct Annoyance {
+  float x, y;                     ///< [m] the person in the vehicle's frame, x ahead, y left
+  float cos, sin;                 ///< of the vehicle's heading
+  float vx, vy;                   ///< [m/s] of the vehicle
+  float half_length, half_width;  ///< [m]
+  float margin;                   ///< [m] > 0 clearance from which on it is none
+};
+
+/// How a person might go on in each direction: with that share of its preferred speed, once its
+/// present velocity v has relaxed (which carries it by (v − wanted)·glide), until something stops
+/// it.
+struct Stroll {
+  float share = 1.0F;           ///< of the preferred speed, [0, 1]
+  float time = 4.0F;            ///< [s] how far ahead it looks
+  float glide = 0.5F;           ///< [s] relaxation time
+  float vx = 0.0F, vy = 0.0F;   ///< [m/s] present velocity
+  const float* stop = nullptr;  ///< [s] at the preferred speed, until something that stands stops
+                                ///< it, by direction; it stays there
+};
 
 /// The operations behind which vector code stands.
 struct DirectionKernel {
@@ -103,6 +126,12 @@ struct DirectionKernel {
   /// `out[k]`: time [s] until the first contact with these alone, at most the horizon.
   void (*times_of)(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
                    float* out);
+  /// Raises `out[k]` for directions [first, first + count) to the discomfort h that the vehicle is
+  /// at its worst within the stroll's time; first and count are multiples of kDirectionGroup. With
+  /// c the least clearance of the person's centre and m the margin: (1 − c/m)² for c < m,
+  /// 1 − c/(2m) inside the rectangle (c < 0: depth).
+  void (*discomfort)(const DirectionTask& task, const Annoyance& vehicle, const Stroll& stroll,
+                     std::size_t first, std::size_t count, float* out);
 };
 
 /// For every x86-64 processor.

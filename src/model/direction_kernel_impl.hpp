@@ -26,7 +26,7 @@ struct KernelImpl {
   static constexpr float kBoundShare = 4e-6F;
   /// [s] protects from dividing by zero.
   static constexpr float kLeastTime = 1e-30F;
-  /// Bound of a direction that has been tried or is excluded.
+  /// Bound of a direction that has been tried or costs infinity.
   static constexpr float kTried = std::numeric_limits<float>::infinity();
 
   // ---- inverse times of contact ---------------------------------------------------------------
@@ -149,7 +149,7 @@ struct KernelImpl {
   /// Lower bound of g = t² − t·D for all t ≤ `time`.
   static Float bound_of(const DirectionTask& task, std::size_t k, Float time, Float d) {
     const Float t = larger(smaller(time, Float::all(0.5F) * d), Float::all(0.0F));
-    return t * (t - d) - slack(task) + Float::load(task.excluded + k);
+    return t * (t - d) - slack(task) + Float::load(task.cost + k);
   }
 
   /// Inverse of the time below which g exceeds `value` for certain.
@@ -179,7 +179,7 @@ struct KernelImpl {
                             float enough, DirectionChoice& best) {
     const float t = 1.0F / rest_of(task, dirs.ex[k], dirs.ey[k], dirs.u[k], enough);
     const float d = dirs.weight[k];
-    const DirectionChoice choice{static_cast<std::uint32_t>(k), t, t * (t - d), d};
+    const DirectionChoice choice{static_cast<std::uint32_t>(k), t, t * (t - d) + task.cost[k], d};
     if (best.index == kNoDirection || better(choice, best)) best = choice;
   }
 
@@ -237,7 +237,9 @@ struct KernelImpl {
     left.store(dirs.bound + k);
     lowest_bound = smallest(left);
     const float enough =
-        best.index == kNoDirection ? kTried : enough_for(task, best.value, dirs.weight[k + lane]);
+        best.index == kNoDirection
+            ? kTried
+            : enough_for(task, best.value - task.cost[k + lane], dirs.weight[k + lane]);
     try_direction(task, dirs, k + lane, enough, best);
   }
 

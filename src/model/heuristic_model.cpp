@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/random.hpp"
 #include "core/vec.hpp"
+#include "model/giving_way.hpp"
 #include "model/making_way.hpp"
 #include "model/surroundings.hpp"
 #include "model/trigonometry.hpp"
@@ -17,6 +19,10 @@ constexpr double kDegree = kPi / 180.0;
 constexpr double kVehicleTile = 8.0;
 constexpr double kTilesPerPerson = 8.0, kTilesAtLeast = 4096.0;
 
+/// [s] assumed: a person whom a vehicle would reach so soon minds nothing but to get out of its way
+/// (the last-metre guard of those who give way by discomfort).
+constexpr double kLastMoment = 1.0;
+
 /// [m/s] nobody is taken to be slower, so that the time to walk as far as one sees is a number.
 constexpr double kLeastSpeed = 0.01;
 
@@ -26,9 +32,11 @@ constexpr double kLeastSpeed = 0.01;
 struct HeuristicModel::Scratch {
   Surroundings surroundings;
   MakingWay making_way;
+  GivingWay giving_way;
 };
 
-HeuristicModel::HeuristicModel(const DirectionKernel& kernel) : kernel_(kernel) {}
+HeuristicModel::HeuristicModel(VehicleForm form, const DirectionKernel& kernel)
+    : form_(form), kernel_(kernel) {}
 
 void HeuristicModel::prepare(const Snapshot& snapshot) {
   snapshot_ = snapshot;
@@ -95,6 +103,8 @@ Walker HeuristicModel::walker(std::size_t i) const {
   const SineCosine heading = sine_cosine(w.heading);
   w.heading_cos = static_cast<float>(heading.cos);
   w.heading_sin = static_cast<float>(heading.sin);
+  w.vx = static_cast<float>(persons.vx[i]);
+  w.vy = static_cast<float>(persons.vy[i]);
   w.radius = static_cast<float>(persons.radius[i]);
   w.speed = static_cast<float>(std::max(persons.preferred_speed[i], kLeastSpeed));
   // Nobody avoids what stands behind its goal. Not nearer than what Eq. 3 brakes for, so that the
@@ -112,12 +122,13 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   Surroundings& around = scratch.surroundings;
   around.see_persons(self, senses_, grid_, kernel_);
   around.see_walls(self, walls_);
+  const double soon = gives_way() ? kLastMoment : parameters.wait_time;
   around.notice_vehicles(self, senses_, vehicles_, vehicle_tiles_.at(self.at),
-                         static_cast<float>(parameters.wait_time));
+                         static_cast<float>(soon));
 
   DirectionTask task;
   task.candidates = candidates_.view();
-  task.excluded = candidates_.excluded();
+  task.cost = candidates_.excluded();
   task.heading_cos = self.heading_cos;
   task.heading_sin = self.heading_sin;
   task.half_angle = parameters.equation >= 1.5;
@@ -129,27 +140,62 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   task.horizon = senses_.sight / self.speed;
   task.static_horizon = self.static_reach / self.speed;
   around.fill(task);
-  const DirectionChoice choice = choose(self, to_goal, task, scratch);
-
+  Chosen chosen =
+      gives_way() ? give_way(i, self, to_goal, task, scratch) : plain(self, to_goal, task, scratch);
   Decision decision;
   const double speed = snapshot_.persons->preferred_speed[i];
-  decision.direction = wrapped(self.heading + candidates_.offset(choice.index));
-  decision.free_distance = std::min(static_cast<double>(choice.time) * speed, parameters.sight);
-  decision.speed = std::min(speed, decision.free_distance / parameters.collision_time);  // Eq. 3
-  const float c = task.candidates.cosine[choice.index], s = task.candidates.sine[choice.index];
-  decision.waits = waits(self, self.heading_cos * c - self.heading_sin * s,
-                         self.heading_sin * c + self.heading_cos * s, around);
-  if (decision.waits) decision.speed = 0.0;
+  decision.direction = wrapped(self.heading + candidates_.offset(chosen.direction.index));
+  decision.free_distance =
+      std::min(static_cast<double>(chosen.direction.time) * speed, parameters.sight);
+  decision.speed = std::min(chosen.share * speed,
+                            decision.free_distance / parameters.collision_time);  // Eq. 3
+  decision.waits = chosen.share == 0.0;
   return decision;
+}
+
+bool HeuristicModel::gives_way() const {
+  return form_ == VehicleForm::kDiscomfort && snapshot_.parameters->discomfort > 0.0;
+}
+
+HeuristicModel::Chosen HeuristicModel::give_way(std::size_t i, const Walker& self, double to_goal,
+                                                const DirectionTask& task, Scratch& scratch) const {
+  const Parameters& parameters = *snapshot_.parameters;
+  if (scratch.surroundings.threatened()) {
+    return {scratch.making_way.choose(self, scratch.surroundings, candidates_, task,
+                                      static_cast<float>(kLastMoment), kernel_),
+            1.0};
+  }
+  const DirectionChoice best = choose(self, to_goal, task, scratch);
+  const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
+  if (vehicles.empty()) return {best, 1.0};
+  const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
+  const auto caution = static_cast<float>(std::exp(parameters.margin_spread * z));
+  GivingWay& giving_way = scratch.giving_way;
+  if (!giving_way.notice(self, vehicles, parameters, caution) ||
+      giving_way.comfortable(task, best.index, parameters, kernel_)) {
+    return {best, 1.0};
+  }
+  const GivingWay::Choice choice = giving_way.choose(candidates_, task, parameters, best, kernel_);
+  return {choice.direction, choice.share};
+}
+
+HeuristicModel::Chosen HeuristicModel::plain(const Walker& self, double to_goal,
+                                             const DirectionTask& task, Scratch& scratch) const {
+  const Surroundings& around = scratch.surroundings;
+  const DirectionChoice best =
+      around.threatened()
+          ? scratch.making_way.choose(self, around, candidates_, task,
+                                      static_cast<float>(snapshot_.parameters->wait_time), kernel_)
+          : choose(self, to_goal, task, scratch);
+  const float c = task.candidates.cosine[best.index], s = task.candidates.sine[best.index];
+  const bool stands = waits(self, self.heading_cos * c - self.heading_sin * s,
+                            self.heading_sin * c + self.heading_cos * s, around);
+  return {best, stands ? 0.0 : 1.0};
 }
 
 DirectionChoice HeuristicModel::choose(const Walker& self, double to_goal,
                                        const DirectionTask& task, Scratch& scratch) const {
   const Parameters& parameters = *snapshot_.parameters;
-  if (scratch.surroundings.threatened()) {
-    return scratch.making_way.choose(self, scratch.surroundings, candidates_, task,
-                                     static_cast<float>(parameters.wait_time), kernel_);
-  }
   DirectionChoice best;
   best.index = kNoDirection;
   best = kernel_.choose(task, 0, candidates_.main_count(), best);

@@ -15,16 +15,25 @@ namespace pedzone {
 
 class Surroundings;
 
+/// How vehicles are minded: as in the paper (obstacles that move, and the waiting rule), or with a
+/// discomfort that grows before contact (giving_way.hpp; none: as in the paper).
+enum class VehicleForm { kPlain, kDiscomfort };
+
 class HeuristicModel : public WalkingModel {
  public:
   /// With the fastest kernel for this processor, or a given one.
-  explicit HeuristicModel(const DirectionKernel& kernel = fastest_kernel());
+  explicit HeuristicModel(VehicleForm form = VehicleForm::kDiscomfort,
+                          const DirectionKernel& kernel = fastest_kernel());
 
   void prepare(const Snapshot& snapshot) override;
   void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override;
 
  private:
   struct Scratch;
+  struct Chosen {
+    DirectionChoice direction;
+    double share = 1.0;  ///< of the preferred speed
+  };
 
   void prepare_walls();
   void prepare_vehicles();
@@ -32,8 +41,14 @@ class HeuristicModel : public WalkingModel {
   Decision decide_one(std::size_t person, Scratch& scratch) const;
   DirectionChoice choose(const Walker& walker, double to_goal, const DirectionTask& task,
                          Scratch& scratch) const;
+  bool gives_way() const;
+  Chosen give_way(std::size_t person, const Walker& walker, double to_goal,
+                  const DirectionTask& task, Scratch& scratch) const;
+  Chosen plain(const Walker& walker, double to_goal, const DirectionTask& task,
+               Scratch& scratch) const;
   bool waits(const Walker& walker, float ex, float ey, const Surroundings& surroundings) const;
 
+  VehicleForm form_;
   const DirectionKernel& kernel_;
   Snapshot snapshot_;
   Senses senses_;

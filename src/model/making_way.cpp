@@ -49,7 +49,7 @@ DirectionChoice MakingWay::choose(const Walker& walker, const Surroundings& surr
     const bool out = beside ? lacking_[k] > least : clear_[k] < longest;
     excluded_[k] = out ? kNever : candidates.excluded()[k];
   }
-  task.excluded = excluded_;
+  task.cost = excluded_;
   DirectionChoice best;
   best.index = kNoDirection;
   best = kernel.choose(task, 0, candidates.main_count(), best);

@@ -9,6 +9,7 @@ namespace pedzone {
 
 std::unique_ptr<WalkingModel> make_model(const std::string& name) {
   if (name == "heuristic") return std::make_unique<HeuristicModel>();
+  if (name == "plain") return std::make_unique<HeuristicModel>(VehicleForm::kPlain);
   std::string known;
   for (const std::string_view model : kModelNames) {
     known += (known.empty() ? "" : ", ") + std::string(model);

@@ -145,8 +145,9 @@ void Takeover::consider(const std::string& id, const Vec2* known_position, const
   // Who was walked until now goes on even so: SUMO would walk on from where it was taken over.
   if (!known_position && !worth_while(*walk, index, position)) return;
   past.refused_edge = -1;
-  // SUMO walks people through vehicles. Whom it brings here inside one is put beside it.
-  const bool blocked = fleet.touches(walk->start, body_radius(id));
+  // SUMO walks people through vehicles. Whom it brings here inside one is put beside it. (Whom the
+  // crowd walked until now is where the crowd put it.)
+  const bool blocked = !known_position && fleet.touches(walk->start, body_radius(id));
   const bool departs = !known_position && index == 0 && api::Person::getSpeed(id) == 0.0;
   if (!add_guest(id, zone, *walk, plan, blocked || departs, fleet)) return;
   if (!past.was_controlled) ++totals_.controlled;

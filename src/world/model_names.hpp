@@ -6,6 +6,6 @@
 namespace pedzone {
 
 /// Names that make_model() knows and that a zone file's `model` attribute may take.
-inline constexpr std::string_view kModelNames[] = {"heuristic"};
+inline constexpr std::string_view kModelNames[] = {"heuristic", "plain"};
 
 }  // namespace pedzone

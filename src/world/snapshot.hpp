@@ -44,6 +44,7 @@ struct Snapshot {
   std::span<const VehicleState> vehicles;
   const WallIndex* walls = nullptr;
   const Parameters* parameters = nullptr;
+  std::uint64_t seed = 0;  ///< of what differs from person to person
 };
 
 }  // namespace pedzone

@@ -80,13 +80,14 @@ CrowdedSquare crowded_square(std::size_t people, double density) {
 }
 
 /// About `range(0)` people at `range(1)` per 10 m².
-void step(benchmark::State& state, const DirectionKernel& kernel) {
+void step(benchmark::State& state, const DirectionKernel& kernel,
+          VehicleForm form = VehicleForm::kDiscomfort) {
   const auto [scene, deciding] = crowded_square(static_cast<std::size_t>(state.range(0)),
                                                 static_cast<double>(state.range(1)) / 10.0);
   Persons persons = persons_of(scene.people);
   persons.walking = deciding;
   const WallIndex walls(scene.walls);
-  HeuristicModel model(kernel);
+  HeuristicModel model(form, kernel);
   std::vector<Decision> decisions(persons.size());
   for (auto _ : state) {
     model.prepare({&persons, scene.vehicles, &walls, &scene.parameters});
@@ -106,6 +107,9 @@ void step_avx2(benchmark::State& state) {
   step(state, avx2_kernel());
 }
 
+/// Vehicles as in the paper: what the discomfort costs is the difference.
+void step_plain(benchmark::State& state) { step(state, fastest_kernel(), VehicleForm::kPlain); }
+
 void step_baseline(benchmark::State& state) { step(state, baseline_kernel()); }
 
 void cases(benchmark::internal::Benchmark* b) {
@@ -115,6 +119,7 @@ void cases(benchmark::internal::Benchmark* b) {
 }
 
 BENCHMARK(step_avx2)->Apply(cases);
+BENCHMARK(step_plain)->Apply(cases);
 BENCHMARK(step_baseline)->Apply(cases);
 
 }  // namespace

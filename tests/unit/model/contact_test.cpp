@@ -20,7 +20,7 @@ class Contact : public testing::TestWithParam<const DirectionKernel*> {
  protected:
   Contact() {
     task_.candidates = candidates_.view();
-    task_.excluded = candidates_.excluded();
+    task_.cost = candidates_.excluded();
     walker_.speed = task_.speed = 1.34F;
     task_.horizon = 10.0F / 1.34F;
     task_.heading_cos = walker_.heading_cos;

@@ -12,6 +12,7 @@ struct Case {
   const char* name;
   double density;
   void (*adjust)(Parameters&);
+  VehicleForm form = VehicleForm::kPlain;
 };
 
 class KernelTwin : public testing::TestWithParam<Case> {};
@@ -27,8 +28,9 @@ void expect_same(const std::vector<Decision>& a, const std::vector<Decision>& b,
 }
 
 TEST_P(KernelTwin, makes_the_same_choices) {
-  HeuristicModel twin(twin_kernel()), baseline(baseline_kernel());
-  HeuristicModel avx2(has_avx2() ? avx2_kernel() : baseline_kernel());
+  const VehicleForm form = GetParam().form;
+  HeuristicModel twin(form, twin_kernel()), baseline(form, baseline_kernel());
+  HeuristicModel avx2(form, has_avx2() ? avx2_kernel() : baseline_kernel());
   std::size_t waiting = 0, slowed = 0;
   for (std::uint32_t seed = 1; seed <= 6; ++seed) {
     Scene scene = random_scene(
@@ -48,18 +50,25 @@ TEST_P(KernelTwin, makes_the_same_choices) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, KernelTwin,
-    testing::Values(
-        Case{"sparse", 0.1, [](Parameters&) {}}, Case{"half", 0.5, [](Parameters&) {}},
-        Case{"one", 1.0, [](Parameters&) {}}, Case{"two", 2.0, [](Parameters&) {}},
-        Case{"crush", 5.0, [](Parameters&) {}},
-        Case{"eq_1", 1.0, [](Parameters& p) { p.equation = 1.0; }},
-        Case{"short_sight", 1.0, [](Parameters& p) { p.sight = 1.5; }},
-        Case{"long_sight", 0.3, [](Parameters& p) { p.sight = 35.0; }},
-        Case{"narrow_view", 1.0, [](Parameters& p) { p.field_of_view = 40.0; }},
-        Case{"view_all_round", 1.0, [](Parameters& p) { p.field_of_view = 180.0; }},
-        Case{"wide_view", 0.5, [](Parameters& p) { p.field_of_view = 130.0; }},
-        Case{"all_round_candidates", 1.0, [](Parameters& p) { p.candidate_field = 180.0; }},
-        Case{"narrow_candidates", 1.0, [](Parameters& p) { p.candidate_field = 10.0; }}),
+    testing::Values(Case{"sparse", 0.1, [](Parameters&) {}}, Case{"half", 0.5, [](Parameters&) {}},
+                    Case{"one", 1.0, [](Parameters&) {}}, Case{"two", 2.0, [](Parameters&) {}},
+                    Case{"crush", 5.0, [](Parameters&) {}},
+                    Case{"eq_1", 1.0, [](Parameters& p) { p.equation = 1.0; }},
+                    Case{"short_sight", 1.0, [](Parameters& p) { p.sight = 1.5; }},
+                    Case{"long_sight", 0.3, [](Parameters& p) { p.sight = 35.0; }},
+                    Case{"narrow_view", 1.0, [](Parameters& p) { p.field_of_view = 40.0; }},
+                    Case{"view_all_round", 1.0, [](Parameters& p) { p.field_of_view = 180.0; }},
+                    Case{"wide_view", 0.5, [](Parameters& p) { p.field_of_view = 130.0; }},
+                    Case{"all_round_candidates", 1.0,
+                         [](Parameters& p) { p.candidate_field = 180.0; }},
+                    Case{"narrow_candidates", 1.0, [](Parameters& p) { p.candidate_field = 10.0; }},
+                    Case{"discomfort", 0.5, [](Parameters&) {}, VehicleForm::kDiscomfort},
+                    Case{"much_discomfort", 1.0, [](Parameters& p) { p.discomfort_margin = 3.0; },
+                         VehicleForm::kDiscomfort},
+                    Case{"discomfort_eq_1", 1.0, [](Parameters& p) { p.equation = 1.0; },
+                         VehicleForm::kDiscomfort},
+                    Case{"discomfort_all_round", 0.2,
+                         [](Parameters& p) { p.field_of_view = 180.0; }, VehicleForm::kDiscomfort}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -26,7 +26,7 @@ Persons persons_of(const std::vector<PersonSpec>& people) {
     p.preferred_speed.push_back(person.speed);
     p.goal_direction.push_back(wrap_angle(person.goal));
     p.goal_distance.push_back(person.goal_distance);
-    p.key.push_back(p.key.size());
+    p.key.push_back(person.key != 0 ? person.key : p.key.size());
   }
   p.walking = people.size();
   return p;
@@ -41,7 +41,7 @@ std::vector<Decision> Scene::decide(WalkingModel& model) const {
   return decisions;
 }
 
-std::vector<Decision> Scene::decide() const { return decide(*make_model("heuristic")); }
+std::vector<Decision> Scene::decide() const { return decide(*make_model(model_name)); }
 
 VehicleState vehicle(const Vec2& centre, double heading, double speed, double length,
                      double width) {
@@ -95,7 +95,7 @@ Walkthrough::Walkthrough(const Scene& scene, std::vector<Vec2> goals)
     : scene_(scene),
       goals_(std::move(goals)),
       decisions_(scene.people.size()),
-      model_(make_model("heuristic")),
+      model_(make_model(scene.model_name)),
       walls_(scene.walls) {}
 
 double Walkthrough::clearance(std::size_t person) const {

@@ -16,19 +16,21 @@ struct PersonSpec {
   double speed = 1.34;  ///< preferred
   double goal = 0.0;    ///< [rad] direction
   double goal_distance = 100.0;
+  std::uint64_t key = 0;  ///< 0: its index
 };
 
 /// A person that walks at its preferred speed towards its goal.
 PersonSpec walking_to(const Vec2& at, double direction);
 
 struct Scene {
+  std::string model_name = "heuristic";
   std::vector<PersonSpec> people;
   std::vector<VehicleState> vehicles;
   std::vector<Wall> walls;
   Parameters parameters;
 
   std::vector<Decision> decide(WalkingModel& model) const;
-  std::vector<Decision> decide() const;  ///< with a fresh heuristic model
+  std::vector<Decision> decide() const;  ///< with a fresh model
   Decision first() const { return decide().front(); }
 };
 

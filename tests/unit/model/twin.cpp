@@ -1,6 +1,8 @@
 #include "twin.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/fixed_point.hpp"
 
@@ -78,7 +80,7 @@ DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t
   const float gc = task.goal_cos * (2.0F * task.horizon);
   const float gs = task.goal_sin * (2.0F * task.horizon);
   for (std::size_t k = first; k < first + count; ++k) {
-    if (task.excluded[k] != 0.0F) continue;
+    if (std::isinf(task.cost[k])) continue;
     const Velocity e = velocity(task, k);
     float u = 1.0F / task.horizon;
     u = with_discs(task.near_discs, e, u);
@@ -90,7 +92,7 @@ DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t
     const float t = 1.0F / u;
     const float d = task.half_angle ? std::abs(gc * c.half_cosine[k] + gs * c.half_sine[k])
                                     : gc * c.cosine[k] + gs * c.sine[k];
-    const DirectionChoice choice{static_cast<std::uint32_t>(k), t, t * (t - d), d};
+    const DirectionChoice choice{static_cast<std::uint32_t>(k), t, t * (t - d) + task.cost[k], d};
     if (best.index == kNoDirection || better(choice, best)) best = choice;
   }
   return best;
@@ -103,10 +105,76 @@ void times_of(const DirectionTask& task, const DiscView& discs, const FaceView& 
   }
 }
 
+/// Distance outside (squared) and depth inside of the rectangle at one point of the way.
+struct Place {
+  float outside2, depth;
+};
+
+Place place(const Annoyance& v, Velocity way, float t) {
+  const float x = std::abs(v.x + t * way.x) - v.half_length;
+  const float y = std::abs(v.y + t * way.y) - v.half_width;
+  const float dx = larger(x, 0.0F), dy = larger(y, 0.0F);
+  return {dx * dx + dy * dy, std::min(-x, -y)};
+}
+
+float at_worst(const Annoyance& v, Velocity way) {
+  const Place begin = place(v, way, 0.0F), end = place(v, way, 1.0F);
+  float outside2 = std::min(begin.outside2, end.outside2);
+  const float inverse = 1.0F / larger(way.x * way.x + way.y * way.y, 1e-12F);
+  for (const float x : {-v.half_length, v.half_length}) {
+    for (const float y : {-v.half_width, v.half_width}) {
+      const float t = ((x - v.x) * way.x + (y - v.y) * way.y) * inverse;
+      outside2 = std::min(outside2, place(v, way, std::clamp(t, 0.0F, 1.0F)).outside2);
+    }
+  }
+  const auto span = [](float from, float way_along, float half) {
+    const float slope = way_along / larger(way_along * way_along, 1e-12F);
+    const float a = (0.0F - half - from) * slope, b = (half - from) * slope;
+    return std::pair(std::min(a, b), std::max(a, b));
+  };
+  const auto along = span(v.x, way.x, v.half_length), across = span(v.y, way.y, v.half_width);
+  const float enter = std::clamp(std::max(along.first, across.first), 0.0F, 1.0F);
+  const float leave = std::clamp(std::min(along.second, across.second), 0.0F, 1.0F);
+  const Place middle = place(v, way, 0.5F * (enter + leave));
+  outside2 = std::min(outside2, middle.outside2);
+  const float depth = std::max({middle.depth, begin.depth, end.depth, 0.0F});
+  const float share = larger(1.0F - std::sqrt(outside2) / v.margin, 0.0F);
+  return share * share + depth * (0.5F / v.margin);
+}
+
+Velocity turned(const Annoyance& v, float x, float y) {
+  return {x * v.cos + y * v.sin, y * v.cos - x * v.sin};
+}
+
+void discomfort(const DirectionTask& task, const Annoyance& v, const Stroll& stroll,
+                std::size_t first, std::size_t count, float* out) {
+  const float speed = stroll.share * task.speed;
+  for (std::size_t k = first; k < first + count; ++k) {
+    const float hc = task.heading_cos * speed, hs = task.heading_sin * speed;
+    const float oc = task.candidates.cosine[k], os = task.candidates.sine[k];
+    const float ex = hc * oc - hs * os, ey = hs * oc + hc * os;
+    const Velocity w = turned(v, ex - v.vx, ey - v.vy);
+    const Velocity lag = turned(v, stroll.vx - ex, stroll.vy - ey);
+    Annoyance begin = v;
+    begin.x += lag.x * stroll.glide;
+    begin.y += lag.y * stroll.glide;
+    const float walks = std::min(stroll.stop[k] / stroll.share, stroll.time);
+    const Velocity way{w.x * walks, w.y * walks};
+    out[k] = std::max(out[k], at_worst(begin, way));
+    const float stands = stroll.time - walks;
+    if (stands <= 0.0F) continue;
+    Annoyance later = begin;
+    later.x += way.x;
+    later.y += way.y;
+    const Velocity drive = turned(v, -v.vx, -v.vy);
+    out[k] = std::max(out[k], at_worst(later, {drive.x * stands, drive.y * stands}));
+  }
+}
+
 }  // namespace
 
 const DirectionKernel& twin_kernel() {
-  static constexpr DirectionKernel kTwin{"twin", see, choose, times_of};
+  static constexpr DirectionKernel kTwin{"twin", see, choose, times_of, discomfort};
   return kTwin;
 }
 

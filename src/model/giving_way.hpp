@@ -1,0 +1,57 @@
+// Giving way to moving vehicles: direction and speed chosen together, by a discomfort that grows
+// before contact. Source: the formulation of vehicle.md, fitted to recordings by `pedzone
+// calibrate`.
+//
+// Eq. 1 or 2 gets a further term. Of directions α and speed shares s ∈ {1, ¾, ½, ¼, 0} that pair is
+// chosen for which
+//     d(α) + d_max²·[k·h(α, s) + w·(1 − s)²]
+// is smallest, h being the worst discomfort that any vehicle is within the next T, if it keeps its
+// velocity and the person is taken to stop where something that stands blocks its way (a wall it
+// cannot walk through is no way out), with the margin m = (m0 + m_v·|v|)·exp(σ·z), z
+// each person's own standard normal number. A slow vehicle's margin fades: a parked one is passed
+// close. With k = 0 nothing is left of it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/direction_kernel.hpp"
+#include "model/surroundings.hpp"
+#include "world/parameters.hpp"
+
+namespace pedzone {
+
+class GivingWay {
+ public:
+  /// Lists the vehicles that can be a discomfort, for a person whose margins are `caution` times
+  /// the usual; whether there are any.
+  bool notice(const Walker& walker, std::span<const VehicleView> vehicles,
+              const Parameters& parameters, float caution);
+
+  /// Whether the direction is free of discomfort at full speed: then the choice that knows nothing
+  /// of it is the best one, since it costs nothing there and something elsewhere. To be called
+  /// before choose().
+  bool comfortable(const DirectionTask& task, std::uint32_t direction, const Parameters& parameters,
+                   const DirectionKernel& kernel);
+
+  struct Choice {
+    DirectionChoice direction;
+    double share = 1.0;  ///< of the preferred speed, [0, 1]
+  };
+  /// Over the whole circle. `known`: the choice that knows nothing of discomfort.
+  Choice choose(const Candidates& candidates, DirectionTask task, const Parameters& parameters,
+                DirectionChoice known, const DirectionKernel& kernel);
+
+ private:
+  void worst_of(const DirectionTask& task, float share, const Parameters& parameters,
+                std::size_t first, std::size_t count, const DirectionKernel& kernel);
+
+  float vx_ = 0.0F, vy_ = 0.0F;  ///< [m/s] of the person
+  std::vector<Annoyance> vehicles_;
+  float stop_[kMaxDirections];        ///< [s] until something that stands blocks the way
+  float discomfort_[kMaxDirections];  ///< h
+  float cost_[kMaxDirections];        ///< [s²] of the best speed share
+  float share_[kMaxDirections];
+};
+
+}  // namespace pedzone

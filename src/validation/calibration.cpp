@@ -1,0 +1,230 @@
+#include "validation/calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/error.hpp"
+#include "validation/evaluation_log.hpp"
+#include "validation/statistics.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr Searched kSearched[] = {
+    {"discomfort", 0.7, 6.0, true},     {"discomfortMargin", 0.0, 1.2},
+    {"discomfortMarginTime", 0.2, 1.0}, {"discomfortHorizon", 2.5, 5.5},
+    {"slowingCost", 0.06, 0.8, true},   {"marginSpread", 0.0, 0.5},
+};
+constexpr std::size_t kDimensions = std::size(kSearched);
+using Point = std::array<double, kDimensions>;  ///< [0, 1] each
+
+/// Generalised golden ratio of that many dimensions (Roberts 2018, "The unreasonable effectiveness
+/// of quasirandom sequences"): the root of x^(d+1) = x + 1.
+double plastic_number() {
+  double x = 1.5;
+  for (int i = 0; i < 60; ++i) x = std::pow(1.0 + x, 1.0 / (kDimensions + 1.0));
+  return x;
+}
+
+/// The n-th point of the additive recurrence with that ratio.
+Point sequence_point(int n) {
+  static const double ratio = plastic_number();
+  Point point;
+  for (std::size_t d = 0; d < kDimensions; ++d) {
+    const double step = std::pow(1.0 / ratio, static_cast<double>(d + 1));
+    point[d] = std::fmod(0.5 + step * (n + 1), 1.0);
+  }
+  return point;
+}
+
+/// Rounded to three digits, so that what is written is what was scored.
+double value_of(const Searched& searched, double share) {
+  const double value = searched.logarithmic
+                           ? searched.least * std::pow(searched.most / searched.least, share)
+                           : searched.least + share * (searched.most - searched.least);
+  return std::round(value * 1000.0) / 1000.0;
+}
+
+Parameters parameters_of(const Point& point) {
+  Parameters parameters;
+  for (std::size_t d = 0; d < kDimensions; ++d) {
+    parameters.*find_parameter(kSearched[d].key)->member = value_of(kSearched[d], point[d]);
+  }
+  return parameters;
+}
+
+std::vector<Fold> folds_of(const std::vector<Clip>& clips) {
+  std::vector<Fold> folds{{"all", std::vector<bool>(clips.size(), true)}};
+  const auto leave_out = [&](const std::string& name, auto is_left) {
+    Fold fold{"without " + name, {}};
+    for (const Clip& clip : clips) fold.tuned.push_back(!is_left(clip));
+    // Nothing left to tune on: the only site, or the only manoeuvre.
+    if (std::find(fold.tuned.begin(), fold.tuned.end(), true) != fold.tuned.end()) {
+      folds.push_back(std::move(fold));
+    }
+  };
+  std::set<std::string> sites, manoeuvres;
+  for (const Clip& clip : clips) {
+    sites.insert(clip.site);
+    manoeuvres.insert(clip.manoeuvre);
+  }
+  for (const std::string& site : sites) {
+    leave_out(site, [&](const Clip& clip) { return clip.site == site; });
+  }
+  for (const std::string& manoeuvre : manoeuvres) {
+    leave_out(manoeuvre, [&](const Clip& clip) { return clip.manoeuvre == manoeuvre; });
+  }
+  return folds;
+}
+
+ReplayModel model_of(const Parameters& parameters) {
+  ReplayModel model;
+  model.name = "calibrated";
+  model.parameters = parameters;
+  return model;
+}
+
+/// All that a search needs.
+class Search {
+ public:
+  Search(const std::vector<Clip>& clips, const CalibrationOptions& options,
+         const Progressed& progressed)
+      : clips_(clips),
+        options_(options),
+        progressed_(progressed),
+        folds_(folds_of(clips)),
+        log_(options.log, column_names(), folds_.size()) {
+    total_ = options.first + static_cast<int>(folds_.size()) * options.rounds * options.points +
+             options.finalists;
+  }
+
+  CalibrationResult run() {
+    CalibrationResult result;
+    std::vector<std::pair<Point, std::vector<double>>> shared;
+    for (int n = 0; n < options_.first; ++n) {
+      const Point point = sequence_point(n);
+      shared.emplace_back(point, misfits(point));
+    }
+    for (std::size_t f = 0; f < folds_.size(); ++f) {
+      std::vector<std::pair<double, Point>> found;
+      for (const auto& [point, misfit_of] : shared) found.emplace_back(misfit_of[f], point);
+      refine(f, found);
+      std::stable_sort(found.begin(), found.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      result.folds.push_back(f == 0 ? final_of(found) : fold_result(f, found.front()));
+    }
+    result.evaluations = evaluations_;
+    result.reused = reused_;
+    return result;
+  }
+
+ private:
+  std::vector<std::string> column_names() const {
+    std::vector<std::string> names;
+    for (const Searched& searched : kSearched) names.emplace_back(searched.key);
+    for (const Fold& fold : folds_) names.push_back(fold.name);
+    return names;
+  }
+
+  /// Of every fold, from the log where it has the point already.
+  std::vector<double> misfits(const Point& point) {
+    const Parameters parameters = parameters_of(point);
+    std::vector<double> values;
+    for (const Searched& searched : kSearched) {
+      values.push_back(parameters.*find_parameter(searched.key)->member);
+    }
+    std::vector<double> known = log_.find(values);
+    ++evaluations_;
+    if (known.empty()) {
+      const ScoredRuns runs = score(clips_, model_of(parameters), options_.seeds);
+      for (const Fold& fold : folds_) known.push_back(misfit(clips_, runs, fold.tuned));
+      log_.append(values, known);
+    } else {
+      ++reused_;
+    }
+    progressed_(std::min(1.0, static_cast<double>(evaluations_) / total_));
+    return known;
+  }
+
+  /// Rounds in boxes about the best so far, half as wide each time.
+  void refine(std::size_t fold, std::vector<std::pair<double, Point>>& found) {
+    double width = 0.5;
+    for (int round = 0; round < options_.rounds; ++round, width *= 0.5) {
+      const Point best =
+          std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+            return a.first < b.first;
+          })->second;
+      for (int n = 0; n < options_.points; ++n) {
+        const Point unit = sequence_point(options_.first + round * options_.points + n);
+        Point point;
+        for (std::size_t d = 0; d < kDimensions; ++d) {
+          point[d] = std::clamp(best[d] + width * (unit[d] - 0.5), 0.0, 1.0);
+        }
+        found.emplace_back(misfits(point)[fold], point);
+      }
+    }
+  }
+
+  /// The best of the finalists, scored with other seeds too: the least of many noisy figures is not
+  /// the figure of the best.
+  FoldResult final_of(const std::vector<std::pair<double, Point>>& found) {
+    std::pair<double, Point> best{std::numeric_limits<double>::infinity(), found.front().second};
+    const auto count =
+        std::min(found.size(), static_cast<std::size_t>(std::max(1, options_.finalists)));
+    for (std::size_t i = 0; i < count; ++i) {
+      ScoredRuns runs = score(clips_, model_of(parameters_of(found[i].second)), 4 * options_.seeds);
+      runs.erase(runs.begin(), runs.begin() + options_.seeds);
+      const double value = misfit(clips_, runs, folds_[0].tuned);
+      if (value < best.first) best = {value, found[i].second};
+      ++evaluations_;
+    }
+    return fold_result(0, best);
+  }
+
+  FoldResult fold_result(std::size_t f, const std::pair<double, Point>& best) {
+    FoldResult result;
+    result.fold = folds_[f];
+    result.parameters = parameters_of(best.second);
+    result.misfit = best.first;
+    std::vector<Clip> rest;
+    for (std::size_t c = 0; c < clips_.size(); ++c) {
+      if (f == 0 || !folds_[f].tuned[c]) rest.push_back(clips_[c]);
+    }
+    ValidationOptions options;
+    options.models = {model_of(result.parameters)};
+    options.seeds = options_.seeds;
+    options.references = false;
+    for (ValidationRow& row : validate(std::move(rest), options, [](double) {}).rows) {
+      if (row.set == PersonSet::kRecorded) result.rows.push_back(std::move(row));
+    }
+    return result;
+  }
+
+  const std::vector<Clip>& clips_;
+  CalibrationOptions options_;
+  const Progressed& progressed_;
+  std::vector<Fold> folds_;
+  EvaluationLog log_;
+  int evaluations_ = 0, reused_ = 0, total_ = 1;
+};
+
+}  // namespace
+
+std::span<const Searched> searched_parameters() { return kSearched; }
+
+CalibrationResult calibrate(const std::vector<Clip>& clips, const CalibrationOptions& options,
+                            const Progressed& progressed) {
+  std::vector<Clip> useful;
+  for (const Clip& clip : clips) {
+    if (!clip.vehicles.empty()) useful.push_back(clip);
+  }
+  if (useful.size() < 2) {
+    throw InputError("are too few clips with vehicles to cross-validate with",
+                     {"", 0, "option --data", std::to_string(useful.size()), "two or more"});
+  }
+  return Search(useful, options, progressed).run();
+}
+
+}  // namespace pedzone

@@ -1,0 +1,171 @@
+#include "validation/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pedzone {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kArrived = 0.5;  // [m] from the goal (vehicle.md, trap 3)
+constexpr int kFollows = 10;      // frames in which a replayed person follows the recording
+constexpr int kWindow = 5;        // frames of a speed
+constexpr double kBody = 0.24;    // [m] of a person, for times to collision and encroachment
+
+Vec2 to_frame_of(const VehicleState& vehicle, const Vec2& v) {
+  const Vec2 e = unit(vehicle.heading);
+  return {v.dot(e), v.dot(left_of(e))};
+}
+
+/// Time [s] until a disc of kBody touches the rectangle, both at constant velocity.
+double time_to_collision(const VehicleState& vehicle, const Vec2& place, const Vec2& velocity) {
+  const Vec2 q = to_frame_of(vehicle, place - vehicle.centre);
+  const Vec2 w = to_frame_of(vehicle, velocity - vehicle.velocity);
+  const Vec2 half = 0.5 * Vec2(vehicle.length, vehicle.width);
+  const auto through = [&](const Vec2& box) {
+    double enter = 0.0, leave = kInfinite;
+    for (int axis = 0; axis < 2; ++axis) {
+      if (w[axis] == 0.0) {
+        if (std::abs(q[axis]) > box[axis]) return kInfinite;
+        continue;
+      }
+      const double a = (-box[axis] - q[axis]) / w[axis], b = (box[axis] - q[axis]) / w[axis];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave ? enter : kInfinite;
+  };
+  double first =
+      std::min(through({half.x() + kBody, half.y()}), through({half.x(), half.y() + kBody}));
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0}) {
+      const Vec2 d = q - Vec2(sx * half.x(), sy * half.y());
+      const double a = w.squaredNorm(), b = d.dot(w), c = d.squaredNorm() - kBody * kBody;
+      const double root = b * b - a * c;
+      if (c <= 0.0) return 0.0;
+      if (root >= 0.0 && b < 0.0) first = std::min(first, c / (std::sqrt(root) - b));
+    }
+  }
+  return first;
+}
+
+/// What the vehicle's passage over the point `place` leaves to somebody who is there at frame
+/// `when` (a fraction of frames): its centre is there around its frame `j`.
+Passing passing_at(const VehicleTrack& vehicle, const Vec2& place, double when, double centre,
+                   std::size_t j) {
+  std::size_t enter = j, leave = j;
+  while (enter > 0 && signed_clearance(vehicle.states[enter - 1], place) <= 0.0) --enter;
+  while (leave + 1 < vehicle.states.size() &&
+         signed_clearance(vehicle.states[leave + 1], place) <= 0.0) {
+    ++leave;
+  }
+  const double before = vehicle.first + static_cast<double>(enter) - when;
+  const double after = when - (vehicle.first + static_cast<double>(leave));
+  return {when < centre, std::max({0.0, before, after}) * kFrame};
+}
+
+/// At the place where the person's way and that of the vehicle's centre cross; the closest in time
+/// where there are several.
+std::optional<Passing> passing(const VehicleTrack& vehicle, int first, const Polyline& way) {
+  std::optional<Passing> closest;
+  for (std::size_t j = 0; j + 1 < vehicle.states.size(); ++j) {
+    const VehicleState& state = vehicle.states[j];
+    if (state.velocity.norm() < kMovingSpeed) continue;
+    const Vec2 a = state.centre, along = vehicle.states[j + 1].centre - a;
+    const double near = along.norm() + 1.0;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+      const Vec2 to = a - way[i], step = way[i + 1] - way[i];
+      if (to.squaredNorm() > near * near) continue;
+      const double area = cross(step, along);
+      if (area == 0.0) continue;
+      const double walked = cross(to, along) / area, driven = cross(to, step) / area;
+      if (walked < 0.0 || walked >= 1.0 || driven < 0.0 || driven >= 1.0) continue;
+      const Passing found =
+          passing_at(vehicle, a + driven * along, first + static_cast<double>(i) + walked,
+                     vehicle.first + static_cast<double>(j) + driven, j);
+      if (!closest || found.gap < closest->gap) closest = found;
+    }
+  }
+  return closest;
+}
+
+double deviation(const PersonTrack& track, const Polyline& way) {
+  const Vec2 line = track.places.back() - track.places.front();
+  if (line.norm() <= 0.0) return 0.0;
+  const Vec2 side = left_of(line.normalized());
+  double most = 0.0;
+  for (const Vec2& place : way) {
+    most = std::max(most, std::abs((place - track.places.front()).dot(side)));
+  }
+  return most;
+}
+
+/// Index of the frame in which the way gets to the goal, or its last.
+std::size_t arrival(const PersonTrack& track, const Polyline& way) {
+  const auto found = std::find_if(way.begin(), way.end(), [&](const Vec2& place) {
+    return (place - track.places.back()).norm() <= kArrived;
+  });
+  return std::min(static_cast<std::size_t>(found - way.begin()), way.size() - 1);
+}
+
+void measure_speeds(const PersonTrack& track, const Polyline& way, Measures& measures) {
+  const std::size_t end = arrival(track, way);
+  double length = 0.0;
+  measures.least_speed = kInfinite;
+  for (std::size_t i = 1; i <= end; ++i) {
+    length += (way[i] - way[i - 1]).norm();
+    if (i >= kWindow) {
+      const double speed = (way[i] - way[i - kWindow]).norm() / (kWindow * kFrame);
+      measures.least_speed = std::min(measures.least_speed, speed);
+    }
+  }
+  measures.mean_speed = end > 0 ? length / (static_cast<double>(end) * kFrame) : 0.0;
+  measures.least_speed = std::min(measures.least_speed, measures.mean_speed);
+}
+
+}  // namespace
+
+double signed_clearance(const VehicleState& vehicle, const Vec2& point) {
+  const Vec2 q = to_frame_of(vehicle, point - vehicle.centre);
+  const Vec2 out = q.cwiseAbs() - 0.5 * Vec2(vehicle.length, vehicle.width);
+  return out.maxCoeff() <= 0.0 ? out.maxCoeff() : out.cwiseMax(0.0).norm();
+}
+
+Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way) {
+  Measures measures;
+  measures.clearance = measures.least_ttc = kInfinite;
+  const int count = static_cast<int>(way.size());
+  for (const VehicleTrack& vehicle : clip.vehicles) {
+    for (int i = 0; i < count; ++i) {
+      const VehicleState* state = at_frame(vehicle, track.first + i);
+      if (state == nullptr || state->velocity.norm() < kMovingSpeed) continue;
+      const auto here = static_cast<std::size_t>(i);
+      const double clearance = signed_clearance(*state, way[here]);
+      measures.inside = measures.inside || clearance < 0.0;
+      measures.clearance = std::min(measures.clearance, std::max(clearance, 0.0));
+      const std::size_t before = here >= 3 ? here - 3 : 0;
+      if (here == before) continue;
+      const Vec2 velocity =
+          (way[here] - way[before]) / (static_cast<double>(here - before) * kFrame);
+      measures.least_ttc =
+          std::min(measures.least_ttc, time_to_collision(*state, way[here], velocity));
+    }
+    const auto passed = passing(vehicle, track.first, way);
+    if (passed && (!measures.passing || passed->gap < measures.passing->gap)) {
+      measures.passing = passed;
+    }
+  }
+  measures.deviation = deviation(track, way);
+  measure_speeds(track, way, measures);
+  double sum = 0.0;
+  for (std::size_t i = kFollows + 1; i < way.size(); ++i) {
+    sum += (way[i] - track.places[i]).norm();
+  }
+  const int scored = std::max(1, count - kFollows - 1);
+  measures.ade = sum / scored;
+  measures.fde = (way.back() - track.places.back()).norm();
+  return measures;
+}
+
+}  // namespace pedzone

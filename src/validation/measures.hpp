@@ -1,0 +1,42 @@
+// What one person's way past vehicles was like: the same measures for recorded and walked ways.
+#pragma once
+
+#include <optional>
+
+#include "validation/clip.hpp"
+
+namespace pedzone {
+
+/// Vehicles slower than this do not count as moving [m/s] (validation.md, protocol).
+inline constexpr double kMovingSpeed = 0.5;
+
+/// Who passed first where a person's way and that of a vehicle's centre cross.
+struct Passing {
+  bool person_first = false;  ///< by the centres
+  double gap = 0.0;  ///< [s] post-encroachment time: from the person there to the vehicle's front,
+                     ///< or from its rear to the person; 0 when the person was there in between
+};
+
+struct Measures {
+  double clearance = 0.0;    ///< [m] least distance from the person's centre to the rectangle of a
+                             ///< moving vehicle; infinity without one
+  bool inside = false;       ///< the centre was inside a moving vehicle's rectangle
+  double deviation = 0.0;    ///< [m] greatest distance from the line from start to goal
+  double mean_speed = 0.0;   ///< [m/s] of the way walked until within 0.5 m of the goal
+  double least_speed = 0.0;  ///< [m/s] least over half a second, until then
+  double least_ttc = 0.0;    ///< [s] least time to collision with a moving vehicle if both keep
+                             ///< their velocity; infinity without any
+  std::optional<Passing> passing;  ///< with the vehicle that came closest in time; none where
+                                   ///< their ways do not cross
+  double ade = 0.0, fde = 0.0;     ///< [m] mean and last distance to the recorded person, from the
+                                   ///< first second's end on
+};
+
+/// Measures of a way with the frames of `track` (one place for each). `start_goal` are taken from
+/// the track.
+Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way);
+
+/// Distance [m] from a point to a vehicle's rectangle; negative inside (depth).
+double signed_clearance(const VehicleState& vehicle, const Vec2& point);
+
+}  // namespace pedzone

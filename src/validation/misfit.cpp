@@ -1,0 +1,96 @@
+// How far a model is from the recording: the targets of the issue as one number to be made small.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "validation/calibration.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kInteracting = 3.0;  // [m] as in validation.cpp
+
+double squared(double x) { return x * x; }
+
+/// Means over seeds of the persons that `in` takes, walked and recorded.
+struct Mean {
+  Figures walked{}, recorded{};
+  bool any = false;
+
+  double of(Figure f) const { return walked[static_cast<std::size_t>(f)]; }
+  double off(Figure f) const {
+    const double was = recorded[static_cast<std::size_t>(f)];
+    return was > 0.0 ? of(f) / was - 1.0 : 0.0;
+  }
+};
+
+template <class In>
+Mean mean_of(const ScoredRuns& runs, const In& in) {
+  Mean mean;
+  for (const std::vector<ScoredPerson>& run : runs) {
+    std::vector<const ScoredPerson*> persons;
+    for (const ScoredPerson& person : run) {
+      if (person.recorded.clearance < kInteracting && in(person)) persons.push_back(&person);
+    }
+    if (persons.empty()) return mean;
+    const Figures walked = figures_of(persons);
+    for (std::size_t f = 0; f < kFigures; ++f) {
+      mean.walked[f] += walked[f] / static_cast<double>(runs.size());
+    }
+    mean.recorded = figures_of(persons, true);
+    mean.any = true;
+  }
+  return mean;
+}
+
+/// Tolerances: the targets of whole sites; the share that passes first counts by what is wrong.
+double of_site(const Mean& m) {
+  double sum =
+      squared(m.off(Figure::kClearance) / 0.15) + squared(m.of(Figure::kClearanceKs) / 0.2);
+  sum += squared(m.off(Figure::kDeviation) / 0.2) + squared(m.of(Figure::kDeviationKs) / 0.2);
+  sum += squared(m.off(Figure::kSpeed) / 0.07) + squared(m.of(Figure::kLeastSpeedKs) / 0.25);
+  sum += squared(m.of(Figure::kClose) / 0.01) + squared(m.of(Figure::kAde) / 0.8);
+  const double first = m.of(Figure::kFirst);
+  if (!std::isnan(first)) sum += squared((1.0 - first) / 0.08);
+  return sum / 9.0;
+}
+
+/// Tolerances of one manoeuvre by itself.
+double of_manoeuvre(const Mean& m) {
+  return (squared(m.off(Figure::kClearance) / 0.2) + squared(m.off(Figure::kDeviation) / 0.35)) /
+         2.0;
+}
+
+}  // namespace
+
+double misfit(const std::vector<Clip>& clips, const ScoredRuns& runs,
+              const std::vector<bool>& used) {
+  std::set<std::string> sites, manoeuvres;
+  for (std::size_t c = 0; c < clips.size(); ++c) {
+    if (!used[c]) continue;
+    sites.insert(clips[c].site);
+    manoeuvres.insert(clips[c].site + ": " + clips[c].manoeuvre);
+  }
+  double sum = 0.0, groups = 0.0;
+  for (const std::string& site : sites) {
+    const Mean mean = mean_of(
+        runs, [&](const ScoredPerson& p) { return used[p.clip] && clips[p.clip].site == site; });
+    if (!mean.any) continue;
+    sum += of_site(mean);
+    groups += 1.0;
+  }
+  for (const std::string& manoeuvre : manoeuvres) {
+    const Mean mean = mean_of(runs, [&](const ScoredPerson& p) {
+      const Clip& clip = clips[p.clip];
+      return used[p.clip] && clip.site + ": " + clip.manoeuvre == manoeuvre;
+    });
+    if (!mean.any) continue;
+    // A manoeuvre weighs half a site.
+    sum += 0.5 * of_manoeuvre(mean);
+    groups += 0.5;
+  }
+  return groups > 0.0 ? sum / groups : 0.0;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,152 @@
+#include "validation/scores.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "validation/statistics.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr int kLeastFrames = 30;                     // 3 s
+constexpr double kLeastWay = 2.0;                    // [m]
+constexpr double kClose = 0.25;                      // [m]
+constexpr double kPetCounts = 5.0, kPetClose = 2.0;  // [s]
+
+/// Share of those recorded with |PET| ≤ `limit` who are first or second as recorded.
+double order_right(std::span<const ScoredPerson* const> persons, double limit) {
+  int right = 0, all = 0;
+  for (const ScoredPerson* p : persons) {
+    const auto &recorded = p->recorded.passing, &walked = p->walked.passing;
+    if (!recorded || recorded->gap > limit || !walked) continue;
+    ++all;
+    if (recorded->person_first == walked->person_first) ++right;
+  }
+  return all > 0 ? static_cast<double>(right) / all : kNothing;
+}
+
+template <class Get>
+std::vector<double> column(std::span<const ScoredPerson* const> persons, bool recorded, Get get) {
+  std::vector<double> values;
+  values.reserve(persons.size());
+  for (const ScoredPerson* p : persons) values.push_back(get(recorded ? p->recorded : p->walked));
+  return values;
+}
+
+}  // namespace
+
+const std::array<FigureInfo, kFigures>& figure_list() {
+  static constexpr std::array<FigureInfo, kFigures> kList{{
+      {"inside", "inside", "%", "persons whose centre enters a moving vehicle's rectangle", 100, 1},
+      {"close", "<0.25", "%", "persons whose centre comes within 0.25 m of it", 100, 1},
+      {"clearance", "clear", "m", "smallest clearance of the centre to it, median", 1, 2},
+      {"clearance_p5", "p5", "m", "the same, 5th percentile", 1, 2},
+      {"clearance_ks", "K-S", "", "Kolmogorov-Smirnov distance of it to the recording", 1, 2},
+      {"deviation", "dev", "m", "greatest distance from the start-goal line, median", 1, 2},
+      {"deviation_ks", "K-S", "", "Kolmogorov-Smirnov distance of it to the recording", 1, 2},
+      {"speed", "speed", "m/s", "mean speed until 0.5 m before the goal, mean", 1, 2},
+      {"least_speed", "least", "m/s", "least speed over 0.5 s until then, median", 1, 2},
+      {"least_speed_ks", "K-S", "", "Kolmogorov-Smirnov distance of it to the recording", 1, 2},
+      {"first", "first5", "%", "first or second as recorded, where recorded PET <= 5 s", 100, 1},
+      {"first_close", "first2", "%", "the same where recorded PET <= 2 s", 100, 1},
+      {"pet", "PET", "s", "post-encroachment time, size, median", 1, 1},
+      {"ttc", "TTC", "s", "least time to collision, median", 1, 1},
+      {"ade", "ADE", "m", "mean distance to the recorded person, mean", 1, 2},
+      {"fde", "FDE", "m", "distance to it at the end, mean", 1, 2},
+  }};
+  return kList;
+}
+
+Figures figures_of(std::span<const ScoredPerson* const> persons, bool recorded) {
+  Figures f;
+  f.fill(kNothing);
+  if (persons.empty()) return f;
+  const auto set = [&](Figure figure, double value) {
+    f[static_cast<std::size_t>(figure)] = value;
+  };
+  const auto of = [&](auto get) { return column(persons, recorded, get); };
+  const auto ks = [&](auto get) {
+    return recorded ? kNothing
+                    : ks_distance(column(persons, true, get), column(persons, false, get));
+  };
+  const auto clearance = [](const Measures& m) { return m.clearance; };
+  const auto deviation = [](const Measures& m) { return m.deviation; };
+  const auto least_speed = [](const Measures& m) { return m.least_speed; };
+  set(Figure::kInside, mean(of([](const Measures& m) { return m.inside ? 1.0 : 0.0; })));
+  set(Figure::kClose, mean(of([](const Measures& m) { return m.clearance < kClose ? 1.0 : 0.0; })));
+  set(Figure::kClearance, median(of(clearance)));
+  set(Figure::kClearanceLow, quantile(of(clearance), 0.05));
+  set(Figure::kClearanceKs, ks(clearance));
+  set(Figure::kDeviation, median(of(deviation)));
+  set(Figure::kDeviationKs, ks(deviation));
+  set(Figure::kSpeed, mean(of([](const Measures& m) { return m.mean_speed; })));
+  set(Figure::kLeastSpeed, median(of(least_speed)));
+  set(Figure::kLeastSpeedKs, ks(least_speed));
+  if (!recorded) {
+    set(Figure::kFirst, order_right(persons, kPetCounts));
+    set(Figure::kFirstClose, order_right(persons, kPetClose));
+    set(Figure::kAde, mean(of([](const Measures& m) { return m.ade; })));
+    set(Figure::kFde, mean(of([](const Measures& m) { return m.fde; })));
+  }
+  std::vector<double> pet;
+  for (const ScoredPerson* p : persons) {
+    const Measures& m = recorded ? p->recorded : p->walked;
+    if (m.passing) pet.push_back(m.passing->gap);
+  }
+  set(Figure::kPet, median(pet));
+  set(Figure::kTtc, median(of([](const Measures& m) { return m.least_ttc; })));
+  return f;
+}
+
+bool counts(const PersonTrack& track) {
+  return static_cast<int>(track.places.size()) > kLeastFrames &&
+         (track.places.back() - track.places.front()).norm() >= kLeastWay;
+}
+
+/// What does not depend on the model: recorded measures, and the clearance of straight walking.
+static std::vector<ScoredPerson> recorded_persons(const std::vector<Clip>& clips, std::size_t c) {
+  ReplayModel straight;
+  straight.kind = ReplayModel::Kind::kStraight;
+  const Clip& clip = clips[c];
+  const std::vector<Polyline> ways = replay(clip, straight, 0);
+  std::vector<ScoredPerson> persons;
+  for (std::size_t i = 0; i < clip.persons.size(); ++i) {
+    const PersonTrack& track = clip.persons[i];
+    if (!counts(track)) continue;
+    ScoredPerson person;
+    person.clip = static_cast<std::uint32_t>(c);
+    person.person = static_cast<std::uint32_t>(i);
+    person.recorded = measure(clip, track, track.places);
+    person.straight_clearance = measure(clip, track, ways[i]).clearance;
+    persons.push_back(person);
+  }
+  return persons;
+}
+
+ScoredRuns score(const std::vector<Clip>& clips, const ReplayModel& model, int seeds) {
+  const std::size_t runs = static_cast<std::size_t>(seeds);
+  std::vector<std::vector<ScoredPerson>> recorded(clips.size()), parts(clips.size() * runs);
+  oneapi::tbb::parallel_for(std::size_t{0}, clips.size(),
+                            [&](std::size_t c) { recorded[c] = recorded_persons(clips, c); });
+  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) {
+    const std::size_t c = k % clips.size();
+    const Clip& clip = clips[c];
+    const std::vector<Polyline> ways = replay(clip, model, k / clips.size() + 1);
+    parts[k] = recorded[c];
+    for (ScoredPerson& person : parts[k]) {
+      person.walked = measure(clip, clip.persons[person.person], ways[person.person]);
+    }
+  });
+  ScoredRuns scored(runs);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    std::vector<ScoredPerson>& run = scored[k / clips.size()];
+    run.insert(run.end(), parts[k].begin(), parts[k].end());
+  }
+  return scored;
+}
+
+}  // namespace pedzone
