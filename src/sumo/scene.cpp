@@ -1,7 +1,8 @@
 #include "sumo/scene.hpp"
 
+#include <algorithm>
+
 #include "sumo/api.hpp"
-#include "sumo/frames.hpp"
 
 namespace pedzone {
 
@@ -21,18 +22,25 @@ Scene SceneReader::read(double time) {
           [this](std::size_t person, std::size_t vehicle) { return aware(person, vehicle); }};
 }
 
+/// Reading people from SUMO is dear: what is known of them has to do, and only who is exactly at a
+/// vehicle's front, as SUMO places those who ride, is asked for.
 void SceneReader::add_bystanders() {
+  fronts_.clear();
+  for (const FleetVehicle& vehicle : fleet_.vehicles()) {
+    fronts_.emplace_back(vehicle.front.x(), vehicle.front.y());
+  }
+  std::sort(fronts_.begin(), fronts_.end());
   std::vector<Bystander>& all = takeover_.bystanders().all();
   ridden_.clear();
   ridden_.reserve(all.size());  // samples point into it
   for (Bystander& person : all) {
     if (person.guest || !person.near) continue;
-    ridden_.push_back(api::Person::getVehicle(person.id));
+    const std::pair place(person.position.x(), person.position.y());
+    const bool at_front = std::binary_search(fronts_.begin(), fronts_.end(), place);
+    if (at_front) ridden_.push_back(api::Person::getVehicle(person.id));
     if (person.radius == 0.0) person.radius = body_radius(person.id);
-    const double heading = radians_from_sumo(api::Person::getAngle(person.id));
-    const Vec2 velocity = unit(heading) * api::Person::getSpeed(person.id);
-    persons_.push_back(
-        {person.id, person.position, velocity, heading, person.radius, ridden_.back()});
+    persons_.push_back({person.id, person.position, person.velocity, person.heading, person.radius,
+                        at_front ? std::string_view(ridden_.back()) : ""});
   }
 }
 

@@ -37,7 +37,8 @@ class SceneReader {
   const std::vector<std::unique_ptr<Crowd>>& crowds_;
   std::vector<PersonSample> persons_;
   std::vector<VehicleSample> vehicles_;
-  std::vector<std::string> ridden_;  ///< vehicles of those who ride
+  std::vector<std::pair<double, double>> fronts_;  ///< [m] x, y of vehicles' reference points
+  std::vector<std::string> ridden_;                ///< vehicles of those who ride
 };
 
 }  // namespace pedzone
