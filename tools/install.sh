@@ -14,7 +14,7 @@ packages=(
   libeigen3-dev                     # vectors
   libfmt-dev                        # text
   libcli11-dev                      # command line
-  libpugixml-dev zlib1g-dev         # SUMO's XML, plain and compressed
+  libpugixml-dev libexpat1-dev zlib1g-dev  # SUMO's XML, held and streamed, plain and compressed
   nlohmann-json3-dev                # summaries
   libtbb-dev                        # threads
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks

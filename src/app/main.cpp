@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/conflicts.hpp"
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
 #include "app/run.hpp"
@@ -36,6 +37,7 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--trajectories", options.trajectories,
                           "Write time,id,x,y,vx,vy,heading,activity of each person and step");
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
+  add_conflict_options(*run_command, options.conflicts);
   run_command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
   run_command->callback([&options, &code] { code = run(options); });
 }
@@ -56,15 +58,40 @@ void add_parameters(CLI::App& app) {
       ->callback([] { fmt::print("{}", parameter_table()); });
 }
 
+void add_conflicts(CLI::App& app, ConflictsOptions& options, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "conflicts", "Measure conflicts of persons and vehicles in SUMO's floating-car data");
+  command->footer(
+      "Examples:\n"
+      "  sumo -c town.sumocfg --fcd-output fcd.xml.gz\n"
+      "  pedzone conflicts fcd.xml.gz --scenario town.sumocfg --conflict-output conflicts.xml\n\n"
+      "The same measures as `pedzone run --conflict-output`, whoever walked the persons. SUMO\n"
+      "writes positions to 0.01 m; its option --precision 4 makes the measures smoother.\n"
+      "Exit codes: 0 done, 2 input at fault.");
+  command->add_option("fcd", options.fcd, "SUMO's fcd-output, gzipped or not")->required();
+  command->add_option("--scenario", options.scenario,
+                      "SUMO configuration whose files tell how large vehicles and persons are");
+  command->add_option("--vtypes", options.types, "More route or additional files that tell it")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--treat-as-person", options.as_persons,
+                   "Types of vehicles that count as persons, e.g. wheelchairs")
+      ->allow_extra_args(false);
+  add_conflict_options(*command, options.conflicts);
+  command->callback([&options, &code] { code = conflicts(options); });
+}
+
 int command_line(int argc, char** argv) {
   CLI::App app{"pedzone walks the pedestrians of a SUMO simulation through shared space"};
   app.set_version_flag("--version", PEDZONE_VERSION);
   app.require_subcommand(1);
   RunOptions run_options;
   InspectOptions inspect_options;
+  ConflictsOptions conflicts_options;
   int code = 0;
   add_run(app, run_options, code);
   add_inspect(app, inspect_options, code);
+  add_conflicts(app, conflicts_options, code);
   add_parameters(app);
   add_validate(app, code);
   add_calibrate(app, code);

@@ -11,6 +11,7 @@
 #include "app/progress.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
+#include "conflict/tracker.hpp"
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
 #include "output/trajectory_writer.hpp"
@@ -35,6 +36,9 @@ struct Outputs {
   std::unique_ptr<TrajectoryWriter> trajectories;
   std::unique_ptr<CompleteFile> picture;
   PathRecorder paths;
+  std::unique_ptr<ConflictWriter> conflicts;
+  std::unique_ptr<ConflictTracker> tracker;
+  std::vector<Conflict> over;
 
   explicit Outputs(const RunOptions& options) {
     if (!options.summary.empty()) {
@@ -46,10 +50,27 @@ struct Outputs {
     if (!options.picture.empty()) {
       picture = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
     }
+    if (options.conflicts.wanted()) {
+      conflicts = std::make_unique<ConflictWriter>(options.conflicts.paths());
+      tracker = std::make_unique<ConflictTracker>(options.conflicts.limits);
+    }
+  }
+
+  void observe(Simulation& simulation) {
+    if (!tracker) return;
+    simulation.observe([this](const Scene& scene) {
+      tracker->step(scene.time, scene.persons, scene.vehicles, scene.aware, over);
+    });
+  }
+
+  void write_conflicts() {
+    for (const Conflict& conflict : over) conflicts->write(conflict);
+    over.clear();
   }
 
   /// `time` [s] before the step, by which SUMO's own outputs name a step's result.
   void step(double time, const Simulation& simulation) {
+    if (tracker) write_conflicts();
     if (picture) paths.observe(simulation);
     if (!trajectories) return;
     for (const Guest& guest : simulation.guests()) {
@@ -60,6 +81,11 @@ struct Outputs {
   void finish(const Simulation& simulation, const RunSummary& totals) {
     if (summary) summary->write(summary_json(totals));
     if (picture) picture->write(paths.picture(simulation));
+    if (tracker) {
+      tracker->finish(over);
+      write_conflicts();
+      conflicts->finish();
+    }
     if (trajectories) trajectories->finish();
     if (picture) picture->finish();
     if (summary) summary->finish();
@@ -74,6 +100,7 @@ void simulate(const RunOptions& options) {
   const SimulationOptions prepared = prepare(options);
   Outputs outputs(options);
   Simulation simulation(prepared);
+  outputs.observe(simulation);
   for (const Zone& zone : simulation.zones()) {
     if (!zone.warnings.empty()) {
       fmt::print(stderr, "Zone '{}': {} warnings about its shape; `pedzone inspect` lists them.\n",
@@ -98,7 +125,8 @@ void simulate(const RunOptions& options) {
 
 int run(const RunOptions& options) {
   const auto work = [&options] { return guarded([&] { simulate(options); }); };
-  return supervise(work, {options.summary, options.trajectories, options.picture});
+  return supervise(work, {options.summary, options.trajectories, options.picture,
+                          options.conflicts.xml, options.conflicts.csv});
 }
 
 }  // namespace pedzone

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/conflict_options.hpp"
+
 namespace pedzone {
 
 struct RunOptions {
@@ -15,7 +17,8 @@ struct RunOptions {
   std::optional<double> end;                   ///< [s]
   int threads = 0;                             ///< 0: all cores
   std::string summary, trajectories, picture;  ///< files to write; empty: not
-  std::vector<std::string> sumo_options;       ///< what stands after `--`
+  ConflictOptions conflicts;
+  std::vector<std::string> sumo_options;  ///< what stands after `--`
 };
 
 /// Runs and prints; returns the exit code. Errors are printed, not thrown.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/random.hpp"
+#include "crowd/awareness.hpp"
 #include "crowd/placement.hpp"
 #include "crowd/state.hpp"
 #include "crowd/step.hpp"
@@ -62,7 +63,7 @@ struct Crowd::State : CrowdState {
 
   /// Plans the way of row i from where it stands.
   void plan_way(std::size_t i, const Destination& destination) {
-    Walker& walker = walkers[i];
+    WalkState& walker = walkers[i];
     plan(zone, position(i), persons.radius[i], destination, walker.route);
     walker.planned = substep;
     walker.entered = walker.arrived = walker.gave_up = walker.waits = false;
@@ -122,7 +123,7 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   persons.radius[i] = radius;
   persons.preferred_speed[i] = preferred;
   persons.key[i] = person.key;
-  Walker& walker = state.walkers[i];
+  WalkState& walker = state.walkers[i];
   walker.handle = state.new_handle();
   state.row[walker.handle] = static_cast<std::uint32_t>(i);
   // The variation starts in its stationary state, with the number of the substep before.
@@ -172,12 +173,17 @@ void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
 PersonView Crowd::view(Handle handle) const {
   const State& state = *state_;
   const std::size_t i = state.row_of(handle);
-  const Walker& walker = state.walkers[i];
+  const WalkState& walker = state.walkers[i];
   const Activity activity = walker.waits                   ? Activity::kWaiting
                             : walker.slow >= kStandingTime ? Activity::kStanding
                                                            : Activity::kWalking;
   return {state.position(i), state.velocity(i), state.persons.heading[i],
           activity,          walker.arrived,    walker.gave_up};
+}
+
+bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {
+  const State& state = *state_;
+  return is_aware(state.persons, state.row_of(handle), vehicle, state.zone);
 }
 
 std::size_t Crowd::size() const { return state_->persons.walking; }

@@ -82,6 +82,8 @@ class Crowd {
   void step(double dt, std::span<const VehicleState> vehicles);
 
   PersonView view(Handle handle) const;
+  /// Whether the person sees or hears the vehicle.
+  bool aware_of(Handle handle, const VehicleState& vehicle) const;
   std::size_t size() const;
   std::uint64_t person_steps() const;  ///< person-substeps so far
 

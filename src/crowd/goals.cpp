@@ -28,7 +28,7 @@ void set_goals(CrowdState& crowd, double dt) {
   Persons& persons = crowd.persons;
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      Walker& walker = crowd.walkers[i];
+      WalkState& walker = crowd.walkers[i];
       if (walker.arrived) {
         persons.goal_direction[i] = persons.heading[i];
         persons.goal_distance[i] = 0.0;

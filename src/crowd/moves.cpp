@@ -48,7 +48,7 @@ void set_moves(CrowdState& crowd, double dt) {
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const Decision& decision = crowd.decisions[i];
-      Walker& walker = crowd.walkers[i];
+      WalkState& walker = crowd.walkers[i];
       walker.waits = decision.waits && !walker.arrived;
       Vec2 move = Vec2::Zero(), velocity = Vec2::Zero();
       if (!walker.arrived) {

@@ -14,7 +14,7 @@
 namespace pedzone {
 
 /// What a walked person holds beside its row in Persons: its way and its clocks.
-struct Walker {
+struct WalkState {
   Crowd::Handle handle = 0;
   Route route;
   double noise = 0.0;  ///< [rad] variation of the goal direction
@@ -57,7 +57,7 @@ struct CrowdState {
   std::unique_ptr<WalkingModel> model;
 
   Persons persons;                    ///< those pedzone walks, then, within a step, the seen
-  std::vector<Walker> walkers;        ///< of the first persons.walking rows
+  std::vector<WalkState> walkers;     ///< of the first persons.walking rows
   std::vector<std::uint32_t> row;     ///< of each handle
   std::vector<Crowd::Handle> unused;  ///< handles to give out again
   std::vector<SeenPerson> seen;

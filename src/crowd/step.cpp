@@ -64,8 +64,8 @@ void resize_rows(Persons& persons, std::size_t rows) {
 }
 
 void decide(CrowdState& crowd) {
-  const Snapshot snapshot{&crowd.persons, crowd.vehicles, &crowd.zone.walls,
-                          &crowd.zone.parameters, crowd.seed};
+  const Snapshot snapshot{&crowd.persons, crowd.vehicles, &crowd.zone.walls, &crowd.zone.parameters,
+                          crowd.seed};
   crowd.decisions.resize(crowd.persons.size());
   crowd.model->prepare(snapshot);
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {

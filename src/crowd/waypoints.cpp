@@ -142,7 +142,7 @@ class Follower {
 
   CrowdState& crowd_;
   const WallIndex& walls_;
-  Walker& walker_;
+  WalkState& walker_;
   Route& route_;
   Vec2 here_;
   double radius_;
@@ -155,7 +155,7 @@ void follow_waypoints(CrowdState& crowd, double dt) {
   Persons& persons = crowd.persons;
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      Walker& walker = crowd.walkers[i];
+      WalkState& walker = crowd.walkers[i];
       const Vec2 from(crowd.motion.x[i], crowd.motion.y[i]), to = crowd.position(i);
       walker.slow = (to - from).norm() < kStandingSpeed * dt ? walker.slow + dt : 0.0;
       if (!walker.arrived) {

@@ -26,7 +26,25 @@ constexpr double kLastMoment = 1.0;
 /// [m/s] nobody is taken to be slower, so that the time to walk as far as one sees is a number.
 constexpr double kLeastSpeed = 0.01;
 
+bool minds_discomfort(const Parameters& parameters, VehicleForm form) {
+  return form == VehicleForm::kDiscomfort && parameters.discomfort > 0.0;
+}
+
 }  // namespace
+
+Senses senses_of(const Parameters& parameters, VehicleForm form) {
+  const double half_field = parameters.field_of_view * kDegree;
+  const double vehicle_sight = minds_discomfort(parameters, form)
+                                   ? std::max(parameters.sight, parameters.vehicle_sight)
+                                   : parameters.sight;
+  Senses senses;
+  senses.sight = static_cast<float>(parameters.sight);
+  senses.vehicle_sight = static_cast<float>(vehicle_sight);
+  senses.hearing = static_cast<float>(parameters.hearing);
+  senses.field_cos = static_cast<float>(std::cos(half_field));
+  senses.field_sin = static_cast<float>(std::sin(half_field));
+  return senses;
+}
 
 /// What one thread needs while it decides; reused from person to person and step to step.
 struct HeuristicModel::Scratch {
@@ -41,16 +59,12 @@ HeuristicModel::HeuristicModel(VehicleForm form, const DirectionKernel& kernel)
 void HeuristicModel::prepare(const Snapshot& snapshot) {
   snapshot_ = snapshot;
   const Parameters& parameters = *snapshot.parameters;
-  const double half_field = parameters.field_of_view * kDegree;
-  const double vehicle_sight =
-      gives_way() ? std::max(parameters.sight, parameters.vehicle_sight) : parameters.sight;
-  senses_ = {static_cast<float>(parameters.sight), static_cast<float>(vehicle_sight),
-             static_cast<float>(parameters.hearing), static_cast<float>(std::cos(half_field)), static_cast<float>(std::sin(half_field))};
+  senses_ = senses_of(parameters, form_);
   if (candidates_.field() != parameters.candidate_field) {
     candidates_ = Candidates(parameters.candidate_field);
   }
   prepare_walls();
-  grid_.build(*snapshot.persons, origin_, parameters.sight, half_field);
+  grid_.build(*snapshot.persons, origin_, parameters.sight, parameters.field_of_view * kDegree);
   prepare_vehicles();
 }
 
@@ -155,9 +169,7 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   return decision;
 }
 
-bool HeuristicModel::gives_way() const {
-  return form_ == VehicleForm::kDiscomfort && snapshot_.parameters->discomfort > 0.0;
-}
+bool HeuristicModel::gives_way() const { return minds_discomfort(*snapshot_.parameters, form_); }
 
 HeuristicModel::Chosen HeuristicModel::give_way(std::size_t i, const Walker& self, double to_goal,
                                                 const DirectionTask& task, Scratch& scratch) const {

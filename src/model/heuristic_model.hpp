@@ -19,6 +19,10 @@ class Surroundings;
 /// discomfort that grows before contact (giving_way.hpp; none: as in the paper).
 enum class VehicleForm { kPlain, kDiscomfort };
 
+/// How far and wide people perceive by that form: those who mind discomfort see moving vehicles
+/// farther than people.
+Senses senses_of(const Parameters& parameters, VehicleForm form);
+
 class HeuristicModel : public WalkingModel {
  public:
   /// With the fastest kernel for this processor, or a given one.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sumo/api.hpp"
+#include "sumo/body_sizes.hpp"
 #include "sumo/frames.hpp"
 
 namespace pedzone {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kFastest = 40.0;  // [m/s] numerical: nobody comes nearer faster, riding included
 constexpr double kBeyondSight = 10.0;  // [m] numerical: bodies, and what comes towards somebody
+constexpr double kStanding = 0.1;      // [m/s] assumed: slower moves are no walking
 constexpr double kLatest = 1.0;  // [s] numerical: a program that embeds us may move them anyhow
 
 /// Square cells of the plane, numbered.
@@ -29,9 +31,7 @@ class Cells {
 }  // namespace
 
 double body_radius(const std::string& id) {
-  const double width = api::Person::getWidth(id);
-  const double disc = std::sqrt(std::max(0.0, width * api::Person::getLength(id)) / kPi);
-  return std::clamp(std::max(0.5 * width, disc), 0.1, 1.0);
+  return disc_radius({api::Person::getLength(id), api::Person::getWidth(id)});
 }
 
 Bystanders::Bystanders(const std::vector<Zone>& zones) : zones_(zones) {
@@ -65,7 +65,12 @@ void Bystanders::read(double time) {
 
 void Bystanders::look(Bystander& person, double time) const {
   const auto at = api::Person::getPosition(person.id);
-  person.position = {at.x, at.y};
+  const Vec2 position(at.x, at.y);
+  const double elapsed = person.looked_at < 0.0 ? 0.0 : time - person.looked_at;
+  person.velocity = elapsed > 0.0 ? Vec2((position - person.position) / elapsed) : Vec2::Zero();
+  if (person.velocity.norm() > kStanding) person.heading = angle_of(person.velocity);
+  person.looked_at = time;
+  person.position = position;
   double beyond = kFastest * kLatest;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const double distance = distances_[z].at_least(person.position);

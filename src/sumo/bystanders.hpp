@@ -20,7 +20,10 @@ struct Bystander {
   bool near = false;             ///< within sight of a zone's walkable area
   double look_at = -1.0;         ///< [s] not looked at before
   double radius = 0.0;           ///< [m] 0: not known yet
-  Vec2 position = Vec2::Zero();  ///< [m] when last looked at
+  double looked_at = -1.0;       ///< [s] when last looked at; < 0: not yet
+  Vec2 position = Vec2::Zero();  ///< [m] then
+  Vec2 velocity = Vec2::Zero();  ///< [m/s] since the time before that
+  double heading = 0.0;          ///< [rad] in which it moved last
 };
 
 class Bystanders {

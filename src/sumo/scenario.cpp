@@ -110,11 +110,16 @@ bool has_person(const std::string& name) {
 }  // namespace
 
 Scenario read_scenario(const std::string& config, const std::vector<std::string>& sumo_options) {
+  require_striping(XmlFile(config), sumo_options);
+  return read_any_scenario(config, sumo_options);
+}
+
+Scenario read_any_scenario(const std::string& config,
+                           const std::vector<std::string>& sumo_options) {
   const XmlFile file(config);
   Scenario scenario;
   scenario.config = config;
   scenario.sumo_options = sumo_options;
-  require_striping(file, sumo_options);
   const std::vector<std::string> nets = files_of(file, sumo_options, kNetFile);
   if (nets.size() != 1) {
     throw file.error("names no network", file.root(), "", "",

@@ -26,6 +26,21 @@ double number_option(const Session& session, const std::string& name) {
   return std::strtod(session.option(name).c_str(), nullptr);
 }
 
+/// Runs what talks to SUMO and turns what SUMO throws into a SumoError.
+template <typename Work>
+void translated(double time, const Work& work) {
+  try {
+    work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const SumoError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw SumoError(std::string("SUMO refused a call at ") + std::to_string(time) +
+                    " s: " + error.what());
+  }
+}
+
 }  // namespace
 
 struct Simulation::Parts {
@@ -53,6 +68,7 @@ struct Simulation::Parts {
     return made;
   }
 
+  void read(double dt);
   void walk_and_yield(double dt);
 
   Clock::time_point started = Clock::now();
@@ -67,15 +83,25 @@ struct Simulation::Parts {
   std::vector<std::unique_ptr<Crowd>> crowds;
   Takeover takeover;
   RunTotals totals;
+  SceneReader scene{fleet, takeover, crowds};
+  std::function<void(const Scene&)> observer;
+  bool stepped = false;  ///< SUMO has done a step
   std::vector<PersonAhead> people;
   std::vector<VehicleState> states;
 };
 
-/// From SUMO's present state to what it is told for its next step.
-void Simulation::Parts::walk_and_yield(double dt) {
+/// Takes in SUMO's present state and shows it.
+void Simulation::Parts::read(double dt) {
   fleet.read(dt);
   takeover.read(session.time(), fleet);
   totals.observe(fleet, takeover);
+  // SUMO's outputs name a step by the time at which it began.
+  if (observer && stepped) observer(scene.read(session.time() - dt));
+}
+
+/// From SUMO's present state to what it is told for its next step.
+void Simulation::Parts::walk_and_yield(double dt) {
+  read(dt);
   takeover.people(people);
   yielding.apply(fleet, people, dt);
   takeover.add_bystanders(people);
@@ -91,20 +117,14 @@ Simulation::Simulation(const SimulationOptions& options)
 Simulation::~Simulation() = default;
 
 void Simulation::step() {
-  try {
+  translated(time(), [this] {
     parts_->walk_and_yield(parts_->session.step_length());
     const Clock::time_point before = Clock::now();
     parts_->session.step();
+    parts_->stepped = true;
     parts_->sumo_seconds += seconds_since(before);
     parts_->totals.count_persons();
-  } catch (const InputError&) {
-    throw;
-  } catch (const SumoError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw SumoError(std::string("SUMO refused a call at ") + std::to_string(time()) +
-                    " s: " + error.what());
-  }
+  });
 }
 
 bool Simulation::finished() const {
@@ -112,7 +132,17 @@ bool Simulation::finished() const {
   return end >= 0.0 ? parts_->session.time() >= end : parts_->session.nobody_left();
 }
 
-void Simulation::close() { parts_->session.close(); }
+void Simulation::observe(std::function<void(const Scene&)> observer) {
+  parts_->observer = std::move(observer);
+}
+
+void Simulation::close() {
+  if (parts_->observer) {
+    translated(time(), [this] { parts_->read(parts_->session.step_length()); });
+  }
+  parts_->session.close();
+}
+
 double Simulation::time() const { return parts_->session.time(); }
 double Simulation::end_time() const { return parts_->session.end_time(); }
 const std::vector<Zone>& Simulation::zones() const { return parts_->zones; }

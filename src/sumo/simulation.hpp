@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sumo/run_totals.hpp"
+#include "sumo/scene.hpp"
 #include "sumo/session.hpp"
 
 namespace pedzone {
@@ -31,6 +32,9 @@ class Simulation {
 
   /// One SUMO step. Throws SumoError.
   void step();
+  /// From now on shows every step of SUMO's, as soon as its outcome is read: the last one with
+  /// close(). One observer; it must not call the simulation.
+  void observe(std::function<void(const Scene&)> observer);
   /// Whether SUMO's end time is reached, or, without one, nobody is left.
   bool finished() const;
   /// Ends SUMO so that its outputs are complete. Throws SumoError.

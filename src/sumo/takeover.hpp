@@ -63,6 +63,7 @@ class Takeover {
 
   const std::vector<Guest>& guests() const { return guests_; }
   const WalkTotals& totals() const { return totals_; }
+  Bystanders& bystanders() { return bystanders_; }
   /// The guests as vehicles see them.
   void people(std::vector<PersonAhead>& out) const;
   /// Adds those near a zone whom SUMO walks.

@@ -5,6 +5,11 @@ namespace {
 
 using P = Parameters;
 
+// What `pedzone calibrate` found, with its scores.
+#define calibrated(key, value) constexpr double calibrated_##key = value;
+#include "world/calibrated.inc"
+#undef calibrated
+
 constexpr ParameterInfo kParameters[] = {
     {"sight", &P::sight, 10.0, 1.0, 50.0, "m", "how far a person sees: d_max of Eq. 1 and 2",
      "Moussaid 2011"},
@@ -38,18 +43,22 @@ constexpr ParameterInfo kParameters[] = {
     {"vehicleSight", &P::vehicle_sight, 25.0, 1.0, 100.0, "m",
      "how far a moving vehicle is seen by those who give way by discomfort (at least sight)",
      "assumed: 4 s before a vehicle at 5 m/s"},
-    {"discomfort", &P::discomfort, 2.0, 0.0, 100.0, "",
-     "k: weight of the discomfort near moving vehicles; 0: vehicles as in the paper", "calibrated"},
-    {"discomfortMargin", &P::discomfort_margin, 0.3, 0.0, 10.0, "m",
-     "m0: clearance to a vehicle below which discomfort begins ...", "calibrated"},
-    {"discomfortMarginTime", &P::discomfort_margin_time, 0.7, 0.0, 10.0, "s",
-     "m_v: ... and by how much more for each m/s of the vehicle", "calibrated"},
-    {"discomfortHorizon", &P::discomfort_horizon, 4.0, 0.0, 20.0, "s",
-     "T: how far ahead in time discomfort is foreseen", "calibrated"},
-    {"slowingCost", &P::slowing_cost, 0.25, 0.0, 100.0, "",
-     "w: what slowing down costs against going round", "calibrated"},
-    {"marginSpread", &P::margin_spread, 0.25, 0.0, 2.0, "",
-     "sigma: by how much people differ in that margin (of its logarithm)", "calibrated"},
+    {"discomfort", &P::discomfort, calibrated_discomfort, 0.0, 100.0, "",
+     "k: weight of the discomfort near moving vehicles; 0: vehicles as in the paper",
+     "calibrated (pedzone calibrate)"},
+    {"discomfortMargin", &P::discomfort_margin, calibrated_discomfortMargin, 0.0, 10.0, "m",
+     "m0: clearance to a vehicle below which discomfort begins ...",
+     "calibrated (pedzone calibrate)"},
+    {"discomfortMarginTime", &P::discomfort_margin_time, calibrated_discomfortMarginTime, 0.0, 10.0,
+     "s", "m_v: ... and by how much more for each m/s of the vehicle",
+     "calibrated (pedzone calibrate)"},
+    {"discomfortHorizon", &P::discomfort_horizon, calibrated_discomfortHorizon, 0.0, 20.0, "s",
+     "T: how far ahead in time discomfort is foreseen", "calibrated (pedzone calibrate)"},
+    {"slowingCost", &P::slowing_cost, calibrated_slowingCost, 0.0, 100.0, "",
+     "w: what slowing down costs against going round", "calibrated (pedzone calibrate)"},
+    {"marginSpread", &P::margin_spread, calibrated_marginSpread, 0.0, 2.0, "",
+     "sigma: by how much people differ in that margin (of its logarithm)",
+     "calibrated (pedzone calibrate)"},
     {"yieldGap", &P::yield_gap, 1.0, 0.0, 10.0, "m",
      "gap at which a yielding vehicle stops before a person in its way", "assumed"},
     {"yieldMargin", &P::yield_margin, 0.2, 0.0, 3.0, "m",

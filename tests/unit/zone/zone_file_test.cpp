@@ -105,7 +105,7 @@ TEST_F(ZoneFile, names_line_element_value_and_what_is_allowed) {
               HasSubstr("2: <zone id=\"a\">: 'openspace' is an unknown attribute; allowed: id, "
                         "edges, edgeTypes, lanes, polygons, openSpace, model"));
   EXPECT_EQ(error("<zones>\n<zone id=\"a\" model=\"orca\"/></zones>"),
-            "2: <zone id=\"a\"> attribute model: 'orca' is no walking model; allowed: heuristic");
+            "2: <zone id=\"a\"> attribute model: 'orca' is no walking model; allowed: heuristic, plain");
   EXPECT_THAT(error("<zones><zone id=\"a\">\n<param key=\"site\" value=\"3\"/></zone></zones>"),
               HasSubstr("2: <param> attribute key: 'site' is no parameter; allowed: sight, "));
 }

@@ -1,0 +1,99 @@
+#include "conflict/encounter.hpp"
+
+#include <cmath>
+
+namespace pedzone {
+namespace {
+
+constexpr double kSameStep = 1e-6;  // [s] numerical: rounding of times
+
+Extreme extreme(const Meeting& meeting, double value, double time, const Vec2& position) {
+  return {value,
+          time,
+          position,
+          meeting.type,
+          meeting.person_velocity.norm(),
+          meeting.vehicle_velocity.norm(),
+          (meeting.person_velocity - meeting.vehicle_velocity).norm()};
+}
+
+/// The point of contact after `ttc` [s], in the plane.
+Vec2 contact_place(const Meeting& meeting, double ttc) {
+  return meeting.centre + meeting.vehicle_velocity * ttc +
+         from_frame(meeting.axis, contact_point(meeting.approach, ttc));
+}
+
+}  // namespace
+
+EncounterType type_of(const Approach& approach, double person_direction, double vehicle_direction,
+                      bool vehicle_stands) {
+  if (vehicle_stands) return EncounterType::kParked;
+  const double turn = wrap_angle(person_direction - vehicle_direction);
+  if (std::abs(turn) > kPi - kSameWay) return EncounterType::kHeadOn;
+  if (std::abs(turn) >= kSameWay) {
+    return turn < 0.0 ? EncounterType::kCrossingLeft : EncounterType::kCrossingRight;
+  }
+  const bool ahead = approach.at.x() * (approach.speed < 0.0 ? -1.0 : 1.0) >= 0.0;
+  return ahead ? EncounterType::kFromBehind : EncounterType::kFollowing;
+}
+
+void Encounter::record(const Meeting& meeting, const std::function<std::optional<bool>()>& aware) {
+  if (!started_) conflict.begin = meeting.time;
+  conflict.end = meeting.time;
+  if (!noticed_.value_or(false)) noticed_ = aware();
+  record_contact_course(meeting);
+  record_closeness(meeting);
+  started_ = true;
+}
+
+void Encounter::record_contact_course(const Meeting& meeting) {
+  if (meeting.braking && !conflict.braking) {
+    const bool just_before = last_ttc_ && std::abs(last_ttc_->time - meeting.before) < kSameStep;
+    if (just_before) {
+      conflict.braking = last_ttc_;  // braking began with the step
+    } else if (meeting.ttc) {
+      conflict.braking = Reaction{*meeting.ttc, meeting.time};
+    }
+  }
+  if (!meeting.ttc) return;
+  const double ttc = *meeting.ttc;
+  last_ttc_ = Reaction{ttc, meeting.time};
+  if (!conflict.detection) conflict.detection = last_ttc_;
+  const Vec2 place = contact_place(meeting, ttc);
+  if (!conflict.ttc || ttc < conflict.ttc->value) {
+    conflict.ttc = extreme(meeting, ttc, meeting.time, place);
+    conflict.aware = noticed_;
+    if (!conflict.contact) conflict.type = meeting.type;
+  }
+  const auto drac = deceleration_to_avoid(meeting.approach);
+  if (drac && (!conflict.drac || *drac > conflict.drac->value)) {
+    conflict.drac = extreme(meeting, *drac, meeting.time, place);
+  }
+}
+
+void Encounter::record_closeness(const Meeting& meeting) {
+  const Closest& closest = meeting.closest;
+  if (!conflict.clearance || closest.clearance < conflict.clearance->value) {
+    conflict.clearance = extreme(meeting, closest.clearance, meeting.time, meeting.person);
+    if (!conflict.ttc) {
+      conflict.aware = noticed_;
+      if (!conflict.pet) conflict.type = meeting.type;
+    }
+  }
+  if (meeting.passing && (!conflict.pet || meeting.passing->pet() < conflict.pet->value)) {
+    const Passing& passing = *meeting.passing;
+    conflict.pet = extreme(meeting, passing.pet(), meeting.time, passing.place);
+    conflict.first = passing.gap > 0.0   ? First::kVehicle
+                     : passing.gap < 0.0 ? First::kPerson
+                                         : First::kUnknown;
+    if (!conflict.ttc) conflict.type = meeting.type;
+  }
+  if (closest.touch && !conflict.contact) {
+    const double time = meeting.before + (meeting.time - meeting.before) * *closest.touch;
+    conflict.contact = extreme(meeting, 0.0, time, contact_place(meeting, 0.0));
+    conflict.contact->value = conflict.contact->relative_speed;
+    conflict.type = meeting.type;
+  }
+}
+
+}  // namespace pedzone

@@ -1,0 +1,15 @@
+// Text that comes from users, made safe for the files it is written to.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace pedzone {
+
+/// As a value of an XML attribute. Characters that XML does not know become U+FFFD.
+std::string xml_value(std::string_view text);
+
+/// As a field of a CSV file: quoted as in RFC 4180 where it holds commas, quotes or line ends.
+std::string csv_field(std::string_view text);
+
+}  // namespace pedzone

@@ -1,0 +1,24 @@
+#include "crowd/awareness.hpp"
+
+#include <cmath>
+
+#include "model/heuristic_model.hpp"
+
+namespace pedzone {
+
+bool is_aware(const Persons& persons, std::size_t i, const VehicleState& vehicle,
+              const Zone& zone) {
+  const LatticeOrigin origin{to_lattice(vehicle.centre.x()), to_lattice(vehicle.centre.y())};
+  const VehicleForm form = zone.model == "plain" ? VehicleForm::kPlain : VehicleForm::kDiscomfort;
+  const Senses senses = senses_of(zone.parameters, form);
+  Walker walker;
+  walker.at = to_lattice(persons.x[i], persons.y[i], origin);
+  walker.heading = persons.heading[i];
+  walker.heading_cos = static_cast<float>(std::cos(walker.heading));
+  walker.heading_sin = static_cast<float>(std::sin(walker.heading));
+  walker.radius = static_cast<float>(persons.radius[i]);
+  const VehicleShape shape = shape_of(vehicle, origin);
+  return awareness(view_of(shape, walker), walker, senses) != Awareness::kNone;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,41 @@
+// How long and wide the bodies of a scenario are, from its own files: floating-car data names only
+// vehicles' types.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace pedzone {
+
+struct BodySize {
+  double length, width;  ///< [m] > 0
+};
+
+/// A person's body as a disc [m]: as large as its rectangle and never narrower than it is.
+double disc_radius(const BodySize& size);
+
+class BodySizes {
+ public:
+  /// Knows SUMO's default types.
+  BodySizes();
+
+  /// Takes in the types, and persons' types, of a route or additional file, which may be large.
+  /// What a type leaves open is the default of its vClass. Throws InputError.
+  void read(const std::string& file);
+
+  /// Size of a type; nothing where it is not known. A type that a program has derived for one
+  /// vehicle ("van@car7") is as large as what it comes from; a distribution as its first member.
+  std::optional<BodySize> of_type(std::string_view type) const;
+  /// Size of a person: of its type where the files name one (also for those of a flow), else of
+  /// SUMO's default type.
+  BodySize of_person(std::string_view person) const;
+
+ private:
+  std::unordered_map<std::string, BodySize> types_;
+  std::unordered_map<std::string, std::string> first_of_;  ///< distribution -> its first type
+  std::unordered_map<std::string, std::string> persons_;   ///< person or flow -> type
+};
+
+}  // namespace pedzone

@@ -1,0 +1,228 @@
+#!/usr/bin/python3
+"""`pedzone conflicts` and `pedzone run --conflict-output`: what they write, that both say the same of
+a run, and every kind of bad input.
+
+usage: test_conflicts.py PEDZONE_PROGRAM
+"""
+
+import csv
+import gzip
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+from tiny_scenario import TinyScenario, sumo_environment
+
+PEDZONE = None  # set from the command line
+
+# A car drives east at 8 m/s; a person stands in its way, 12 m ahead of it at the last step.
+STEP = """<timestep time="{time:.2f}">
+  <vehicle id="car" x="{x:.2f}" y="0.00" angle="90.00" type="van" speed="8.00"/>
+  <person id="{person}" x="30.00" y="0.00" angle="0.00" speed="0.00"/></timestep>
+"""
+TYPES = '<routes><vType id="van" length="6" width="2"/></routes>'
+
+
+def fcd(person="p", steps=10):
+    return "<fcd-export>\n" + "".join(
+        STEP.format(time=0.1 * i, x=10 + 0.8 * i, person=person) for i in range(steps)
+    ) + "</fcd-export>\n"
+
+
+class Conflicts(unittest.TestCase):
+    def setUp(self):
+        self.directory = tempfile.TemporaryDirectory()
+        self.folder = Path(self.directory.name)
+        self.write("types.rou.xml", TYPES)
+        self.write("fcd.xml", fcd())
+
+    def tearDown(self):
+        self.directory.cleanup()
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+
+    def call(self, *words):
+        return subprocess.run(list(map(str, words)), cwd=self.folder, text=True,
+                              capture_output=True, timeout=120, env=sumo_environment())
+
+    def measure(self, *words, file="fcd.xml"):
+        return self.call(PEDZONE, "conflicts", file, "--vtypes", "types.rou.xml",
+                         "--conflict-output", "out/c.xml", "--conflict-csv", "out/c.csv", *words)
+
+    def conflicts(self):
+        return ET.parse(self.folder / "out/c.xml").getroot().findall("conflict")
+
+    def rows(self, name="out/c.csv"):
+        with open(self.folder / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def refused(self, done, *fragments):
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        errors = [line for line in done.stderr.splitlines() if line.startswith("Error: ")]
+        self.assertEqual(len(errors), 1, done.stderr)
+        for fragment in fragments:
+            self.assertIn(fragment, done.stderr)
+        left = [str(path) for path in (self.folder / "out").rglob("*") if path.is_file()]
+        self.assertEqual(left, [], "outputs are complete or absent")
+
+    # What is written
+
+    def test_measures(self):
+        done = self.measure()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (conflict,) = self.conflicts()
+        # At the last step the front is at 17.2 m; the person's disc begins at 30 - 0.239 m.
+        ttc = (30 - 0.239 - 17.2) / 8
+        self.assertEqual(conflict.get("person"), "p")
+        self.assertEqual(conflict.get("vehicle"), "car")
+        self.assertIsNone(conflict.get("aware"), "not known")
+        self.assertAlmostEqual(float(conflict.find("minTTC").get("value")), ttc, delta=0.01)
+        self.assertEqual(conflict.find("minTTC").get("time"), "0.90")
+        self.assertAlmostEqual(float(conflict.find("maxDRAC").get("value")), 8 / 2 / ttc, delta=0.03)
+        self.assertAlmostEqual(float(conflict.find("PCT").get("value")), ttc + 0.9, delta=0.01)
+        self.assertIsNone(conflict.find("contact"))
+        (row,) = self.rows()
+        self.assertEqual(row["minTTC"], conflict.find("minTTC").get("value"))
+        self.assertEqual(row["contact"], "")
+
+    def test_compressed(self):
+        with gzip.open(self.folder / "fcd.xml.gz", "wt") as file:
+            file.write(fcd())
+        self.assertEqual(self.measure(file="fcd.xml.gz").returncode, 0)
+        self.assertEqual(len(self.conflicts()), 1)
+
+    def test_hostile_ids(self):
+        self.write("fcd.xml", fcd("&lt;a b=&quot;1&quot;,&#10;&amp;c&gt;"))
+        self.assertEqual(self.measure().returncode, 0)
+        self.assertEqual(self.conflicts()[0].get("person"), '<a b="1",\n&c>')
+        self.assertEqual(self.rows()[0]["person"], '<a b="1",\n&c>')
+
+    def test_limits(self):
+        self.assertEqual(self.measure("--conflict-ttc", "1", "--conflict-drac", "9").returncode, 0)
+        self.assertEqual(self.conflicts(), [])
+
+    def test_vehicles_as_persons(self):
+        text = fcd().replace('<person id="p"', '<vehicle id="p" type="chair"')
+        self.write("fcd.xml", text)
+        self.write("types.rou.xml", TYPES.replace(
+            "</routes>", '<vType id="chair" length="1" width="0.6"/></routes>'))
+        self.assertEqual(self.measure("--treat-as-person", "chair").returncode, 0)
+        self.assertEqual(self.conflicts()[0].get("person"), "p")
+
+    def test_run_and_its_floating_car_data_say_the_same(self):
+        tiny = TinyScenario(self.folder)
+        demand = '<vType id="van" length="6" width="2" maxSpeed="4"/>'
+        for i in range(90):
+            way = 'from="west" to="east"' if i % 2 else 'from="east" to="west"'
+            demand += f'<person id="p{i}" depart="{i}"><walk {way}/></person>'
+            if i % 12 == 10:
+                demand += (f'<vehicle id="v{i}" type="van" depart="{i}">'
+                           '<route edges="west shared east"/></vehicle>')
+        tiny.write("tiny.rou.xml", f"<routes>{demand}</routes>")
+        config = tiny.config()
+        everything = ("--conflict-ttc", "60", "--conflict-pet", "60")  # no pair at a limit's edge
+        done = self.call(PEDZONE, "run", config, "--conflict-csv", "run.csv", *everything, "--",
+                         "--fcd-output", "run.fcd.xml", "--precision", "4", "--step-length", "0.1",
+                         "--default.action-step-length", "0.1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.call(PEDZONE, "conflicts", "run.fcd.xml", "--scenario", config,
+                         "--conflict-csv", "fcd.csv", *everything)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run, measured = ({(row["person"], row["vehicle"]): row for row in self.rows(name)}
+                         for name in ("run.csv", "fcd.csv"))
+        # A run sees who is near the zone: the shared street, from x = 60 to 120 m.
+        pairs = [pair for pair, row in run.items() if 70 < float(row["minClearance_x"]) < 110
+                 and (float(row["minTTC"] or 60) < 4 or float(row["PET"] or 60) < 4)]
+        self.assertGreater(len(pairs), 8)
+        self.assertEqual([pair for pair in pairs if pair not in measured], [])
+        self.assertIn("true", {run[pair]["aware"] for pair in pairs})
+        # Places are the same; directions are estimated from the way gone, so that some pairs fall on
+        # another side of what counts as the same way, or have their extreme at another moment.
+        for name, tolerance in (("minClearance", 0.02), ("PET", 0.1), ("minTTC", 0.2),
+                                ("maxDRAC", 0.2)):
+            differences = []
+            for pair in pairs:
+                a, b = run[pair][name], measured[pair][name]
+                if a and b:
+                    differences.append(abs(float(a) - float(b)))
+            differences.sort()
+            self.assertGreater(len(differences), 10)
+            self.assertLess(differences[len(differences) * 8 // 10], tolerance, name)
+
+    # Bad input
+
+    def test_no_output_asked_for(self):
+        self.refused(self.call(PEDZONE, "conflicts", "fcd.xml"), "--conflict-output")
+
+    def test_missing_file(self):
+        self.refused(self.measure(file="gone.xml"), "gone.xml", "cannot be opened")
+
+    def test_no_xml(self):
+        self.write("fcd.xml", "time,id,x,y\n0,p,1,2\n")
+        self.refused(self.measure(), "fcd.xml:1", "not well-formed")
+
+    def test_another_output(self):
+        self.write("fcd.xml", "<tripinfos>\n</tripinfos>")
+        self.refused(self.measure(), "fcd.xml:1", "tripinfos", "fcd-export")
+
+    def test_broken_off(self):
+        self.write("fcd.xml", fcd()[:-20])
+        self.refused(self.measure(), "fcd.xml:", "not well-formed")
+
+    def test_compressed_and_broken_off(self):
+        data = gzip.compress(fcd(steps=500).encode())
+        (self.folder / "fcd.xml.gz").write_bytes(data[:len(data) // 2])
+        self.refused(self.measure(file="fcd.xml.gz"), "fcd.xml.gz")
+
+    def test_no_number(self):
+        self.write("fcd.xml", fcd().replace('y="0.00" angle="90.00"', 'y="north" angle="90.00"', 1))
+        self.refused(self.measure(), "fcd.xml:3", 'id="car"', "y", "north", "number")
+
+    def test_out_of_range(self):
+        self.write("fcd.xml", fcd().replace('angle="0.00"', 'angle="1000"', 1))
+        self.refused(self.measure(), "fcd.xml:4", 'id="p"', "angle", "1000", "-360 to 360")
+
+    def test_missing_attribute(self):
+        self.write("fcd.xml", fcd().replace(' speed="8.00"', ""))
+        self.refused(self.measure(), "fcd.xml:3", "speed", "missing")
+
+    def test_time_runs_backwards(self):
+        self.write("fcd.xml", fcd().replace('time="0.50"', 'time="0.30"'))
+        self.refused(self.measure(), "fcd.xml:17", "time", "0.30", "not later")
+
+    def test_one_id_twice_in_a_step(self):
+        self.write("fcd.xml", fcd().replace('<person id="p"', '<vehicle type="van" id="car"', 1))
+        self.refused(self.measure(), "fcd.xml:4", "car", "twice")
+
+    def test_unknown_type(self):
+        self.write("types.rou.xml", "<routes/>")
+        self.refused(self.measure(), "fcd.xml:3", 'id="car"', "type", "van", "--vtypes")
+
+    def test_bad_size(self):
+        self.write("types.rou.xml", TYPES.replace('"6"', '"long"'))
+        self.refused(self.measure(), "types.rou.xml:1", 'id="van"', "length", "long")
+
+    def test_unknown_type_as_person(self):
+        self.refused(self.measure("--treat-as-person", "chair"), "--treat-as-person", "chair")
+
+    def test_missing_scenario(self):
+        self.refused(self.measure("--scenario", "gone.sumocfg"), "gone.sumocfg")
+
+    def test_limit_out_of_range(self):
+        done = self.measure("--conflict-ttc", "-1")
+        self.refused(done, "--conflict-ttc")
+
+    def test_output_that_cannot_be_written(self):
+        self.write("out", "a file, not a folder")
+        done = self.measure()
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--conflict-output", done.stderr)
+
+
+if __name__ == "__main__":
+    PEDZONE = str(Path(sys.argv.pop(1)).resolve())
+    unittest.main()

@@ -1,0 +1,92 @@
+// PET by hand: a vehicle of 4 by 2 m that drives east along y = 0, a person of radius 0.26 m (0.25
+// m and what is left of a touch) that walks north along x = 0.
+#include "conflict/passing.hpp"
+
+#include <gmock/gmock.h>
+
+namespace pedzone {
+namespace {
+
+constexpr double kStep = 0.5;  // [s] between two poses
+const Sizes kSizes{2.0, 1.0, 0.25 + kTouch};
+
+struct Pair {
+  Trail<PersonPose> person;
+  Trail<VehiclePose> vehicle;
+};
+
+/// PET of the whole: the least over all steps. The vehicle's centre is at x = v (t - t_vehicle),
+/// the person at y = u (t - t_person).
+std::optional<Passing> pet(double t_vehicle, double v, double t_person, double u,
+                           double person_direction = kPi / 2.0, double last = 20.0) {
+  Pair pair;
+  std::optional<Passing> best;
+  for (double t = 0.0; t <= last; t += kStep) {
+    const Vec2 at = u * (t - t_person) * unit(person_direction), centre(v * (t - t_vehicle), 0.0);
+    pair.person.push({at, t, static_cast<float>(u * t), static_cast<float>(person_direction)},
+                     t - 10.0);
+    pair.vehicle.push({t, centre, Vec2::UnitX(), v * t, 0.0F}, t - 10.0);
+    const auto found = latest_passing(pair.person, pair.vehicle, kSizes);
+    if (found && (!best || found->pet() < best->pet())) best = found;
+  }
+  return best;
+}
+
+TEST(PostEncroachmentTime, vehicle_first) {
+  // Its rear leaves the person's strip, x = 0.25, at 5 + 2.25/4 s; the person's rim enters the
+  // vehicle's, y = -1 - 0.25, at 10 - 1.25/1 s.
+  const auto found = pet(5.0, 4.0, 10.0, 1.0);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->gap, (10.0 - 1.25) - (5.0 + 2.25 / 4.0), 0.05);  // corners of the octagon
+}
+
+TEST(PostEncroachmentTime, person_first) {
+  const auto found = pet(10.0, 4.0, 5.0, 1.0);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->gap, -((10.0 - 2.25 / 4.0) - (5.0 + 1.25)), 0.05);
+}
+
+TEST(PostEncroachmentTime, is_zero_in_contact) {
+  const auto found = pet(5.0, 4.0, 5.2, 1.0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->gap, 0.0);
+}
+
+TEST(PostEncroachmentTime, needs_ways_that_meet) {
+  EXPECT_EQ(pet(5.0, 4.0, 15.0, 1.0, kPi / 2.0, 12.0), std::nullopt);  // not there yet
+}
+
+TEST(PostEncroachmentTime, does_not_count_who_follows) {
+  EXPECT_EQ(pet(5.0, 2.0, 8.0, 2.0, 0.0), std::nullopt);
+  EXPECT_NE(pet(5.0, 2.0, 8.0, 2.0, kPi), std::nullopt);  // the same way towards each other
+}
+
+TEST(PostEncroachmentTime, of_a_person_who_has_stood_there) {
+  Trail<PersonPose> person;
+  Trail<VehiclePose> vehicle;
+  std::optional<Passing> best;
+  for (double t = 0.0; t <= 12.0; t += kStep) {
+    // Stands in the way until 4 s, then walks out of it at 1 m/s: out of |y| < 1.25 at 5.25 s. The
+    // vehicle's front is there, x = -0.25, at 8 - 2.25/4 s.
+    const double walked = std::max(0.0, t - 4.0);
+    person.push({{0.0, walked}, t, static_cast<float>(walked), static_cast<float>(kPi / 2.0)},
+                t - 10.0);
+    vehicle.push({t, {4.0 * (t - 8.0), 0.0}, Vec2::UnitX(), 4.0 * t, 0.0F}, t - 10.0);
+    const auto found = latest_passing(person, vehicle, kSizes);
+    if (found && (!best || found->pet() < best->pet())) best = found;
+  }
+  ASSERT_TRUE(best);
+  EXPECT_NEAR(best->gap, -((8.0 - 2.25 / 4.0) - 5.25), 0.05);
+}
+
+TEST(Trail, keeps_what_is_needed_for_the_way_since) {
+  Trail<PersonPose> trail;
+  for (int t = 0; t < 100; ++t)
+    trail.push({Vec2::Zero(), static_cast<double>(t), 0.0F, 0.0F}, t - 20.5);
+  ASSERT_EQ(trail.size(), 22U);
+  for (std::size_t k = 0; k < trail.size(); ++k)
+    EXPECT_EQ(trail[k].time, 99.0 - static_cast<double>(k));
+}
+
+}  // namespace
+}  // namespace pedzone
