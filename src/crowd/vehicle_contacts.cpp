@@ -12,7 +12,7 @@ namespace {
 constexpr double kGap = 0.05;      // [m] assumed: nobody lets a vehicle touch the clothes
 constexpr double kGapTime = 0.04;  // [s] numerical: more room to a moving vehicle, since where it
                                    // gets to is predicted (SUMO then brakes or turns otherwise)
-constexpr double kGapTurn = 0.1;   // [s] numerical: the same for its corners when it turns
+constexpr double kGapTurn = 0.25;  // [s] numerical: the same for its corners when it turns
 constexpr double kNoGap = 1e-3;    // [m] numerical: what counts as not touching
 constexpr double kStep = 0.2;      // [m] numerical: beyond what the vehicle itself moves, nobody is
                                    // moved farther by it in one substep

@@ -166,6 +166,25 @@ def find_contacts(fcd, clearances, riding, controlled, own_rides):
                     None if numpy.isinf(least_controlled) else float(least_controlled))
 
 
+INSERTION = 2.0  # [s] within which somebody gets out from under a vehicle inserted on top of it
+
+
+def at_insertion(fcd, contacts):
+    """Whether a contact is one that a vehicle's insertion made: the pair touches in the vehicle's
+    first time step, and that was no longer ago than INSERTION."""
+    fleet = fcd.vehicles
+    first = {}
+    for vehicle, step in zip(fleet.who, fleet.step):
+        first[vehicle] = min(first.get(vehicle, step), step)
+    begin = numpy.array([first[vehicle] for vehicle in fleet.who[contacts.vehicles]], int)
+    step = fcd.persons.step[contacts.rows]
+    pairs = list(zip(fcd.persons.who[contacts.rows], fleet.who[contacts.vehicles]))
+    made = {pair for pair, now, then in zip(pairs, step, begin) if now == then}
+    times = numpy.asarray(fcd.times)
+    recent = times[step] - times[begin] <= INSERTION if len(step) else numpy.empty(0, bool)
+    return numpy.array([pair in made for pair in pairs], bool) & recent
+
+
 @dataclass
 class Jumps:
     """Rows at which a person has jumped since its row before."""

@@ -95,14 +95,25 @@ class Contacts(TinyRun):
         self.assertEqual(contacts["all"]["examples"][0]["vehicle"], "v")
         self.assertEqual(len(figures["broken_limits"]), 1)
 
+    def test_a_vehicle_inserted_on_top_of_somebody_is_told_apart_for_two_seconds(self):
+        def pairs(frames_in_contact):
+            frames = [[person("p", 10, 0)], *[[person("p", 10, 0), vehicle("v", 12, 0)]
+                                              for _ in range(frames_in_contact)]]
+            contacts = self.check(frames, [walked("p", 0, -1)])["contacts"]
+            return contacts["at_insertion"]["pairs"], contacts["zone"]["pairs"]
+        self.assertEqual(pairs(2), (1, 0))
+        self.assertEqual(pairs(5), (1, 1))  # one row a second
+
     def test_contacts_are_told_by_place_and_by_who_walks(self):
         # On the shared street, on the road; and a person moved from outside.
-        frames = [[person("p", 10, 0), vehicle("v", 12, 0), person("q", 10, 50, edge="road"),
+        frames = [[vehicle("v", 200, 0), vehicle("w", 200, 50)],
+                  [person("p", 10, 0), vehicle("v", 12, 0), person("q", 10, 50, edge="road"),
                    vehicle("w", 12, 50)]]
         contacts = self.check(frames, [walked("p", 0, -1), walked("q", 0, -1)])["contacts"]
         self.assertEqual([contacts[key]["pairs"] for key in
                           ("all", "zone", "elsewhere", "controlled")], [2, 1, 1, 0])
         frames = self.controlled([(10 + i, 50) for i in range(5)])
+        frames[3].append(vehicle("v", 200, 50))
         frames[4].append(vehicle("v", 15, 50))
         contacts = self.check(frames, [walked("p", 0, -1)], "--max-controlled-contacts", "0")
         self.assertEqual(contacts["contacts"]["controlled"]["pairs"], 1)
