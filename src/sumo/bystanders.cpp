@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kFastest = 40.0;  // [m/s] numerical: nobody comes nearer faster, riding included
 constexpr double kBeyondSight = 10.0;  // [m] numerical: bodies, and what comes towards somebody
-constexpr double kFastest = 5.0;  // [m/s] faster is one of SUMO's jumps across a junction, no walk
 constexpr double kStanding = 0.1;      // [m/s] assumed: slower moves are no walking
 constexpr double kLatest = 1.0;  // [s] numerical: a program that embeds us may move them anyhow
 
@@ -69,7 +68,6 @@ void Bystanders::look(Bystander& person, double time) const {
   const Vec2 position(at.x, at.y);
   const double elapsed = person.looked_at < 0.0 ? 0.0 : time - person.looked_at;
   person.velocity = elapsed > 0.0 ? Vec2((position - person.position) / elapsed) : Vec2::Zero();
-  if (person.velocity.norm() > kFastest) person.velocity = Vec2::Zero();
   if (person.velocity.norm() > kStanding) person.heading = angle_of(person.velocity);
   person.looked_at = time;
   person.position = position;
