@@ -8,7 +8,14 @@
 namespace pedzone {
 
 /// What a number is drawn for, so that two uses never share one.
-enum class Purpose : std::uint32_t { kHeadingNoise, kPlacement, kTieBreak, kSpeedJitter, kCaution, kBootstrap };
+enum class Purpose : std::uint32_t {
+  kHeadingNoise,
+  kPlacement,
+  kTieBreak,
+  kSpeedJitter,
+  kCaution,
+  kBootstrap
+};
 
 /// 64-bit key of a person's id (FNV-1a): independent of insertion order.
 std::uint64_t person_key(std::string_view id);

@@ -55,8 +55,8 @@ std::array<Vec2, 5> exits(const VehicleFrame& frame, const Vec2& local, double r
   return places;
 }
 
-/// Room [m] that bodies keep to a vehicle: more when it is fast or turns, since where its corners get
-/// to is then less certain (SUMO turns it about its front, and by other angles in each step).
+/// Room [m] that bodies keep to a vehicle: more when it is fast or turns, since where its corners
+/// get to is then less certain (SUMO turns it about its front, and by other angles in each step).
 double gap_to(const VehicleState& vehicle) {
   const double corner_speed = 0.5 * vehicle.length * std::abs(vehicle.yaw_rate);
   return kGap + kGapTime * vehicle.velocity.norm() + kGapTurn * corner_speed;

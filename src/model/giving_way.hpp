@@ -29,8 +29,8 @@ class GivingWay {
   bool notice(const Walker& walker, std::span<const VehicleView> vehicles,
               const Parameters& parameters, float caution, float ex, float ey, float free_time);
 
-  /// Whether the choice that knows nothing of discomfort is free of it at full speed: then it is the
-  /// best one. To be called before choose().
+  /// Whether the choice that knows nothing of discomfort is free of it at full speed: then it is
+  /// the best one. To be called before choose().
   bool comfortable(const DirectionTask& task, const DirectionChoice& known,
                    const Parameters& parameters, const DirectionKernel& kernel);
 
@@ -48,10 +48,10 @@ class GivingWay {
 
   float vx_ = 0.0F, vy_ = 0.0F;  ///< [m/s] of the person
   /// Costs of a group of directions, each at its best share of the speed; right up to `most` [s²].
-  void price(const DirectionTask& task, const Parameters& parameters, std::size_t first,
-             float most, const DirectionKernel& kernel);
-  /// [s²] that no direction of the group can get below, whatever is in its way: t² − t·D is at least
-  /// −(D/2)².
+  void price(const DirectionTask& task, const Parameters& parameters, std::size_t first, float most,
+             const DirectionKernel& kernel);
+  /// [s²] that no direction of the group can get below, whatever is in its way: t² − t·D is at
+  /// least −(D/2)².
   static float least_value(const DirectionTask& task, std::size_t first);
 
   std::vector<Annoyance> vehicles_;

@@ -19,10 +19,10 @@ struct Walker {
   LatticePoint at;
   double heading = 0.0;  ///< [rad] [-pi, pi]
   float heading_cos = 1.0F, heading_sin = 0.0F;
-  float vx = 0.0F, vy = 0.0F;  ///< [m/s]
+  float vx = 0.0F, vy = 0.0F;                                  ///< [m/s]
   float pace() const { return std::sqrt(vx * vx + vy * vy); }  ///< [m/s]
-  float radius = 0.24F;        ///< [m]
-  float speed = 1.34F;         ///< [m/s] preferred
+  float radius = 0.24F;                                        ///< [m]
+  float speed = 1.34F;                                         ///< [m/s] preferred
   float static_reach = 10.0F;  ///< [m] what stands farther away than this does not count
 };
 

@@ -35,7 +35,7 @@ constexpr ParameterInfo kParameters[] = {
     {"headingNoiseTime", &P::heading_noise_time, 1.0, 0.05, 60.0, "s",
      "correlation time of that variation", "assumed"},
     {"waitDistance", &P::wait_distance, 3.0, 0.0, 20.0, "m",
-     "a person waits when a vehicle will cross its way nearer than this ...", "assumed"},
+     "`plain` only: a person waits when a vehicle will cross its way nearer than this ...", "assumed"},
     {"waitTime", &P::wait_time, 3.0, 0.0, 20.0, "s", "... and sooner than this", "assumed"},
     {"nearDistance", &P::near_distance, 2.0, 0.0, 20.0, "m",
      "when the best direction is blocked nearer than this, the whole circle is searched",

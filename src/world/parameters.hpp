@@ -21,12 +21,12 @@ struct Parameters {
 
 /// One parameter, for tables, checks and `<param key="..." value="..."/>`.
 struct ParameterInfo {
-  std::string_view key;          ///< as in the zone file
+  std::string_view key;  ///< as in the zone file
   double Parameters::*member;
-  double value, least, most;     ///< default and closed range, in `unit`
+  double value, least, most;  ///< default and closed range, in `unit`
   std::string_view unit;
-  std::string_view meaning;      ///< one line
-  std::string_view source;       ///< paper and equation, data, or "assumed"
+  std::string_view meaning;  ///< one line
+  std::string_view source;   ///< paper and equation, data, or "assumed"
 };
 
 std::span<const ParameterInfo> parameter_list();
