@@ -52,8 +52,8 @@ double time_to_collision(const VehicleState& vehicle, const Vec2& place, const V
 
 /// What the vehicle's passage over the point `place` leaves to somebody who is there at frame
 /// `when` (a fraction of frames): its centre is there around its frame `j`.
-Passing passing_at(const VehicleTrack& vehicle, const Vec2& place, double when, double centre,
-                   std::size_t j) {
+PassingOrder passing_at(const VehicleTrack& vehicle, const Vec2& place, double when, double centre,
+                        std::size_t j) {
   std::size_t enter = j, leave = j;
   while (enter > 0 && signed_clearance(vehicle.states[enter - 1], place) <= 0.0) --enter;
   while (leave + 1 < vehicle.states.size() &&
@@ -67,8 +67,8 @@ Passing passing_at(const VehicleTrack& vehicle, const Vec2& place, double when, 
 
 /// At the place where the person's way and that of the vehicle's centre cross; the closest in time
 /// where there are several.
-std::optional<Passing> passing(const VehicleTrack& vehicle, int first, const Polyline& way) {
-  std::optional<Passing> closest;
+std::optional<PassingOrder> passing(const VehicleTrack& vehicle, int first, const Polyline& way) {
+  std::optional<PassingOrder> closest;
   for (std::size_t j = 0; j + 1 < vehicle.states.size(); ++j) {
     const VehicleState& state = vehicle.states[j];
     if (state.velocity.norm() < kMovingSpeed) continue;
@@ -81,7 +81,7 @@ std::optional<Passing> passing(const VehicleTrack& vehicle, int first, const Pol
       if (area == 0.0) continue;
       const double walked = cross(to, along) / area, driven = cross(to, step) / area;
       if (walked < 0.0 || walked >= 1.0 || driven < 0.0 || driven >= 1.0) continue;
-      const Passing found =
+      const PassingOrder found =
           passing_at(vehicle, a + driven * along, first + static_cast<double>(i) + walked,
                      vehicle.first + static_cast<double>(j) + driven, j);
       if (!closest || found.gap < closest->gap) closest = found;

@@ -11,7 +11,7 @@ namespace pedzone {
 inline constexpr double kMovingSpeed = 0.5;
 
 /// Who passed first where a person's way and that of a vehicle's centre cross.
-struct Passing {
+struct PassingOrder {
   bool person_first = false;  ///< by the centres
   double gap = 0.0;  ///< [s] post-encroachment time: from the person there to the vehicle's front,
                      ///< or from its rear to the person; 0 when the person was there in between
@@ -26,10 +26,10 @@ struct Measures {
   double least_speed = 0.0;  ///< [m/s] least over half a second, until then
   double least_ttc = 0.0;    ///< [s] least time to collision with a moving vehicle if both keep
                              ///< their velocity; infinity without any
-  std::optional<Passing> passing;  ///< with the vehicle that came closest in time; none where
-                                   ///< their ways do not cross
-  double ade = 0.0, fde = 0.0;     ///< [m] mean and last distance to the recorded person, from the
-                                   ///< first second's end on
+  std::optional<PassingOrder> passing;  ///< with the vehicle that came closest in time; none where
+                                        ///< their ways do not cross
+  double ade = 0.0, fde = 0.0;  ///< [m] mean and last distance to the recorded person, from the
+                                ///< first second's end on
 };
 
 /// Measures of a way with the frames of `track` (one place for each). `start_goal` are taken from
