@@ -82,6 +82,12 @@ struct DirectionChoice {
   float weight = 0.0F;  ///< [s] D
 };
 
+/// A direction and the speed in it.
+struct PacedChoice {
+  DirectionChoice direction;
+  double share = 1.0;  ///< of the preferred speed, [0, 1]
+};
+
 /// Of two candidates the smaller value wins; then the one nearer to the goal; then the lower index,
 /// which is the right-hand one of a mirrored pair. (Always inlined: no instruction set may own it.)
 [[gnu::always_inline]] constexpr bool better(const DirectionChoice& a, const DirectionChoice& b) {
@@ -99,6 +105,7 @@ struct Annoyance {
   float vx, vy;                   ///< [m/s] of the vehicle
   float half_length, half_width;  ///< [m]
   float margin;                   ///< [m] > 0 clearance from which on it is none
+  float reach;                    ///< [m] from its centre, farther away it is none
 };
 
 /// How a person might go on in each direction: with that share of its preferred speed, once its

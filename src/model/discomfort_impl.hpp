@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "model/direction_kernel.hpp"
 
@@ -18,6 +19,7 @@ struct DiscomfortImpl {
   static constexpr std::size_t kLanes = Float::kLanes;
   /// Protects from dividing by zero: [m] a way so short in one axis counts as none.
   static constexpr float kLeast = 1e-12F;
+  static constexpr std::uint32_t kAll = (1U << kLanes) - 1;
 
   static Float all(float x) { return Float::all(x); }
   static Float within(Float x, Float least, Float most) { return smaller(larger(x, least), most); }
@@ -53,59 +55,74 @@ struct DiscomfortImpl {
     return {smaller(a, b), larger(a, b)};
   }
 
-  static Float of_way(const Way& w, Float margin) {
+  /// h of a way that may come near; `inverse`: 1 over the square of its length. A line that misses
+  /// the rectangle has its least distance where it passes one corner: the farthest one on its side.
+  static Float of_way(const Way& w, Float inverse, float of_margin) {
     const Float zero = all(0.0F), one = all(1.0F);
-    Float least2 = smaller(outside2(w, zero), outside2(w, one));
-    const Float inverse = one / larger(w.ux * w.ux + w.uy * w.uy, all(kLeast));
-    for (const float sx : {-1.0F, 1.0F}) {
-      for (const float sy : {-1.0F, 1.0F}) {
-        const Float to_x = all(sx) * w.half_length - w.x, to_y = all(sy) * w.half_width - w.y;
-        const Float t = within((to_x * w.ux + to_y * w.uy) * inverse, zero, one);
-        least2 = smaller(outside2(w, t), least2);
-      }
+    const Float side = w.ux * w.y - w.uy * w.x;
+    const Float to_x = signed_as(w.half_length, zero - side * w.uy) - w.x;
+    const Float to_y = signed_as(w.half_width, side * w.ux) - w.y;
+    const Float corner = within((to_x * w.ux + to_y * w.uy) * inverse, zero, one);
+    Float least2 = smaller(outside2(w, corner), smaller(outside2(w, zero), outside2(w, one)));
+    Float deep = zero;
+    const Float extent = w.half_length * absolute(w.uy) + w.half_width * absolute(w.ux);
+    const Float misses = more(absolute(side), extent);
+    if (bits(misses) != kAll) {
+      const Span along = slab(w.x, w.ux, w.half_length), across = slab(w.y, w.uy, w.half_width);
+      const Float enter = within(larger(along.enter, across.enter), zero, one);
+      const Float leave = within(smaller(along.leave, across.leave), zero, one);
+      const Float middle = all(0.5F) * (enter + leave);
+      least2 = smaller(either(misses, outside2(w, middle)), least2);
+      deep = larger(depth(w, middle), larger(depth(w, zero), depth(w, one)));
+      deep = larger(either(misses, deep), zero);
     }
-    const Span along = slab(w.x, w.ux, w.half_length), across = slab(w.y, w.uy, w.half_width);
-    const Float enter = within(larger(along.enter, across.enter), zero, one);
-    const Float leave = within(smaller(along.leave, across.leave), zero, one);
-    const Float middle = all(0.5F) * (enter + leave);
-    least2 = smaller(outside2(w, middle), least2);
-    const Float deep = larger(depth(w, middle), larger(depth(w, zero), depth(w, one)));
-    const Float share = larger(one - sqrt(least2) / margin, zero);
-    return share * share + larger(deep, zero) * (all(0.5F) / margin);
+    const Float share = larger(one - sqrt(least2) * all(of_margin), zero);
+    return share * share + deep * all(0.5F * of_margin);
   }
 
-  /// In the vehicle's frame.
-  static void turn(const Annoyance& v, Float x, Float y, Float& ahead, Float& left) {
-    ahead = x * all(v.cos) + y * all(v.sin);
-    left = y * all(v.cos) - x * all(v.sin);
+  /// Raises `worst` to the way's h where it `counts`. Most ways come nowhere near the circle around
+  /// the rectangle and its margin. (What a lane gets must not depend on its neighbours: vectors of
+  /// all lengths give the same bits.)
+  static void raise(const Way& w, const Annoyance& v, Float counts, Float& worst) {
+    const Float zero = all(0.0F);
+    const Float inverse = all(1.0F) / larger(w.ux * w.ux + w.uy * w.uy, all(kLeast));
+    const Float t = within((zero - w.x * w.ux - w.y * w.uy) * inverse, zero, all(1.0F));
+    const Float x = w.x + t * w.ux, y = w.y + t * w.uy;
+    const Float near = both(counts, more(all(v.reach * v.reach), x * x + y * y));
+    if (bits(near) != 0) worst = larger(both(near, of_way(w, inverse, 1.0F / v.margin)), worst);
   }
 
   static void discomfort(const DirectionTask& task, const Annoyance& v, const Stroll& stroll,
                          std::size_t first, std::size_t count, float* out) {
     const float speed = stroll.share * task.speed;
-    const Float hc = all(task.heading_cos * speed), hs = all(task.heading_sin * speed);
-    const Float time = all(stroll.time), margin = all(v.margin);
-    Float drive_x, drive_y;  // standing, the person moves so in the vehicle's frame [m/s]
-    turn(v, all(-v.vx), all(-v.vy), drive_x, drive_y);
+    // All in the vehicle's frame: the person's heading, its present velocity, and how it moves
+    // while it stands [m/s].
+    const float hc = speed * (task.heading_cos * v.cos + task.heading_sin * v.sin);
+    const float hs = speed * (task.heading_sin * v.cos - task.heading_cos * v.sin);
+    const float present_x = stroll.vx * v.cos + stroll.vy * v.sin;
+    const float present_y = stroll.vy * v.cos - stroll.vx * v.sin;
+    const Float drive_x = all(-v.vx * v.cos - v.vy * v.sin);
+    const Float drive_y = all(v.vx * v.sin - v.vy * v.cos);
+    const Float start_x = all(v.x + stroll.glide * present_x);
+    const Float start_y = all(v.y + stroll.glide * present_y);
+    const Float time = all(stroll.time), glide = all(stroll.glide);
+    const Float slower = all(1.0F / stroll.share);
     for (std::size_t k = first; k < first + count; k += kLanes) {
       const Float oc = Float::load(task.candidates.cosine + k);
       const Float os = Float::load(task.candidates.sine + k);
-      const Float ex = hc * oc - hs * os, ey = hs * oc + hc * os;  // wanted [m/s]
-      Way way{all(v.x), all(v.y), ex, ey, all(v.half_length), all(v.half_width)};
-      turn(v, ex - all(v.vx), ey - all(v.vy), way.ux, way.uy);
-      Float lag_x, lag_y;
-      turn(v, all(stroll.vx) - ex, all(stroll.vy) - ey, lag_x, lag_y);
-      way.x = way.x + lag_x * all(stroll.glide);
-      way.y = way.y + lag_y * all(stroll.glide);
-      const Float walks = smaller(Float::load(stroll.stop + k) / all(stroll.share), time);
-      way.ux = way.ux * walks;
-      way.uy = way.uy * walks;
-      Float worst = larger(of_way(way, margin), Float::load(out + k));
-      if (bits(more(time, walks)) != 0) {
+      const Float ex = all(hc) * oc - all(hs) * os, ey = all(hs) * oc + all(hc) * os;  // wanted
+      // How long it walks: not a number, all the time, where it does not walk from before a wall.
+      const Float walks = smaller(Float::load(stroll.stop + k) * slower, time);
+      const Way way{start_x - ex * glide,   start_y - ey * glide, (ex + drive_x) * walks,
+                    (ey + drive_y) * walks, all(v.half_length),   all(v.half_width)};
+      Float worst = Float::load(out + k);
+      raise(way, v, at_least(time, walks), worst);
+      const Float waits_there = more(time, walks);
+      if (bits(waits_there) != 0) {
         const Float stands = time - walks;
         const Way waits{way.x + way.ux,   way.y + way.uy,  drive_x * stands,
                         drive_y * stands, way.half_length, way.half_width};
-        worst = larger(of_way(waits, margin), worst);
+        raise(waits, v, waits_there, worst);
       }
       worst.store(out + k);
     }

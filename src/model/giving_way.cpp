@@ -48,7 +48,7 @@ bool GivingWay::notice(const Walker& walker, std::span<const VehicleView> vehicl
     near = near || free_time < time ||
            comes_near(x + lag_x, y + lag_y, walk_x - s.vx, walk_y - s.vy, reach, time);
     vehicles_.push_back(
-        {view.x, view.y, s.cos, s.sin, s.vx, s.vy, s.half_length, s.half_width, margin});
+        {view.x, view.y, s.cos, s.sin, s.vx, s.vy, s.half_length, s.half_width, margin, reach});
   }
   return near;
 }
@@ -81,19 +81,6 @@ bool GivingWay::comfortable(const DirectionTask& task, const DirectionChoice& kn
   return discomfort_[known.index] == 0.0F;
 }
 
-float GivingWay::least_value(const DirectionTask& task, std::size_t first) {
-  float least = 0.0F;
-  for (std::size_t k = first; k < first + kDirectionGroup; ++k) {
-    const CandidateView& c = task.candidates;
-    const float cosine = task.half_angle
-                             ? task.goal_cos * c.half_cosine[k] + task.goal_sin * c.half_sine[k]
-                             : task.goal_cos * c.cosine[k] + task.goal_sin * c.sine[k];
-    const float side = task.half_angle ? std::abs(cosine) : std::max(cosine, 0.0F);
-    least = std::min(least, -(side * task.horizon) * (side * task.horizon));
-  }
-  return least;
-}
-
 void GivingWay::price(const DirectionTask& task, const Parameters& parameters, std::size_t first,
                       float most, const DirectionKernel& kernel) {
   kernel.times_of(task, task.still_discs, task.still_faces, first, kDirectionGroup, stop_);
@@ -115,23 +102,27 @@ void GivingWay::price(const DirectionTask& task, const Parameters& parameters, s
   }
 }
 
-GivingWay::Choice GivingWay::choose(const Candidates& candidates, DirectionTask task,
-                                    const Parameters& parameters, DirectionChoice known,
-                                    const DirectionKernel& kernel) {
+PacedChoice GivingWay::choose(const Candidates& candidates, const DirectionTask& task,
+                              const Parameters& parameters, DirectionChoice known,
+                              const DirectionKernel& kernel) {
   const std::size_t count = candidates.padded();
   std::fill(cost_, cost_ + count, kNever);
+  DirectionTask priced = task;
+  priced.cost = cost_;
+  // First the group of what is known: its value is a bound from then on.
   const std::size_t start = known.index / kDirectionGroup * kDirectionGroup;
   price(task, parameters, start, kNever, kernel);
   known.value += cost_[known.index];
-  // What cannot get below that at any price is left out.
-  const float bound = known.value + kSlack * task.horizon * task.horizon;
+  known = kernel.choose(priced, start, kDirectionGroup, known);
+  const float slack = kSlack * task.horizon * task.horizon;
   for (std::size_t first = 0; first < count; first += kDirectionGroup) {
-    const float most = bound - least_value(task, first);
-    if (first != start && most >= 0.0F) price(task, parameters, first, most, kernel);
+    if (first == start) continue;
+    // What is no better even without discomfort needs no price.
+    const DirectionChoice hope = kernel.choose(task, first, kDirectionGroup, known);
+    if (hope.index == known.index) continue;
+    price(task, parameters, first, known.value - hope.value + slack, kernel);
+    known = kernel.choose(priced, first, kDirectionGroup, known);
   }
-  task.cost = cost_;
-  known = kernel.choose(task, 0, candidates.main_count(), known);
-  known = kernel.choose(task, candidates.main_padded(), candidates.rest_count(), known);
   return {known, share_[known.index]};
 }
 

@@ -30,31 +30,24 @@ class GivingWay {
               const Parameters& parameters, float caution, float ex, float ey, float free_time);
 
   /// Whether the choice that knows nothing of discomfort is free of it at full speed: then it is
-  /// the best one. To be called before choose().
+  /// the best one. To be called after notice().
   bool comfortable(const DirectionTask& task, const DirectionChoice& known,
                    const Parameters& parameters, const DirectionKernel& kernel);
 
-  struct Choice {
-    DirectionChoice direction;
-    double share = 1.0;  ///< of the preferred speed, [0, 1]
-  };
-  /// Over the whole circle. `known`: the choice that knows nothing of discomfort.
-  Choice choose(const Candidates& candidates, DirectionTask task, const Parameters& parameters,
-                DirectionChoice known, const DirectionKernel& kernel);
+  /// Over the whole circle, after notice(). `known`: the choice that knows nothing of discomfort.
+  PacedChoice choose(const Candidates& candidates, const DirectionTask& task,
+                     const Parameters& parameters, DirectionChoice known,
+                     const DirectionKernel& kernel);
 
  private:
   void worst_of(const DirectionTask& task, float share, const Parameters& parameters,
                 std::size_t first, std::size_t count, const DirectionKernel& kernel);
-
-  float vx_ = 0.0F, vy_ = 0.0F;  ///< [m/s] of the person
   /// Costs of a group of directions, each at its best share of the speed; right up to `most` [s²].
   void price(const DirectionTask& task, const Parameters& parameters, std::size_t first, float most,
              const DirectionKernel& kernel);
-  /// [s²] that no direction of the group can get below, whatever is in its way: t² − t·D is at
-  /// least −(D/2)².
-  static float least_value(const DirectionTask& task, std::size_t first);
 
   std::vector<Annoyance> vehicles_;
+  float vx_ = 0.0F, vy_ = 0.0F;       ///< [m/s] of the person
   float stop_[kMaxDirections];        ///< [s] until something that stands blocks the way
   float discomfort_[kMaxDirections];  ///< h
   float cost_[kMaxDirections];        ///< [s²] of the best speed share

@@ -30,6 +30,16 @@ bool minds_discomfort(const Parameters& parameters, VehicleForm form) {
   return form == VehicleForm::kDiscomfort && parameters.discomfort > 0.0;
 }
 
+/// Unit vector.
+struct Heading {
+  float x, y;
+};
+
+Heading heading_of(const DirectionTask& task, const DirectionChoice& choice) {
+  const float c = task.candidates.cosine[choice.index], s = task.candidates.sine[choice.index];
+  return {task.heading_cos * c - task.heading_sin * s, task.heading_sin * c + task.heading_cos * s};
+}
+
 }  // namespace
 
 Senses senses_of(const Parameters& parameters, VehicleForm form) {
@@ -156,7 +166,7 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   task.horizon = senses_.sight / self.speed;
   task.static_horizon = self.static_reach / self.speed;
   around.fill(task);
-  Chosen chosen =
+  const PacedChoice chosen =
       gives_way() ? give_way(i, self, to_goal, task, scratch) : plain(self, to_goal, task, scratch);
   Decision decision;
   const double speed = snapshot_.persons->preferred_speed[i];
@@ -171,8 +181,8 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
 
 bool HeuristicModel::gives_way() const { return minds_discomfort(*snapshot_.parameters, form_); }
 
-HeuristicModel::Chosen HeuristicModel::give_way(std::size_t i, const Walker& self, double to_goal,
-                                                const DirectionTask& task, Scratch& scratch) const {
+PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double to_goal,
+                                     const DirectionTask& task, Scratch& scratch) const {
   const Parameters& parameters = *snapshot_.parameters;
   if (scratch.surroundings.threatened()) {
     return {scratch.making_way.choose(self, scratch.surroundings, candidates_, task,
@@ -185,28 +195,24 @@ HeuristicModel::Chosen HeuristicModel::give_way(std::size_t i, const Walker& sel
   const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
   const auto caution = static_cast<float>(std::exp(parameters.margin_spread * z));
   GivingWay& giving_way = scratch.giving_way;
-  const float c = task.candidates.cosine[best.index], s = task.candidates.sine[best.index];
-  const float ex = self.heading_cos * c - self.heading_sin * s;
-  const float ey = self.heading_sin * c + self.heading_cos * s;
-  if (!giving_way.notice(self, vehicles, parameters, caution, ex, ey, best.time) ||
+  const Heading way = heading_of(task, best);
+  if (!giving_way.notice(self, vehicles, parameters, caution, way.x, way.y, best.time) ||
       giving_way.comfortable(task, best, parameters, kernel_)) {
     return {best, 1.0};
   }
-  const GivingWay::Choice choice = giving_way.choose(candidates_, task, parameters, best, kernel_);
-  return {choice.direction, choice.share};
+  return giving_way.choose(candidates_, task, parameters, best, kernel_);
 }
 
-HeuristicModel::Chosen HeuristicModel::plain(const Walker& self, double to_goal,
-                                             const DirectionTask& task, Scratch& scratch) const {
+PacedChoice HeuristicModel::plain(const Walker& self, double to_goal, const DirectionTask& task,
+                                  Scratch& scratch) const {
   const Surroundings& around = scratch.surroundings;
   const DirectionChoice best =
       around.threatened()
           ? scratch.making_way.choose(self, around, candidates_, task,
                                       static_cast<float>(snapshot_.parameters->wait_time), kernel_)
           : choose(self, to_goal, task, scratch);
-  const float c = task.candidates.cosine[best.index], s = task.candidates.sine[best.index];
-  const bool stands = waits(self, self.heading_cos * c - self.heading_sin * s,
-                            self.heading_sin * c + self.heading_cos * s, around);
+  const Heading way = heading_of(task, best);
+  const bool stands = waits(self, way.x, way.y, around);
   return {best, stands ? 0.0 : 1.0};
 }
 

@@ -34,10 +34,6 @@ class HeuristicModel : public WalkingModel {
 
  private:
   struct Scratch;
-  struct Chosen {
-    DirectionChoice direction;
-    double share = 1.0;  ///< of the preferred speed
-  };
 
   void prepare_walls();
   void prepare_vehicles();
@@ -46,10 +42,10 @@ class HeuristicModel : public WalkingModel {
   DirectionChoice choose(const Walker& walker, double to_goal, const DirectionTask& task,
                          Scratch& scratch) const;
   bool gives_way() const;
-  Chosen give_way(std::size_t person, const Walker& walker, double to_goal,
-                  const DirectionTask& task, Scratch& scratch) const;
-  Chosen plain(const Walker& walker, double to_goal, const DirectionTask& task,
-               Scratch& scratch) const;
+  PacedChoice give_way(std::size_t person, const Walker& walker, double to_goal,
+                       const DirectionTask& task, Scratch& scratch) const;
+  PacedChoice plain(const Walker& walker, double to_goal, const DirectionTask& task,
+                    Scratch& scratch) const;
   bool waits(const Walker& walker, float ex, float ey, const Surroundings& surroundings) const;
 
   VehicleForm form_;

@@ -35,6 +35,10 @@ struct Float4 {
   friend Float4 larger(Float4 a, Float4 b) { return {_mm_max_ps(a.v, b.v)}; }
   friend Float4 smaller(Float4 a, Float4 b) { return {_mm_min_ps(a.v, b.v)}; }
   friend Float4 absolute(Float4 a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0F), a.v)}; }
+  /// a ≥ 0 with the sign of b.
+  friend Float4 signed_as(Float4 a, Float4 b) {
+    return {_mm_or_ps(a.v, _mm_and_ps(_mm_set1_ps(-0.0F), b.v))};
+  }
   /// All bits of a lane set where true, which both() and either() combine.
   friend Float4 at_least(Float4 a, Float4 b) { return {_mm_cmpge_ps(a.v, b.v)}; }
   friend Float4 more(Float4 a, Float4 b) { return {_mm_cmpgt_ps(a.v, b.v)}; }
@@ -104,6 +108,9 @@ struct Float8 {
   friend Float8 larger(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
   friend Float8 smaller(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
   friend Float8 absolute(Float8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)}; }
+  friend Float8 signed_as(Float8 a, Float8 b) {
+    return {_mm256_or_ps(a.v, _mm256_and_ps(_mm256_set1_ps(-0.0F), b.v))};
+  }
   friend Float8 at_least(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)}; }
   friend Float8 more(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
   friend Float8 both(Float8 a, Float8 b) { return {_mm256_and_ps(a.v, b.v)}; }

@@ -51,15 +51,17 @@ class Discomfort : public testing::TestWithParam<const DirectionKernel*> {
     task.speed = static_cast<float>(c.person.speed);
     const Vec2 ahead = unit(c.vehicle.heading), d = c.person.at - c.vehicle.centre;
     const auto number = [](double x) { return static_cast<float>(x); };
-    const Annoyance annoyance{number(d.dot(ahead)),
-                              number(cross(ahead, d)),
-                              number(ahead.x()),
-                              number(ahead.y()),
-                              number(c.vehicle.velocity.x()),
-                              number(c.vehicle.velocity.y()),
-                              number(c.vehicle.length / 2.0),
-                              number(c.vehicle.width / 2.0),
-                              number(c.margin)};
+    const Annoyance annoyance{
+        number(d.dot(ahead)),
+        number(cross(ahead, d)),
+        number(ahead.x()),
+        number(ahead.y()),
+        number(c.vehicle.velocity.x()),
+        number(c.vehicle.velocity.y()),
+        number(c.vehicle.length / 2.0),
+        number(c.vehicle.width / 2.0),
+        number(c.margin),
+        number(std::hypot(c.vehicle.length, c.vehicle.width) / 2.0 + c.margin)};
     const Stroll stroll{number(c.share),
                         number(c.time),
                         number(c.lag),

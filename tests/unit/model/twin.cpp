@@ -19,7 +19,9 @@ Velocity velocity(const DirectionTask& task, std::size_t k) {
   return {hc * oc - hs * os, hs * oc + hc * os};
 }
 
-float larger(float a, float b) { return a > b ? a : b; }  // b where a is not a number
+// b where a is not a number.
+float larger(float a, float b) { return a > b ? a : b; }
+float smaller(float a, float b) { return a < b ? a : b; }
 
 float with_discs(const DiscView& discs, Velocity e, float u) {
   for (std::size_t j = 0; j < discs.size; ++j) {
@@ -119,55 +121,56 @@ Place place(const Annoyance& v, Velocity way, float t) {
 }
 
 float at_worst(const Annoyance& v, Velocity way) {
-  const Place begin = place(v, way, 0.0F), end = place(v, way, 1.0F);
-  float outside2 = std::min(begin.outside2, end.outside2);
   const float inverse = 1.0F / larger(way.x * way.x + way.y * way.y, 1e-12F);
-  for (const float x : {-v.half_length, v.half_length}) {
-    for (const float y : {-v.half_width, v.half_width}) {
-      const float t = ((x - v.x) * way.x + (y - v.y) * way.y) * inverse;
-      outside2 = std::min(outside2, place(v, way, std::clamp(t, 0.0F, 1.0F)).outside2);
-    }
+  const float nearest = std::clamp((0.0F - v.x * way.x - v.y * way.y) * inverse, 0.0F, 1.0F);
+  const float near_x = v.x + nearest * way.x, near_y = v.y + nearest * way.y;
+  if (near_x * near_x + near_y * near_y >= v.reach * v.reach) return 0.0F;
+  const Place begin = place(v, way, 0.0F), end = place(v, way, 1.0F);
+  // The corner farthest out on the side where the line passes the centre.
+  const float side = way.x * v.y - way.y * v.x;
+  const float corner_x = std::copysign(v.half_length, 0.0F - side * way.y) - v.x;
+  const float corner_y = std::copysign(v.half_width, side * way.x) - v.y;
+  const float passed = std::clamp((corner_x * way.x + corner_y * way.y) * inverse, 0.0F, 1.0F);
+  float outside2 = std::min({begin.outside2, end.outside2, place(v, way, passed).outside2});
+  float depth = 0.0F;
+  if (std::abs(side) <= v.half_length * std::abs(way.y) + v.half_width * std::abs(way.x)) {
+    const auto span = [](float from, float way_along, float half) {
+      const float slope = 1.0F / (std::abs(way_along) <= 1e-12F ? way_along + 2e-12F : way_along);
+      const float a = (0.0F - half - from) * slope, b = (half - from) * slope;
+      return std::pair(std::min(a, b), std::max(a, b));
+    };
+    const auto along = span(v.x, way.x, v.half_length), across = span(v.y, way.y, v.half_width);
+    const float enter = std::clamp(std::max(along.first, across.first), 0.0F, 1.0F);
+    const float leave = std::clamp(std::min(along.second, across.second), 0.0F, 1.0F);
+    const Place middle = place(v, way, 0.5F * (enter + leave));
+    outside2 = std::min(outside2, middle.outside2);
+    depth = std::max({middle.depth, begin.depth, end.depth, 0.0F});
   }
-  const auto span = [](float from, float way_along, float half) {
-    const float slope = 1.0F / (std::abs(way_along) <= 1e-12F ? way_along + 2e-12F : way_along);
-    const float a = (0.0F - half - from) * slope, b = (half - from) * slope;
-    return std::pair(std::min(a, b), std::max(a, b));
-  };
-  const auto along = span(v.x, way.x, v.half_length), across = span(v.y, way.y, v.half_width);
-  const float enter = std::clamp(std::max(along.first, across.first), 0.0F, 1.0F);
-  const float leave = std::clamp(std::min(along.second, across.second), 0.0F, 1.0F);
-  const Place middle = place(v, way, 0.5F * (enter + leave));
-  outside2 = std::min(outside2, middle.outside2);
-  const float depth = std::max({middle.depth, begin.depth, end.depth, 0.0F});
-  const float share = larger(1.0F - std::sqrt(outside2) / v.margin, 0.0F);
-  return share * share + depth * (0.5F / v.margin);
-}
-
-Velocity turned(const Annoyance& v, float x, float y) {
-  return {x * v.cos + y * v.sin, y * v.cos - x * v.sin};
+  const float of_margin = 1.0F / v.margin;
+  const float share = larger(1.0F - std::sqrt(outside2) * of_margin, 0.0F);
+  return share * share + depth * (0.5F * of_margin);
 }
 
 void discomfort(const DirectionTask& task, const Annoyance& v, const Stroll& stroll,
                 std::size_t first, std::size_t count, float* out) {
   const float speed = stroll.share * task.speed;
+  const float hc = speed * (task.heading_cos * v.cos + task.heading_sin * v.sin);
+  const float hs = speed * (task.heading_sin * v.cos - task.heading_cos * v.sin);
+  const Velocity drive{0.0F - v.vx * v.cos - v.vy * v.sin, v.vx * v.sin - v.vy * v.cos};
   for (std::size_t k = first; k < first + count; ++k) {
-    const float hc = task.heading_cos * speed, hs = task.heading_sin * speed;
     const float oc = task.candidates.cosine[k], os = task.candidates.sine[k];
     const float ex = hc * oc - hs * os, ey = hs * oc + hc * os;
-    const Velocity w = turned(v, ex - v.vx, ey - v.vy);
-    const Velocity lag = turned(v, stroll.vx - ex, stroll.vy - ey);
     Annoyance begin = v;
-    begin.x += lag.x * stroll.glide;
-    begin.y += lag.y * stroll.glide;
-    const float walks = std::min(stroll.stop[k] / stroll.share, stroll.time);
-    const Velocity way{w.x * walks, w.y * walks};
+    begin.x = v.x + stroll.glide * (stroll.vx * v.cos + stroll.vy * v.sin) - ex * stroll.glide;
+    begin.y = v.y + stroll.glide * (stroll.vy * v.cos - stroll.vx * v.sin) - ey * stroll.glide;
+    const float walks = smaller(stroll.stop[k] * (1.0F / stroll.share), stroll.time);
+    const Velocity way{(ex + drive.x) * walks, (ey + drive.y) * walks};
     out[k] = std::max(out[k], at_worst(begin, way));
     const float stands = stroll.time - walks;
     if (stands <= 0.0F) continue;
     Annoyance later = begin;
     later.x += way.x;
     later.y += way.y;
-    const Velocity drive = turned(v, -v.vx, -v.vy);
     out[k] = std::max(out[k], at_worst(later, {drive.x * stands, drive.y * stands}));
   }
 }
