@@ -8,6 +8,7 @@
 #include "app/share_bar.hpp"
 #include "app/validation_output.hpp"
 #include "core/error.hpp"
+#include "core/xml.hpp"
 #include "output/complete_file.hpp"
 #include "validation/page.hpp"
 
@@ -30,12 +31,11 @@ void set_parameter(const std::string& text, Parameters& parameters) {
     throw InputError("is no parameter",
                      {"", 0, "option --param", text, "KEY=VALUE; `pedzone parameters` lists keys"});
   }
-  char* end = nullptr;
+  double value = 0.0;
   const std::string number = text.substr(equals + 1);
-  const double value = std::strtod(number.c_str(), &end);
-  if (number.empty() || *end != '\0' || !(value >= info->least && value <= info->most)) {
+  if (!parse_number(number, value) || value < info->least || value > info->most) {
     throw InputError("is out of range", {"", 0, "option --param " + std::string(info->key), number,
-                                         fmt::format("{} to {}", info->least, info->most)});
+                                         describe({info->least, info->most})});
   }
   parameters.*info->member = value;
 }
@@ -148,18 +148,15 @@ void add_calibrate(CLI::App& app, int& code) {
   command->add_option("--data", options->data, "Folder of clips, or of folders of them")
       ->required();
   command->add_option("--out", options->out, "Folder for the results")->required();
-  command->add_option("--seeds", calibration.seeds, "Replays of each point")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--first", calibration.first, "Points over the whole box")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  command->add_option("--rounds", calibration.rounds, "Rounds about the best")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
-  command->add_option("--points", calibration.points, "Points in each round")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+  const auto add = [&](const char* name, int& value, int least, int most, const char* meaning) {
+    command->add_option(name, value, meaning)
+        ->check(CLI::Range(least, most))
+        ->capture_default_str();
+  };
+  add("--seeds", calibration.seeds, 1, 1000, "Replays of each point");
+  add("--first", calibration.first, 1, 100000, "Points over the whole box");
+  add("--rounds", calibration.rounds, 0, 100, "Rounds about the best");
+  add("--points", calibration.points, 1, 10000, "Points in each round");
   command->callback([options, &code] { code = guarded([&] { calibrate(*options); }); });
 }
 

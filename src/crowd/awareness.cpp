@@ -9,8 +9,7 @@ namespace pedzone {
 bool is_aware(const Persons& persons, std::size_t i, const VehicleState& vehicle,
               const Zone& zone) {
   const LatticeOrigin origin{to_lattice(vehicle.centre.x()), to_lattice(vehicle.centre.y())};
-  const VehicleForm form = zone.model == "plain" ? VehicleForm::kPlain : VehicleForm::kDiscomfort;
-  const Senses senses = senses_of(zone.parameters, form);
+  const Senses senses = senses_of(zone.parameters, vehicle_form(zone.model));
   Walker walker;
   walker.at = to_lattice(persons.x[i], persons.y[i], origin);
   walker.heading = persons.heading[i];

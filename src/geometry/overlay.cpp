@@ -31,7 +31,7 @@ double signed_area(const std::vector<GridPoint>& ring) {
   return 0.5 * twice;
 }
 
-void add_edges(const std::vector<GridPoint>& ring, Winding step, std::vector<Edge>& edges) {
+void add_edges(const std::vector<GridPoint>& ring, Winding step, std::vector<BorderPiece>& edges) {
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     if (ring[j] < ring[i]) {
       edges.push_back({ring[j], ring[i], step, {}});
@@ -46,11 +46,11 @@ Winding step_of(Overlay::Operand operand, int turns) {
 }
 
 /// Whether a polygon keeps what polygon.hpp promises, so that its winding numbers are 0 and 1.
-bool is_valid(std::vector<Edge> edges) {
+bool is_valid(std::vector<BorderPiece> edges) {
   merge(edges);
   if (!is_arranged(edges)) return false;
   label(edges);
-  return std::ranges::all_of(edges, [](const Edge& edge) {
+  return std::ranges::all_of(edges, [](const BorderPiece& edge) {
     const int below = edge.below.a + edge.below.b;
     const int above = below + edge.step.a + edge.step.b;
     return std::min(below, above) == 0 && std::max(below, above) == 1;

@@ -32,7 +32,7 @@ struct Winding {
 };
 
 /// A piece of border, `from` < `to` lexicographically (so "left" of it is above it).
-struct Edge {
+struct BorderPiece {
   GridPoint from, to;
   Winding step;   ///< what crossing it from right to left adds
   Winding below;  ///< winding numbers on its right (set by label)
@@ -42,23 +42,23 @@ struct Edge {
 int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c);
 
 /// Cuts edges until they meet in end points only; merges equal ones. Sorted as label needs them.
-void arrange(std::vector<Edge>& edges);
+void arrange(std::vector<BorderPiece>& edges);
 
 /// Sets `below` of arranged edges. Returns for each edge the index of the edge right under its
 /// `from`, or -1.
-std::vector<int> label(std::vector<Edge>& edges);
+std::vector<int> label(std::vector<BorderPiece>& edges);
 
 /// Whether the edges of a sorted, merged list meet in end points only.
-bool is_arranged(const std::vector<Edge>& edges);
+bool is_arranged(const std::vector<BorderPiece>& edges);
 
 /// Sorts, and merges equal edges; those whose steps cancel out go.
-void merge(std::vector<Edge>& edges);
+void merge(std::vector<BorderPiece>& edges);
 
 /// Which winding numbers are inside.
 using Inside = bool (*)(const Winding&);
 
 /// Chains the pieces that have inside on one side only into simple rings with their holes.
-Region trace(const std::vector<Edge>& labelled, Inside inside);
+Region trace(const std::vector<BorderPiece>& labelled, Inside inside);
 
 /// Collects operands, then gives the result of an operation.
 class Overlay {
@@ -77,7 +77,7 @@ class Overlay {
  private:
   void add(const Polygon& polygon, Operand operand);
 
-  std::vector<Edge> edges_;
+  std::vector<BorderPiece> edges_;
 };
 
 }  // namespace pedzone::overlay

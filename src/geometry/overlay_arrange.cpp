@@ -42,7 +42,7 @@ std::int64_t divide_rounded(Wide numerator, Wide denominator) {
 }
 
 /// Where two properly crossing edges meet, rounded to the grid.
-GridPoint crossing(const Edge& e, const Edge& f) {
+GridPoint crossing(const BorderPiece& e, const BorderPiece& f) {
   const Wide start = cross(f.from, f.to, e.from);
   const Wide end = cross(f.from, f.to, e.to);
   const Wide span = start - end;
@@ -50,22 +50,22 @@ GridPoint crossing(const Edge& e, const Edge& f) {
           e.from.y + divide_rounded(start * (e.to.y - e.from.y), span)};
 }
 
-bool within_box(const Edge& e, const GridPoint& p) {
+bool within_box(const BorderPiece& e, const GridPoint& p) {
   const auto [low, high] = std::minmax(e.from.y, e.to.y);
   return p.x >= e.from.x && p.x <= e.to.x && p.y >= low && p.y <= high;
 }
 
-void cut_at(const std::vector<Edge>& edges, std::uint32_t index, const GridPoint& point,
+void cut_at(const std::vector<BorderPiece>& edges, std::uint32_t index, const GridPoint& point,
             std::vector<Cut>& cuts) {
-  const Edge& e = edges[index];
+  const BorderPiece& e = edges[index];
   if (point != e.from && point != e.to) cuts.push_back({index, point});
 }
 
 /// Notes where edges i and j have to be cut.
-void meet(const std::vector<Edge>& edges, std::uint32_t i, std::uint32_t j,
+void meet(const std::vector<BorderPiece>& edges, std::uint32_t i, std::uint32_t j,
           std::vector<Cut>& cuts) {
-  const Edge& e = edges[i];
-  const Edge& f = edges[j];
+  const BorderPiece& e = edges[i];
+  const BorderPiece& f = edges[j];
   const int f_from = orientation(e.from, e.to, f.from), f_to = orientation(e.from, e.to, f.to);
   if (f_from * f_to > 0) return;
   const int e_from = orientation(f.from, f.to, e.from), e_to = orientation(f.from, f.to, e.to);
@@ -86,7 +86,7 @@ struct Active {
   std::int64_t end, low, high;
   std::uint32_t index;
 
-  static Active of(const Edge& edge, std::uint32_t index) {
+  static Active of(const BorderPiece& edge, std::uint32_t index) {
     const auto [low, high] = std::minmax(edge.from.y, edge.to.y);
     return {edge.to.x, low, high, index};
   }
@@ -94,7 +94,7 @@ struct Active {
 
 /// All cuts between edges of which at least one is fresh. `edges` are sorted by `from`: going
 /// through them by x, only those that have not ended yet are looked at.
-std::vector<Cut> find_cuts(const std::vector<Edge>& edges, const std::vector<char>& fresh) {
+std::vector<Cut> find_cuts(const std::vector<BorderPiece>& edges, const std::vector<char>& fresh) {
   std::vector<Cut> cuts;
   std::vector<Active> active;
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
@@ -114,7 +114,7 @@ std::vector<Cut> find_cuts(const std::vector<Edge>& edges, const std::vector<cha
 }
 
 /// Whether an edge passes the grid cell round a point: the half-open square [-½, ½)² round it.
-bool passes(const Edge& e, const GridPoint& p) {
+bool passes(const BorderPiece& e, const GridPoint& p) {
   // In half grid steps: the cell's corners are odd numbers then, and nothing ends on its rim.
   const GridPoint from{2 * e.from.x, 2 * e.from.y}, to{2 * e.to.x, 2 * e.to.y};
   const std::int64_t x = 2 * p.x, y = 2 * p.y;
@@ -129,10 +129,11 @@ bool passes(const Edge& e, const GridPoint& p) {
 }
 
 /// All places where an edge passes a hot cell: end points and cuts.
-std::vector<Cut> find_hot_cells(const std::vector<Edge>& edges, const std::vector<Cut>& crossings) {
+std::vector<Cut> find_hot_cells(const std::vector<BorderPiece>& edges,
+                                const std::vector<Cut>& crossings) {
   std::vector<GridPoint> hot;
   hot.reserve(2 * edges.size() + crossings.size());
-  for (const Edge& edge : edges) {
+  for (const BorderPiece& edge : edges) {
     hot.push_back(edge.from);
     hot.push_back(edge.to);
   }
@@ -160,7 +161,7 @@ std::vector<Cut> find_hot_cells(const std::vector<Edge>& edges, const std::vecto
 }
 
 void push_piece(const GridPoint& from, const GridPoint& to, const Winding& step,
-                std::vector<Edge>& out) {
+                std::vector<BorderPiece>& out) {
   if (from < to) {
     out.push_back({from, to, step, {}});
   } else if (to < from) {
@@ -169,17 +170,17 @@ void push_piece(const GridPoint& from, const GridPoint& to, const Winding& step,
 }
 
 /// Replaces the edges that are cut by their pieces, which come behind `untouched`.
-std::size_t apply_cuts(std::vector<Edge>& edges, std::vector<Cut>& cuts) {
+std::size_t apply_cuts(std::vector<BorderPiece>& edges, std::vector<Cut>& cuts) {
   std::sort(cuts.begin(), cuts.end(), [&](const Cut& s, const Cut& t) {
     if (s.edge != t.edge) return s.edge < t.edge;
-    const Edge& e = edges[s.edge];
+    const BorderPiece& e = edges[s.edge];
     const auto along = [&](const GridPoint& p) {
       return Wide(p.x - e.from.x) * (e.to.x - e.from.x) +
              Wide(p.y - e.from.y) * (e.to.y - e.from.y);
     };
     return along(s.point) < along(t.point);
   });
-  std::vector<Edge> untouched, pieces;
+  std::vector<BorderPiece> untouched, pieces;
   untouched.reserve(edges.size());
   auto cut = cuts.begin();
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
@@ -200,7 +201,7 @@ std::size_t apply_cuts(std::vector<Edge>& edges, std::vector<Cut>& cuts) {
   return old;
 }
 
-bool in_sweep_order(const Edge& e, const Edge& f) {
+bool in_sweep_order(const BorderPiece& e, const BorderPiece& f) {
   if (e.from != f.from) return e.from < f.from;
   const int turn = orientation(e.from, e.to, f.to);
   return turn != 0 ? turn > 0 : e.to < f.to;
@@ -208,16 +209,16 @@ bool in_sweep_order(const Edge& e, const Edge& f) {
 
 /// Sorts, and merges equal edges; those whose steps cancel out go. Edges from index `fresh_from`
 /// on are fresh; returns the flags in the new order.
-std::vector<char> merge_equal(std::vector<Edge>& edges, std::size_t fresh_from) {
+std::vector<char> merge_equal(std::vector<BorderPiece>& edges, std::size_t fresh_from) {
   std::vector<std::uint32_t> order(edges.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t i, std::uint32_t j) { return in_sweep_order(edges[i], edges[j]); });
-  std::vector<Edge> merged;
+  std::vector<BorderPiece> merged;
   std::vector<char> fresh;
   merged.reserve(edges.size());
   for (std::size_t i = 0; i < order.size();) {
-    Edge edge = edges[order[i]];
+    BorderPiece edge = edges[order[i]];
     bool is_fresh = order[i] >= fresh_from;
     for (++i;
          i < order.size() && edges[order[i]].from == edge.from && edges[order[i]].to == edge.to;
@@ -253,13 +254,13 @@ int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   return sign(cross(a, b, c));
 }
 
-bool is_arranged(const std::vector<Edge>& edges) {
+bool is_arranged(const std::vector<BorderPiece>& edges) {
   return find_cuts(edges, std::vector<char>(edges.size(), 1)).empty();
 }
 
-void merge(std::vector<Edge>& edges) { merge_equal(edges, 0); }
+void merge(std::vector<BorderPiece>& edges) { merge_equal(edges, 0); }
 
-void arrange(std::vector<Edge>& edges) {
+void arrange(std::vector<BorderPiece>& edges) {
   std::vector<char> fresh = merge_equal(edges, 0);
   for (int round = 0; round < kMaxRounds; ++round) {
     const std::vector<Cut> crossings = find_cuts(edges, fresh);

@@ -10,10 +10,10 @@ namespace {
 
 /// Order from bottom to top of edges that the sweep line meets at the same time.
 struct Lower {
-  const std::vector<Edge>* edges;
+  const std::vector<BorderPiece>* edges;
   bool operator()(int i, int j) const {
-    const Edge& e = (*edges)[i];
-    const Edge& f = (*edges)[j];
+    const BorderPiece& e = (*edges)[i];
+    const BorderPiece& f = (*edges)[j];
     if (e.from == f.from) {
       const int turn = orientation(e.from, e.to, f.to);
       return turn != 0 ? turn > 0 : i < j;
@@ -27,7 +27,7 @@ struct Lower {
 
 /// Calls visit(edge, edge under its `from` or -1) for all edges in sweep order.
 template <class Visit>
-void sweep(const std::vector<Edge>& edges, Visit visit) {
+void sweep(const std::vector<BorderPiece>& edges, Visit visit) {
   const int count = static_cast<int>(edges.size());
   std::vector<int> ends(count);
   for (int i = 0; i < count; ++i) ends[i] = i;
@@ -48,7 +48,7 @@ void sweep(const std::vector<Edge>& edges, Visit visit) {
 /// Border pieces directed so that inside is to their left, chained face by face.
 class Tracer {
  public:
-  Tracer(const std::vector<Edge>& labelled, Inside inside);
+  Tracer(const std::vector<BorderPiece>& labelled, Inside inside);
   Region region();
 
  private:
@@ -71,7 +71,7 @@ class Tracer {
   void find_parents();
   Ring ring_of(const Chain& chain) const;
 
-  std::vector<Edge> border_;
+  std::vector<BorderPiece> border_;
   std::vector<char> forward_;
   std::vector<int> by_start_;   ///< pieces ordered by start vertex
   std::vector<int> vertex_;     ///< start vertex number of each piece
@@ -83,8 +83,8 @@ class Tracer {
   std::vector<Chain> chains_;
 };
 
-Tracer::Tracer(const std::vector<Edge>& labelled, Inside inside) {
-  for (const Edge& edge : labelled) {
+Tracer::Tracer(const std::vector<BorderPiece>& labelled, Inside inside) {
+  for (const BorderPiece& edge : labelled) {
     const bool below = inside(edge.below);
     const bool above = inside({edge.below.a + edge.step.a, edge.below.b + edge.step.b});
     if (below == above) continue;
@@ -222,18 +222,18 @@ Region Tracer::region() {
 
 }  // namespace
 
-std::vector<int> label(std::vector<Edge>& edges) {
+std::vector<int> label(std::vector<BorderPiece>& edges) {
   std::vector<int> under(edges.size(), -1);
   sweep(edges, [&](int i, int below) {
     under[i] = below;
     if (below < 0) return;
-    const Edge& other = edges[below];
+    const BorderPiece& other = edges[below];
     edges[i].below = {other.below.a + other.step.a, other.below.b + other.step.b};
   });
   return under;
 }
 
-Region trace(const std::vector<Edge>& labelled, Inside inside) {
+Region trace(const std::vector<BorderPiece>& labelled, Inside inside) {
   return Tracer(labelled, inside).region();
 }
 

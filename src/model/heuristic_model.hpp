@@ -2,6 +2,7 @@
 // waiting for crossing vehicles. After Moussaid, Helbing and Theraulaz 2011.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "model/candidates.hpp"
@@ -18,6 +19,11 @@ class Surroundings;
 /// How vehicles are minded: as in the paper (obstacles that move, and the waiting rule), or with a
 /// discomfort that grows before contact (giving_way.hpp; none: as in the paper).
 enum class VehicleForm { kPlain, kDiscomfort };
+
+/// Of a walking model by its name.
+inline VehicleForm vehicle_form(std::string_view model) {
+  return model == "plain" ? VehicleForm::kPlain : VehicleForm::kDiscomfort;
+}
 
 /// How far and wide people perceive by that form: those who mind discomfort see moving vehicles
 /// farther than people.

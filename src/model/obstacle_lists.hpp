@@ -23,8 +23,8 @@
 
 namespace pedzone {
 
-/// [m/s] slower than this a vehicle is parked, a person stands: static obstacles. From the issue
-/// this model was built for; SUMO's own threshold for halting is 0.1 m/s.
+/// [m/s] slower than this a vehicle is parked, a person stands: static obstacles. Assumed;
+/// SUMO's own threshold for halting is 0.1 m/s.
 inline constexpr float kStandingSpeed = 0.05F;
 
 /// [m²] least p² − R²: two bodies that touch count as 1 mm apart, so that contact "now" stays a

@@ -1,5 +1,6 @@
 #include "model/walking_model.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "model/heuristic_model.hpp"
@@ -8,8 +9,9 @@
 namespace pedzone {
 
 std::unique_ptr<WalkingModel> make_model(const std::string& name) {
-  if (name == "heuristic") return std::make_unique<HeuristicModel>();
-  if (name == "plain") return std::make_unique<HeuristicModel>(VehicleForm::kPlain);
+  if (std::ranges::find(kModelNames, name) != std::end(kModelNames)) {
+    return std::make_unique<HeuristicModel>(vehicle_form(name));
+  }
   std::string known;
   for (const std::string_view model : kModelNames) {
     known += (known.empty() ? "" : ", ") + std::string(model);

@@ -51,7 +51,7 @@ struct CalibrationResult {
 };
 
 /// How far a model is from the recording: mean over sites and manoeuvres of squared deviations,
-/// each over what is tolerated (issue: clearance 15 %, its K–S 0.20, ...). 1: on the border
+/// each over what is tolerated (clearance 15 %, its K–S 0.20, ...). 1: on the border
 /// everywhere.
 double misfit(const std::vector<Clip>& clips, const ScoredRuns& runs,
               const std::vector<bool>& used);

@@ -10,6 +10,10 @@ namespace pedzone {
 
 /// Recordings and scores are at 10 Hz; times are counted in frames.
 inline constexpr double kFrame = 0.1;  // [s]
+/// Frames in which a replayed person follows the recording (validation.md, protocol 2).
+inline constexpr int kFollows = 10;
+/// Frames over which somebody present sees a velocity.
+inline constexpr int kPast = 3;
 
 struct PersonTrack {
   std::string id;
@@ -33,6 +37,9 @@ struct Clip {
   std::vector<PersonTrack> persons;
   std::vector<VehicleTrack> vehicles;
 };
+
+/// What clips are grouped by: "site: manoeuvre".
+inline std::string group_of(const Clip& clip) { return clip.site + ": " + clip.manoeuvre; }
 
 /// Reads all clips (*.csv) of `folder`, or of its sub-folders, one for each site; ordered by site
 /// and name. Columns: t [s], kind (ped or veh), id, x, y [m], and for vehicles heading [rad, ccw

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +7,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/xml.hpp"
 #include "validation/clip.hpp"
 
 namespace pedzone {
@@ -15,10 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPast = 3;            // frames over which a vehicle's velocity is seen
-constexpr double kOnFrame = 0.02;   // [s] a time is taken to be that of the nearest frame
-constexpr double kFarthest = 1e6;   // [m] of coordinates
-constexpr double kMostSize = 50.0;  // [m] of a vehicle
+constexpr double kOnFrame = 0.02;          // [s] a time is taken to be that of the nearest frame
+constexpr NumberRange kPlaces{-1e6, 1e6};  // [m] of coordinates
+constexpr NumberRange kSizes{0.0, 50.0};   // [m] of a vehicle
 
 enum Column { kT, kKind, kId, kX, kY, kHeading, kFront, kRear, kHalfWidth, kColumns };
 constexpr std::array<std::string_view, kColumns> kColumnNames{
@@ -58,7 +57,7 @@ class ClipFile {
   }
 
   void read_header();
-  double number(Column column, double least, double most) const;
+  double number(Column column, const NumberRange& range) const;
   Row row() const;
   void add_person(Clip& clip, const Row& row);
   void add_vehicle(Clip& clip, const Row& row);
@@ -91,29 +90,26 @@ void ClipFile::read_header() {
   }
 }
 
-double ClipFile::number(Column column, double least, double most) const {
+double ClipFile::number(Column column, const NumberRange& range) const {
   const std::string_view cell = cells_[where_[column]];
   double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-    fail("is not a number", column, cell, "a number");
-  }
-  if (value < least || value > most) {
-    fail("is out of range", column, cell, std::to_string(least) + " to " + std::to_string(most));
+  if (!parse_number(cell, value)) fail("is not a number", column, cell, "a number");
+  if (value < range.least || value > range.most) {
+    fail("is out of range", column, cell, describe(range));
   }
   return value;
 }
 
 ClipFile::Row ClipFile::row() const {
   Row row;
-  const double t = number(kT, 0.0, 1e6);
+  const double t = number(kT, {0.0, 1e6});
   row.frame = static_cast<int>(std::lround(t / kFrame));
   if (std::abs(t - row.frame * kFrame) > kOnFrame) {
     fail("is between two frames", kT, cells_[where_[kT]], "multiples of 0.1 s (10 Hz)");
   }
   row.id = cells_[where_[kId]];
   if (row.id.empty()) fail("is empty", kId, row.id, "an id");
-  row.place = {number(kX, -kFarthest, kFarthest), number(kY, -kFarthest, kFarthest)};
+  row.place = {number(kX, kPlaces), number(kY, kPlaces)};
   return row;
 }
 
@@ -148,14 +144,14 @@ void ClipFile::add_person(Clip& clip, const Row& row) {
 void ClipFile::add_vehicle(Clip& clip, const Row& row) {
   VehicleTrack& vehicle = track<VehicleTrack>(
       clip.vehicles, vehicles_, row, [](const VehicleTrack& t) { return t.states.size(); });
-  const double front = number(kFront, 0.0, kMostSize), rear = number(kRear, 0.0, kMostSize);
-  const double half_width = number(kHalfWidth, 0.0, kMostSize);
+  const double front = number(kFront, kSizes), rear = number(kRear, kSizes);
+  const double half_width = number(kHalfWidth, kSizes);
   if (!(front + rear > 0.0)) fail("is no size", kFront, cells_[where_[kFront]], "more than 0");
   if (!(half_width > 0.0)) {
     fail("is no size", kHalfWidth, cells_[where_[kHalfWidth]], "more than 0");
   }
   VehicleState state;
-  state.heading = number(kHeading, -100.0, 100.0);
+  state.heading = number(kHeading, {-100.0, 100.0});
   state.centre = row.place + 0.5 * (front - rear) * unit(state.heading);
   state.length = front + rear;
   state.width = 2.0 * half_width;

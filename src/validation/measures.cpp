@@ -4,50 +4,24 @@
 #include <cmath>
 #include <limits>
 
+#include "conflict/approach.hpp"
+
 namespace pedzone {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kArrived = 0.5;  // [m] from the goal (vehicle.md, trap 3)
-constexpr int kFollows = 10;      // frames in which a replayed person follows the recording
 constexpr int kWindow = 5;        // frames of a speed
 constexpr double kBody = 0.24;    // [m] of a person, for times to collision and encroachment
 
-Vec2 to_frame_of(const VehicleState& vehicle, const Vec2& v) {
-  const Vec2 e = unit(vehicle.heading);
-  return {v.dot(e), v.dot(left_of(e))};
-}
-
-/// Time [s] until a disc of kBody touches the rectangle, both at constant velocity.
-double time_to_collision(const VehicleState& vehicle, const Vec2& place, const Vec2& velocity) {
-  const Vec2 q = to_frame_of(vehicle, place - vehicle.centre);
-  const Vec2 w = to_frame_of(vehicle, velocity - vehicle.velocity);
-  const Vec2 half = 0.5 * Vec2(vehicle.length, vehicle.width);
-  const auto through = [&](const Vec2& box) {
-    double enter = 0.0, leave = kInfinite;
-    for (int axis = 0; axis < 2; ++axis) {
-      if (w[axis] == 0.0) {
-        if (std::abs(q[axis]) > box[axis]) return kInfinite;
-        continue;
-      }
-      const double a = (-box[axis] - q[axis]) / w[axis], b = (box[axis] - q[axis]) / w[axis];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    return enter <= leave ? enter : kInfinite;
-  };
-  double first =
-      std::min(through({half.x() + kBody, half.y()}), through({half.x(), half.y() + kBody}));
-  for (const double sx : {-1.0, 1.0}) {
-    for (const double sy : {-1.0, 1.0}) {
-      const Vec2 d = q - Vec2(sx * half.x(), sy * half.y());
-      const double a = w.squaredNorm(), b = d.dot(w), c = d.squaredNorm() - kBody * kBody;
-      const double root = b * b - a * c;
-      if (c <= 0.0) return 0.0;
-      if (root >= 0.0 && b < 0.0) first = std::min(first, c / (std::sqrt(root) - b));
-    }
-  }
-  return first;
+/// A person's disc (a point by itself) and a vehicle at one moment.
+Approach approach_of(const VehicleState& vehicle, const Vec2& place, const Vec2& velocity,
+                     double radius) {
+  const Vec2 axis = unit(vehicle.heading);
+  return {to_frame(axis, place - vehicle.centre),
+          to_frame(axis, velocity - vehicle.velocity),
+          vehicle.velocity.dot(axis),
+          {0.5 * vehicle.length, 0.5 * vehicle.width, radius}};
 }
 
 /// What the vehicle's passage over the point `place` leaves to somebody who is there at frame
@@ -127,9 +101,7 @@ void measure_speeds(const PersonTrack& track, const Polyline& way, Measures& mea
 }  // namespace
 
 double signed_clearance(const VehicleState& vehicle, const Vec2& point) {
-  const Vec2 q = to_frame_of(vehicle, point - vehicle.centre);
-  const Vec2 out = q.cwiseAbs() - 0.5 * Vec2(vehicle.length, vehicle.width);
-  return out.maxCoeff() <= 0.0 ? out.maxCoeff() : out.cwiseMax(0.0).norm();
+  return clearance(approach_of(vehicle, point, vehicle.velocity, 0.0));
 }
 
 Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way) {
@@ -144,12 +116,12 @@ Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way
       const double clearance = signed_clearance(*state, way[here]);
       measures.inside = measures.inside || clearance < 0.0;
       measures.clearance = std::min(measures.clearance, std::max(clearance, 0.0));
-      const std::size_t before = here >= 3 ? here - 3 : 0;
+      const std::size_t before = here >= kPast ? here - kPast : 0;
       if (here == before) continue;
       const Vec2 velocity =
           (way[here] - way[before]) / (static_cast<double>(here - before) * kFrame);
-      measures.least_ttc =
-          std::min(measures.least_ttc, time_to_collision(*state, way[here], velocity));
+      const auto ttc = time_to_contact(approach_of(*state, way[here], velocity, kBody));
+      measures.least_ttc = std::min(measures.least_ttc, ttc.value_or(kInfinite));
     }
     const auto passed = passing(vehicle, track.first, way);
     if (passed && (!measures.passing || passed->gap < measures.passing->gap)) {

@@ -1,4 +1,4 @@
-// How far a model is from the recording: the targets of the issue as one number to be made small.
+// How far a model is from the recording: what is wanted as one number to be made small.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,8 +8,6 @@
 
 namespace pedzone {
 namespace {
-
-constexpr double kInteracting = 3.0;  // [m] as in validation.cpp
 
 double squared(double x) { return x * x; }
 
@@ -70,7 +68,7 @@ double misfit(const std::vector<Clip>& clips, const ScoredRuns& runs,
   for (std::size_t c = 0; c < clips.size(); ++c) {
     if (!used[c]) continue;
     sites.insert(clips[c].site);
-    manoeuvres.insert(clips[c].site + ": " + clips[c].manoeuvre);
+    manoeuvres.insert(group_of(clips[c]));
   }
   double sum = 0.0, groups = 0.0;
   for (const std::string& site : sites) {
@@ -83,7 +81,7 @@ double misfit(const std::vector<Clip>& clips, const ScoredRuns& runs,
   for (const std::string& manoeuvre : manoeuvres) {
     const Mean mean = mean_of(runs, [&](const ScoredPerson& p) {
       const Clip& clip = clips[p.clip];
-      return used[p.clip] && clip.site + ": " + clip.manoeuvre == manoeuvre;
+      return used[p.clip] && group_of(clip) == manoeuvre;
     });
     if (!mean.any) continue;
     // A manoeuvre weighs half a site.

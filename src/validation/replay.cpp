@@ -8,7 +8,6 @@
 namespace pedzone {
 namespace {
 
-constexpr int kFollows = 10;      // frames (validation.md, protocol 2)
 constexpr double kJitter = 0.03;  // share of the preferred speed (protocol 6)
 constexpr double kRadius = 0.24;  // [m] of a body
 constexpr double kAround = 60.0;  // [m] of open space round the recorded places
@@ -43,8 +42,8 @@ double preferred_speed(const Clip& clip, const PersonTrack& track, std::uint64_t
 }
 
 Vec2 recorded_velocity(const PersonTrack& track, std::size_t i) {
-  const std::size_t from = i >= 3 ? i - 3 : 0;
-  const std::size_t to = i > 0 ? i : std::min<std::size_t>(3, track.places.size() - 1);
+  const std::size_t from = i >= kPast ? i - kPast : 0;
+  const std::size_t to = i > 0 ? i : std::min<std::size_t>(kPast, track.places.size() - 1);
   if (from == to) return Vec2::Zero();
   return (track.places[to] - track.places[from]) / (static_cast<double>(to - from) * kFrame);
 }

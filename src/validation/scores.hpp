@@ -14,6 +14,9 @@
 
 namespace pedzone {
 
+/// [m] persons whose clearance gets below this interact (validation.md, protocol 5).
+inline constexpr double kInteracting = 3.0;
+
 /// One scored person: recorded, and as one model walked it in one seed.
 struct ScoredPerson {
   std::uint32_t clip = 0, person = 0;  ///< indices

@@ -14,10 +14,7 @@
 namespace pedzone {
 namespace {
 
-constexpr double kInteracting = 3.0;                // [m] (protocol 5)
 constexpr std::uint64_t kBootstrapSeed = 20190101;  // numerical: any
-
-std::string group_of(const Clip& clip) { return clip.site + ": " + clip.manoeuvre; }
 
 bool in_group(const Clip& clip, const std::string& group) {
   return group == "all" || group == clip.site || group == group_of(clip);

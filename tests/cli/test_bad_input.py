@@ -14,12 +14,13 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from refusal import RefusalChecks
 from tiny_scenario import EDGES, TinyScenario
 
 PEDZONE = None  # set from the command line
 
 
-class BadInput(unittest.TestCase):
+class BadInput(RefusalChecks, unittest.TestCase):
     def setUp(self):
         self.directory = tempfile.TemporaryDirectory()
         self.folder = Path(self.directory.name)
@@ -38,14 +39,7 @@ class BadInput(unittest.TestCase):
                             "out/trajectories.csv", *words[1:])
 
     def expect(self, done, code, *fragments):
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        for fragment in fragments:
-            self.assertIn(fragment, done.stderr)
-        errors = [line for line in done.stderr.splitlines() if line.startswith("Error: ")]
-        if code == 2:
-            self.assertEqual(len(errors), 1, done.stderr)
-        left = [str(path) for path in (self.folder / "out").rglob("*") if path.is_file()]
-        self.assertEqual(left, [], "outputs are complete or absent")
+        self.check_refused(done, *fragments, code=code)
 
     def zone(self, body):
         self.tiny.config()

@@ -14,6 +14,7 @@ import unittest
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
+from refusal import RefusalChecks
 from tiny_scenario import TinyScenario, sumo_environment
 
 PEDZONE = None  # set from the command line
@@ -32,7 +33,7 @@ def fcd(person="p", steps=10):
     ) + "</fcd-export>\n"
 
 
-class Conflicts(unittest.TestCase):
+class Conflicts(RefusalChecks, unittest.TestCase):
     def setUp(self):
         self.directory = tempfile.TemporaryDirectory()
         self.folder = Path(self.directory.name)
@@ -59,15 +60,6 @@ class Conflicts(unittest.TestCase):
     def rows(self, name="out/c.csv"):
         with open(self.folder / name, newline="") as file:
             return list(csv.DictReader(file))
-
-    def refused(self, done, *fragments):
-        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-        errors = [line for line in done.stderr.splitlines() if line.startswith("Error: ")]
-        self.assertEqual(len(errors), 1, done.stderr)
-        for fragment in fragments:
-            self.assertIn(fragment, done.stderr)
-        left = [str(path) for path in (self.folder / "out").rglob("*") if path.is_file()]
-        self.assertEqual(left, [], "outputs are complete or absent")
 
     # What is written
 
@@ -156,65 +148,65 @@ class Conflicts(unittest.TestCase):
     # Bad input
 
     def test_no_output_asked_for(self):
-        self.refused(self.call(PEDZONE, "conflicts", "fcd.xml"), "--conflict-output")
+        self.check_refused(self.call(PEDZONE, "conflicts", "fcd.xml"), "--conflict-output")
 
     def test_missing_file(self):
-        self.refused(self.measure(file="gone.xml"), "gone.xml", "cannot be opened")
+        self.check_refused(self.measure(file="gone.xml"), "gone.xml", "cannot be opened")
 
     def test_no_xml(self):
         self.write("fcd.xml", "time,id,x,y\n0,p,1,2\n")
-        self.refused(self.measure(), "fcd.xml:1", "not well-formed")
+        self.check_refused(self.measure(), "fcd.xml:1", "not well-formed")
 
     def test_another_output(self):
         self.write("fcd.xml", "<tripinfos>\n</tripinfos>")
-        self.refused(self.measure(), "fcd.xml:1", "tripinfos", "fcd-export")
+        self.check_refused(self.measure(), "fcd.xml:1", "tripinfos", "fcd-export")
 
     def test_broken_off(self):
         self.write("fcd.xml", fcd()[:-20])
-        self.refused(self.measure(), "fcd.xml:", "not well-formed")
+        self.check_refused(self.measure(), "fcd.xml:", "not well-formed")
 
     def test_compressed_and_broken_off(self):
         data = gzip.compress(fcd(steps=500).encode())
         (self.folder / "fcd.xml.gz").write_bytes(data[:len(data) // 2])
-        self.refused(self.measure(file="fcd.xml.gz"), "fcd.xml.gz")
+        self.check_refused(self.measure(file="fcd.xml.gz"), "fcd.xml.gz")
 
     def test_no_number(self):
         self.write("fcd.xml", fcd().replace('y="0.00" angle="90.00"', 'y="north" angle="90.00"', 1))
-        self.refused(self.measure(), "fcd.xml:3", 'id="car"', "y", "north", "number")
+        self.check_refused(self.measure(), "fcd.xml:3", 'id="car"', "y", "north", "number")
 
     def test_out_of_range(self):
         self.write("fcd.xml", fcd().replace('angle="0.00"', 'angle="1000"', 1))
-        self.refused(self.measure(), "fcd.xml:4", 'id="p"', "angle", "1000", "-360 to 360")
+        self.check_refused(self.measure(), "fcd.xml:4", 'id="p"', "angle", "1000", "-360 to 360")
 
     def test_missing_attribute(self):
         self.write("fcd.xml", fcd().replace(' speed="8.00"', ""))
-        self.refused(self.measure(), "fcd.xml:3", "speed", "missing")
+        self.check_refused(self.measure(), "fcd.xml:3", "speed", "missing")
 
     def test_time_runs_backwards(self):
         self.write("fcd.xml", fcd().replace('time="0.50"', 'time="0.30"'))
-        self.refused(self.measure(), "fcd.xml:17", "time", "0.30", "not later")
+        self.check_refused(self.measure(), "fcd.xml:17", "time", "0.30", "not later")
 
     def test_one_id_twice_in_a_step(self):
         self.write("fcd.xml", fcd().replace('<person id="p"', '<vehicle type="van" id="car"', 1))
-        self.refused(self.measure(), "fcd.xml:4", "car", "twice")
+        self.check_refused(self.measure(), "fcd.xml:4", "car", "twice")
 
     def test_unknown_type(self):
         self.write("types.rou.xml", "<routes/>")
-        self.refused(self.measure(), "fcd.xml:3", 'id="car"', "type", "van", "--vtypes")
+        self.check_refused(self.measure(), "fcd.xml:3", 'id="car"', "type", "van", "--vtypes")
 
     def test_bad_size(self):
         self.write("types.rou.xml", TYPES.replace('"6"', '"long"'))
-        self.refused(self.measure(), "types.rou.xml:1", 'id="van"', "length", "long")
+        self.check_refused(self.measure(), "types.rou.xml:1", 'id="van"', "length", "long")
 
     def test_unknown_type_as_person(self):
-        self.refused(self.measure("--treat-as-person", "chair"), "--treat-as-person", "chair")
+        self.check_refused(self.measure("--treat-as-person", "chair"), "--treat-as-person", "chair")
 
     def test_missing_scenario(self):
-        self.refused(self.measure("--scenario", "gone.sumocfg"), "gone.sumocfg")
+        self.check_refused(self.measure("--scenario", "gone.sumocfg"), "gone.sumocfg")
 
     def test_limit_out_of_range(self):
         done = self.measure("--conflict-ttc", "-1")
-        self.refused(done, "--conflict-ttc")
+        self.check_refused(done, "--conflict-ttc")
 
     def test_output_that_cannot_be_written(self):
         self.write("out", "a file, not a folder")

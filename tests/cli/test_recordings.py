@@ -12,6 +12,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from refusal import RefusalChecks
+
 PEDZONE = None  # set from the command line
 COLUMNS = "t,kind,id,x,y,vx,vy,heading,front,rear,half_width"
 
@@ -28,7 +30,7 @@ def clip(offset=0.0, speed=2.5, seconds=8.0):
     return rows
 
 
-class Recordings(unittest.TestCase):
+class Recordings(RefusalChecks, unittest.TestCase):
     def setUp(self):
         self.directory = tempfile.TemporaryDirectory()
         self.folder = Path(self.directory.name)
@@ -52,20 +54,11 @@ class Recordings(unittest.TestCase):
         return self.pedzone("validate", "--data", "data", "--seeds", "2", "--resamples", "20",
                             "--json", "out/v.json", "--html", "out/v.html", *words)
 
-    def expect_error(self, done, *fragments):
-        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-        errors = [line for line in done.stderr.splitlines() if line.startswith("Error: ")]
-        self.assertEqual(len(errors), 1, done.stderr)
-        for fragment in fragments:
-            self.assertIn(fragment, done.stderr)
-        left = [str(path) for path in (self.folder / "out").rglob("*") if path.is_file()]
-        self.assertEqual(left, [], "outputs are complete or absent")
-
     def bad_rows(self, change, *fragments):
         rows = clip()
         change(rows)
         self.write("here/front_01.csv", rows)
-        self.expect_error(self.validate(), "front_01.csv", *fragments)
+        self.check_refused(self.validate(), "front_01.csv", *fragments)
 
     # What comes out
 
@@ -131,7 +124,7 @@ class Recordings(unittest.TestCase):
 
     def test_missing_column(self):
         self.write("here/front_01.csv", clip(), COLUMNS.replace(",half_width", ""))
-        self.expect_error(self.validate(), "front_01.csv:1", "half_width", "missing")
+        self.check_refused(self.validate(), "front_01.csv:1", "half_width", "missing")
 
     def test_gap_in_time(self):
         self.bad_rows(lambda rows: rows.__delitem__(30), ":34", "gap", "id 1")
@@ -160,28 +153,28 @@ class Recordings(unittest.TestCase):
 
     def test_empty_file(self):
         (self.folder / "data/here/front_01.csv").write_text("")
-        self.expect_error(self.validate(), "front_01.csv", "empty")
+        self.check_refused(self.validate(), "front_01.csv", "empty")
 
     def test_vehicles_only(self):
         self.write("here/front_01.csv", [row for row in clip() if ",veh," in row])
-        self.expect_error(self.validate(), "front_01.csv", "no rows of persons")
+        self.check_refused(self.validate(), "front_01.csv", "no rows of persons")
 
     def test_no_folder_and_no_clips(self):
         done = self.pedzone("validate", "--data", "nowhere")
-        self.expect_error(done, "nowhere")
+        self.check_refused(done, "nowhere")
         (self.folder / "bare").mkdir()
-        self.expect_error(self.pedzone("validate", "--data", "bare"), "no clips")
+        self.check_refused(self.pedzone("validate", "--data", "bare"), "no clips")
 
     def test_unknown_model_and_parameter(self):
-        self.expect_error(self.validate("--model", "telepathy"), "telepathy", "heuristic")
-        self.expect_error(self.validate("--param", "discomfrt=1"), "discomfrt")
-        self.expect_error(self.validate("--param", "discomfort=-1"), "discomfort", "0 to 100")
+        self.check_refused(self.validate("--model", "telepathy"), "telepathy", "heuristic")
+        self.check_refused(self.validate("--param", "discomfrt=1"), "discomfrt")
+        self.check_refused(self.validate("--param", "discomfort=-1"), "discomfort", "0 to 100")
 
     def test_one_clip_cannot_be_cross_validated(self):
         for name in ("here/back_02.csv", "there/intersection_01.csv"):
             (self.folder / "data" / name).unlink()
         done = self.pedzone("calibrate", "--data", "data", "--out", "out", "--first", "2")
-        self.expect_error(done, "cross-validate")
+        self.check_refused(done, "cross-validate")
 
 
 if __name__ == "__main__":

@@ -14,32 +14,21 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ET
-from collections import defaultdict
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from check.scenario import read_scenario  # noqa: E402
 
 PLACE = 0.3     # [m] who stays within this stands
 BEFORE = 0.5    # [m] so close before the bumper is pushed
 RADIUS = 0.2    # [m] of a body, on the careful side
 
 
-def vehicle_sizes(config):
-    """{type: (length, width)} [m] from the scenario's route files; SUMO's passenger car else."""
-    sizes = defaultdict(lambda: (5.0, 1.8))
-    folder = Path(config).parent
-    for node in ET.parse(config).iter("route-files"):
-        for name in node.get("value").split(","):
-            for kind in ET.parse(folder / name.strip()).iter("vType"):
-                default = (6.5, 2.16) if kind.get("vClass") == "delivery" else (5.0, 1.8)
-                sizes[kind.get("id")] = (float(kind.get("length", default[0])),
-                                         float(kind.get("width", default[1])))
-    return sizes
-
-
 class Watch:
     """Takes in one time step after the other."""
 
-    def __init__(self, sizes, walked):
-        self.sizes, self.walked = sizes, walked
+    def __init__(self, scenario, walked):
+        self.scenario, self.walked = scenario, walked
         self.since, self.place = {}, {}
         self.standing = (0.0, "")   # longest [s], person
         self.waiting = (0.0, "")    # longest [s], vehicle
@@ -77,7 +66,7 @@ class Watch:
         dy = float(person["y"]) - float(vehicle["y"])
         ahead = dx * math.cos(angle) + dy * math.sin(angle)
         aside = abs(dy * math.cos(angle) - dx * math.sin(angle))
-        width = self.sizes[vehicle["type"]][1]
+        width = self.scenario.size(vehicle["type"])[1]
         if 0.0 <= ahead - RADIUS < BEFORE and aside < width / 2:
             self.pushing = max(self.pushing, (float(vehicle["speed"]), vehicle["id"]))
 
@@ -89,8 +78,8 @@ def read_walked(path):
         return {(float(row.split(",")[0]), row.split(",")[1]) for row in stream}
 
 
-def watch(fcd, sizes, walked):
-    seen = Watch(sizes, walked)
+def watch(fcd, scenario, walked):
+    seen = Watch(scenario, walked)
     for _, node in ET.iterparse(fcd):
         if node.tag == "timestep":
             seen.step(float(node.get("time")), [v.attrib for v in node.iter("vehicle")],
@@ -112,7 +101,7 @@ def main():
         subprocess.run([options.pedzone, "run", options.scenario, "--trajectories", str(rows), "--",
                         "--fcd-output", str(fcd)], check=True, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL)
-        seen = watch(fcd, vehicle_sizes(options.scenario), read_walked(rows))
+        seen = watch(fcd, read_scenario(options.scenario), read_walked(rows))
     print(f"longest that a person stands      {seen.standing[0]:6.1f} s ({seen.standing[1]})")
     print(f"longest that a vehicle stands     {seen.waiting[0]:6.1f} s ({seen.waiting[1]})")
     print(f"fastest close before somebody     {seen.pushing[0]:6.2f} m/s ({seen.pushing[1]})")

@@ -16,16 +16,17 @@ namespace bg = boost::geometry;
 using BoostPoint = bg::model::d2::point_xy<double>;
 using BoostPolygon = bg::model::polygon<BoostPoint, false, false>;
 using BoostRegion = bg::model::multi_polygon<BoostPolygon>;
-using overlay::Edge;
+using overlay::BorderPiece;
 using overlay::GridPoint;
 using shapes::Random;
 using shapes::uniform;
 
-void add_closed(const std::vector<GridPoint>& ring, std::vector<Edge>& edges) {
+void add_closed(const std::vector<GridPoint>& ring, std::vector<BorderPiece>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const GridPoint &from = ring[i], &to = ring[(i + 1) % ring.size()];
     if (from == to) continue;
-    edges.push_back(from < to ? Edge{from, to, {1, 0}, {}} : Edge{to, from, {-1, 0}, {}});
+    edges.push_back(from < to ? BorderPiece{from, to, {1, 0}, {}}
+                              : BorderPiece{to, from, {-1, 0}, {}});
   }
 }
 
@@ -38,7 +39,7 @@ TEST(Arrange, leaves_edges_that_meet_in_end_points_only) {
     std::vector<GridPoint> ring;
     const std::uint64_t count = 3 + random() % 20;
     for (std::uint64_t i = 0; i < count; ++i) ring.push_back({coordinate(), coordinate()});
-    std::vector<Edge> edges;
+    std::vector<BorderPiece> edges;
     add_closed(ring, edges);
     overlay::arrange(edges);
     ASSERT_TRUE(overlay::is_arranged(edges)) << round;
@@ -53,7 +54,7 @@ TEST(Arrange, ends_for_long_edges_that_are_nearly_parallel) {
       const std::int64_t along = static_cast<std::int64_t>(random() % 100000);
       ring.push_back({along, along / 3 + static_cast<std::int64_t>(random() % 5)});
     }
-    std::vector<Edge> edges;
+    std::vector<BorderPiece> edges;
     add_closed(ring, edges);
     overlay::arrange(edges);
     ASSERT_TRUE(overlay::is_arranged(edges)) << round;
@@ -70,17 +71,17 @@ TEST(Label, counts_how_often_rings_wind_round_a_place) {
                         static_cast<std::int64_t>(random() % 10000)});
       ring.push_back(overlay::from_grid(points.back()));
     }
-    std::vector<Edge> edges;
+    std::vector<BorderPiece> edges;
     add_closed(points, edges);
     overlay::arrange(edges);
     overlay::label(edges);
-    for (const Edge& edge : edges) {
+    for (const BorderPiece& edge : edges) {
       const Vec2 from = overlay::from_grid(edge.from), to = overlay::from_grid(edge.to);
       if ((to - from).norm() < 0.2) continue;
       // Beside the middle of the piece, but not beyond the next one.
       const Vec2 right = 0.5 * (from + to) - 0.02 * left_of((to - from).normalized());
       double nearest = 1.0;
-      for (const Edge& other : edges) {
+      for (const BorderPiece& other : edges) {
         if (&other == &edge) continue;
         nearest = std::min(nearest, shapes::segment_distance(overlay::from_grid(other.from),
                                                              overlay::from_grid(other.to), right));
