@@ -16,7 +16,7 @@ namespace {
 void report(const InspectOptions& options) {
   const Scenario scenario = read_scenario(options.config, options.sumo_options);
   std::vector<ZoneSpec> specs;
-  if (!options.zone_file.empty()) specs = read_zone_file(options.zone_file);
+  if (!options.zone_file.empty()) specs = read_zone_file(options.zone_file).zones;
   std::unique_ptr<CompleteFile> picture;
   if (!options.svg.empty()) picture = std::make_unique<CompleteFile>(options.svg, "--svg");
   const Network network = read_scenario_network(scenario);

@@ -6,6 +6,7 @@
 #include "app/conflicts.hpp"
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
+#include "app/profile_tables.hpp"
 #include "app/run.hpp"
 #include "app/validate.hpp"
 #include "core/error.hpp"
@@ -58,6 +59,11 @@ void add_parameters(CLI::App& app) {
       ->callback([] { fmt::print("{}", parameter_table()); });
 }
 
+void add_profiles(CLI::App& app) {
+  app.add_subcommand("profiles", "Print the tables of profiles, activities and weather (Markdown)")
+      ->callback([] { fmt::print("{}", profile_tables()); });
+}
+
 void add_conflicts(CLI::App& app, ConflictsOptions& options, int& code) {
   CLI::App* command = app.add_subcommand(
       "conflicts", "Measure conflicts of persons and vehicles in SUMO's floating-car data");
@@ -93,6 +99,7 @@ int command_line(int argc, char** argv) {
   add_inspect(app, inspect_options, code);
   add_conflicts(app, conflicts_options, code);
   add_parameters(app);
+  add_profiles(app);
   add_validate(app, code);
   add_calibrate(app, code);
   try {

@@ -24,7 +24,11 @@ SimulationOptions prepare(const RunOptions& options) {
   SimulationOptions prepared;
   prepared.scenario = read_scenario(options.config, options.sumo_options);
   require_persons(prepared.scenario);
-  if (!options.zone_file.empty()) prepared.zones = read_zone_file(options.zone_file);
+  if (!options.zone_file.empty()) {
+    ZoneFile file = read_zone_file(options.zone_file);
+    prepared.zones = std::move(file.zones);
+    prepared.profiles = std::move(file.profiles);
+  }
   prepared.seed = options.seed;
   prepared.end = options.end;
   return prepared;

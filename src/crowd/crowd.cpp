@@ -125,6 +125,9 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   persons.key[i] = person.key;
   WalkState& walker = state.walkers[i];
   walker.handle = state.new_handle();
+  walker.profile = person.profile;
+  walker.group = person.group;
+  walker.rates = person.rates;
   state.row[walker.handle] = static_cast<std::uint32_t>(i);
   // The variation starts in its stationary state, with the number of the substep before.
   walker.noise = state.zone.parameters.heading_noise * kPi / 180.0 *
@@ -177,8 +180,8 @@ PersonView Crowd::view(Handle handle) const {
   const Activity activity = walker.waits                   ? Activity::kWaiting
                             : walker.slow >= kStandingTime ? Activity::kStanding
                                                            : Activity::kWalking;
-  return {state.position(i), state.velocity(i), state.persons.heading[i],
-          activity,          walker.arrived,    walker.gave_up};
+  return {state.position(i), state.velocity(i), state.persons.heading[i], activity, walker.pastime,
+          walker.arrived,    walker.gave_up};
 }
 
 bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {

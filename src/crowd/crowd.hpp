@@ -1,6 +1,7 @@
 // The people of one zone, and the step that moves them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -8,6 +9,8 @@
 #include <vector>
 
 #include "model/walking_model.hpp"
+#include "world/activities.hpp"
+#include "world/profiles.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone {
@@ -19,6 +22,12 @@ struct Destination {
   Vec2 a = Vec2::Zero(), b = Vec2::Zero();  ///< [m]
 };
 
+/// A place to come by on the way.
+struct Waypoint {
+  Vec2 at = Vec2::Zero();  ///< [m]
+  double radius = 1.0;     ///< [m] (0, 20] ε: so near, it is reached
+};
+
 struct NewPerson {
   std::uint64_t key = 0;          ///< person_key(id)
   Vec2 position = Vec2::Zero();   ///< [m]
@@ -27,8 +36,13 @@ struct NewPerson {
   double radius = 0.24;           ///< [m]
   double preferred_speed = 1.34;  ///< [m/s]
   Destination destination;
-  bool place_freely = false;  ///< departs here: moved to the nearest free place if
-                              ///< somebody or something stands there
+  const Profile* profile = nullptr;       ///< must outlive the crowd; null: as the zone's
+                                          ///< parameters say, without pastimes
+  std::uint64_t group = 0;                ///< persons of the same number keep together; 0: alone
+  std::vector<Waypoint> path;             ///< come by these in turn, then to the destination
+  std::array<double, kPastimes> rates{};  ///< [1/min] at which each pastime begins
+  bool place_freely = false;              ///< departs here: moved to the nearest free place if
+                                          ///< somebody or something stands there
 };
 
 /// Somebody near the zone whom SUMO still walks: seen, not moved.
@@ -46,6 +60,7 @@ struct PersonView {
   Vec2 position, velocity;
   double heading;
   Activity activity;
+  Pastime pastime;
   bool arrived;  ///< on its destination (or gave up there after its patience)
   bool gave_up;  ///< arrived only since patience ran out near a blocked destination
 };

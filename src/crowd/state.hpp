@@ -23,8 +23,12 @@ struct WalkState {
   double blocked = 0.0;                                         ///< [s] since that was
   double slow = 0.0;          ///< [s] since the person was last faster than standing
   std::uint64_t planned = 0;  ///< substep of the last plan
-  bool entered = false;       ///< has been within the radius of the current waypoint
-  bool waits = false;         ///< for a vehicle
+  const Profile* profile = nullptr;
+  std::uint64_t group = 0;                ///< 0: alone
+  std::array<double, kPastimes> rates{};  ///< [1/min]
+  Pastime pastime = Pastime::kNone;
+  bool entered = false;  ///< has been within the radius of the current waypoint
+  bool waits = false;    ///< for a vehicle
   bool arrived = false, gave_up = false;
 };
 

@@ -53,8 +53,10 @@ struct Simulation::Parts {
         stand_offs(zones),
         seed(options.seed ? *options.seed
                           : static_cast<std::uint64_t>(number_option(session, "seed"))),
+        profiles(options.profiles),
         crowds(make_crowds()),
-        takeover(network, zones, crowds, number_option(session, "pedestrian.striping.dawdling")) {
+        takeover(network, zones, crowds, profiles,
+                 number_option(session, "pedestrian.striping.dawdling")) {
     if (session.option("pedestrian.model") != "striping") {
       throw InputError("is a pedestrian model that pedzone cannot take persons over from",
                        {options.scenario.config, 0, "option pedestrian.model",
@@ -80,6 +82,7 @@ struct Simulation::Parts {
   Yielding yielding;
   StandOffs stand_offs;
   std::uint64_t seed;
+  Profiles profiles;
   std::vector<std::unique_ptr<Crowd>> crowds;
   Takeover takeover;
   RunTotals totals;

@@ -16,6 +16,7 @@ namespace pedzone {
 struct SimulationOptions {
   Scenario scenario;
   std::vector<ZoneSpec> zones;        ///< empty: the zone is found by itself
+  Profiles profiles;                  ///< that persons may name
   std::optional<std::uint64_t> seed;  ///< of SUMO and of pedzone; unset: SUMO's
   std::optional<double> end;          ///< [s] overrides the scenario's
 };

@@ -6,6 +6,7 @@
 #include "core/random.hpp"
 #include "sumo/api.hpp"
 #include "sumo/frames.hpp"
+#include "sumo/person_hints.hpp"
 
 namespace pedzone {
 namespace {
@@ -58,10 +59,12 @@ Destination with_room(const Destination& portal, double radius) {
 // Striping takes a random share of up to `dawdling` off the top speed in every step, so its free
 // walkers average this share of it; ours walk as fast, or a comparison would measure free speed.
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
-                   std::vector<std::unique_ptr<Crowd>>& crowds, double dawdling)
+                   std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
+                   double dawdling)
     : network_(network),
       zones_(zones),
       crowds_(crowds),
+      profiles_(profiles),
       striping_share_(1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0)),
       zone_of_edge_(network.edges.size(), -1),
       bystanders_(zones),
@@ -182,8 +185,12 @@ bool Takeover::add_guest(const std::string& id, int zone, const Walk& walk, std:
   guest.plan = plan;
   guest.radius = body_radius(id);
   guest.preferred_speed = striping_share_ * api::Person::getMaxSpeed(id);
+  const PersonHints hints = read_hints(id, profiles_);
   NewPerson person;
   person.key = person_key(id);
+  person.profile = hints.profile;
+  person.group = hints.group;
+  person.rates = hints.rates;
   person.position = walk.start;
   person.heading = radians_from_sumo(api::Person::getAngle(id));
   person.velocity = unit(person.heading) *

@@ -42,6 +42,7 @@ Zone finish(const Network& network, const std::vector<bool>& taken, Draft& draft
   zone.id = draft.spec->id;
   zone.parameters = draft.spec->parameters;
   zone.model = draft.spec->model;
+  zone.weather = draft.spec->weather;
   zone.edges.insert(parts.selection.edges.begin(), parts.selection.edges.end());
   for (const Link& link : parts.links) zone.links.insert({link.from, link.to});
   std::merge(parts.selection.lanes.begin(), parts.selection.lanes.end(), parts.inner_lanes.begin(),

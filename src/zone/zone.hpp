@@ -25,6 +25,7 @@ struct Zone {
   std::string id;
   Parameters parameters;
   std::string model;
+  const Weather* weather = &weather_list().front();
   std::unordered_set<int> edges;        ///< Network::edges indices of normal edges
   std::set<std::pair<int, int>> links;  ///< edges between which people pass inside the zone,
                                         ///< smaller index first; see linked()

@@ -1,6 +1,7 @@
 #include "zone/zone_file.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "core/xml.hpp"
@@ -37,13 +38,18 @@ std::string read_model(const XmlFile& file, const pugi::xml_node& node) {
   return name;
 }
 
-std::string parameter_keys() {
-  std::string keys;
-  for (const ParameterInfo& info : parameter_list()) {
-    keys += (keys.empty() ? "" : ", ") + std::string(info.key);
+/// "a, b, c" of a list's names.
+template <class List, class Name>
+std::string joined(const List& list, Name name) {
+  std::string text;
+  for (const auto& item : list) {
+    text += (text.empty() ? "" : ", ") + std::string(std::invoke(name, item));
   }
-  return keys;
+  return text;
 }
+
+std::string parameter_keys() { return joined(parameter_list(), &ParameterInfo::key); }
+std::string profile_keys() { return joined(profile_fields(), &ProfileField::key); }
 
 void read_parameter(const XmlFile& file, const pugi::xml_node& node, Parameters& parameters) {
   file.check_names(node, {"key", "value"}, {});
@@ -53,9 +59,42 @@ void read_parameter(const XmlFile& file, const pugi::xml_node& node, Parameters&
   parameters.*info->member = file.number(node, "value", {info->least, info->most});
 }
 
+/// What the base has, changed by the attributes.
+Profile read_profile(const XmlFile& file, const pugi::xml_node& node, const Profiles& known) {
+  const std::string id = file.required(node, "id");
+  if (known.find(id) != nullptr) throw file.error("is used twice", node, "id", id, "a new id");
+  const std::string base = node.attribute("base").empty() ? "adult" : file.required(node, "base");
+  const Profile* like = known.find(base);
+  if (like == nullptr) throw file.error("is no profile", node, "base", base, known.ids());
+  Profile profile = *like;
+  profile.id = id;
+  profile.meaning = "like " + base;
+  profile.share = 0.0;  // nobody is it unless somebody is said to be
+  for (const pugi::xml_attribute& attribute : node.attributes()) {
+    const std::string name = attribute.name();
+    if (name == "id" || name == "base") continue;
+    const auto field = std::ranges::find(profile_fields(), name, &ProfileField::key);
+    if (field == profile_fields().end()) {
+      throw file.error("is unknown", node, name, "", "id, base, " + profile_keys());
+    }
+    profile.*field->member = file.number(node, name.c_str(), {field->least, field->most});
+  }
+  return profile;
+}
+
+const Weather* read_weather(const XmlFile& file, const pugi::xml_node& node) {
+  const std::string id = file.required(node, "weather");
+  const Weather* weather = find_weather(id);
+  if (weather == nullptr) {
+    throw file.error("is no weather", node, "weather", id, joined(weather_list(), &Weather::id));
+  }
+  return weather;
+}
+
 ZoneSpec read_zone(const XmlFile& file, const pugi::xml_node& node) {
-  file.check_names(node, {"id", "edges", "edgeTypes", "lanes", "polygons", "openSpace", "model"},
-                   {"param"});
+  file.check_names(
+      node, {"id", "edges", "edgeTypes", "lanes", "polygons", "openSpace", "weather", "model"},
+      {"param"});
   ZoneSpec zone;
   zone.id = file.required(node, "id");
   zone.file = file.file();
@@ -67,6 +106,7 @@ ZoneSpec read_zone(const XmlFile& file, const pugi::xml_node& node) {
   if (!node.attribute("openSpace").empty()) {
     zone.open_space = file.number(node, "openSpace", kOpenSpace);
   }
+  if (!node.attribute("weather").empty()) zone.weather = read_weather(file, node);
   if (!node.attribute("model").empty()) zone.model = read_model(file, node);
   std::set<std::string> keys;
   for (const pugi::xml_node& child : node.children("param")) {
@@ -89,19 +129,24 @@ InputError zone_error(const ZoneSpec& zone, const std::string& problem,
   return InputError(problem, {zone.file, zone.line, element, value, allowed});
 }
 
-std::vector<ZoneSpec> read_zone_file(const std::string& path) {
+ZoneFile read_zone_file(const std::string& path) {
   const XmlFile file(path, {"zones"});
-  file.check_names(file.root(), {}, {"zone"});
-  std::vector<ZoneSpec> zones;
-  for (const pugi::xml_node& node : file.root().children("zone")) {
-    zones.push_back(read_zone(file, node));
-    const bool known = std::any_of(zones.begin(), zones.end() - 1, [&](const ZoneSpec& other) {
-      return other.id == zones.back().id;
-    });
-    if (known) throw file.error("is used twice", node, "id", zones.back().id, "a new id");
+  file.check_names(file.root(), {}, {"profile", "zone"});
+  ZoneFile read;
+  for (const pugi::xml_node& node : file.root().children("profile")) {
+    read.profiles.add(read_profile(file, node, read.profiles));
   }
-  if (zones.empty()) throw file.error("has no <zone>", file.root(), "", "", "one <zone> or more");
-  return zones;
+  for (const pugi::xml_node& node : file.root().children("zone")) {
+    read.zones.push_back(read_zone(file, node));
+    const bool known =
+        std::any_of(read.zones.begin(), read.zones.end() - 1,
+                    [&](const ZoneSpec& other) { return other.id == read.zones.back().id; });
+    if (known) throw file.error("is used twice", node, "id", read.zones.back().id, "a new id");
+  }
+  if (!file.root().first_child()) {
+    throw file.error("has no <zone>", file.root(), "", "", "one <zone> or more");
+  }
+  return read;
 }
 
 }  // namespace pedzone

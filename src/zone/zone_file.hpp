@@ -7,6 +7,8 @@
 
 #include "core/error.hpp"
 #include "world/parameters.hpp"
+#include "world/profiles.hpp"
+#include "world/weather.hpp"
 
 namespace pedzone {
 
@@ -21,6 +23,7 @@ struct ZoneSpec {
   std::vector<std::string> polygons;    ///< ids of polygons that are walkable
   std::optional<double> open_space;     ///< [m] [0, 50]; unset: 12 on highway.pedestrian edges
   std::string model = "heuristic";
+  const Weather* weather = &weather_list().front();
   Parameters parameters;  ///< defaults with the file's <param> applied
   /// Names no edges, edge types or lanes: its edges are found by the rule of selection.hpp.
   bool automatic() const { return edges.empty() && edge_types.empty() && lanes.empty(); }
@@ -34,7 +37,13 @@ InputError zone_error(const ZoneSpec& zone, const std::string& problem,
                       const std::string& attribute, const std::string& value,
                       const std::string& allowed);
 
+/// All that a zone file says.
+struct ZoneFile {
+  std::vector<ZoneSpec> zones;  ///< empty: the zone is found by itself
+  Profiles profiles;            ///< the built-in ones and those of the file
+};
+
 /// Reads a zone file. Throws InputError naming file, line, element, value and what is allowed.
-std::vector<ZoneSpec> read_zone_file(const std::string& file);
+ZoneFile read_zone_file(const std::string& file);
 
 }  // namespace pedzone

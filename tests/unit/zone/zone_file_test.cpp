@@ -23,7 +23,7 @@ class ZoneFile : public ::testing::Test {
 
   std::vector<ZoneSpec> read(const std::string& text) {
     std::ofstream(path_) << text;
-    return read_zone_file(path_);
+    return read_zone_file(path_).zones;
   }
 
   /// The message without the name of the file: "line: ...".
@@ -103,9 +103,10 @@ TEST_F(ZoneFile, names_line_element_value_and_what_is_allowed) {
               HasSubstr("'nan' is not a number"));
   EXPECT_THAT(error("<zones>\n<zone id=\"a\" openspace=\"12\"/></zones>"),
               HasSubstr("2: <zone id=\"a\">: 'openspace' is an unknown attribute; allowed: id, "
-                        "edges, edgeTypes, lanes, polygons, openSpace, model"));
-  EXPECT_EQ(error("<zones>\n<zone id=\"a\" model=\"orca\"/></zones>"),
-            "2: <zone id=\"a\"> attribute model: 'orca' is no walking model; allowed: heuristic, plain");
+                        "edges, edgeTypes, lanes, polygons, openSpace, weather, model"));
+  EXPECT_EQ(
+      error("<zones>\n<zone id=\"a\" model=\"orca\"/></zones>"),
+      "2: <zone id=\"a\"> attribute model: 'orca' is no walking model; allowed: heuristic, plain");
   EXPECT_THAT(error("<zones><zone id=\"a\">\n<param key=\"site\" value=\"3\"/></zone></zones>"),
               HasSubstr("2: <param> attribute key: 'site' is no parameter; allowed: sight, "));
 }
@@ -128,7 +129,7 @@ TEST_F(ZoneFile, rejects_what_is_missing_empty_or_twice) {
 
 TEST_F(ZoneFile, rejects_other_elements_and_broken_files) {
   EXPECT_EQ(error("<zones>\n<area id=\"a\"/></zones>"),
-            "2: <area id=\"a\">: is not allowed in <zones>; allowed: zone");
+            "2: <area id=\"a\">: is not allowed in <zones>; allowed: profile, zone");
   EXPECT_THAT(error("<zones><zone id=\"a\">\n<parameter/></zone></zones>"),
               HasSubstr("2: <parameter>: is not allowed in <zone>; allowed: param"));
   EXPECT_EQ(error("<net>\n</net>"),
@@ -136,6 +137,32 @@ TEST_F(ZoneFile, rejects_other_elements_and_broken_files) {
   EXPECT_THAT(error("<zones>\n<zone id=\"a\">\n</zones>"), HasSubstr("3: is not well-formed XML"));
   EXPECT_THAT(error("<zones>all of it</zones>"), HasSubstr("1: <zones>: 'all of it' holds text"));
   EXPECT_THAT(error(""), HasSubstr("is not well-formed XML"));
+}
+
+TEST_F(ZoneFile, reads_profiles_and_weather) {
+  std::ofstream(path_) << R"(<zones>
+  <profile id="courier" speed="1.8" patience="3"/>
+  <profile id="old courier" base="senior" speed="1.5"/>
+  <zone id="a" weather="ice"/></zones>)";
+  const pedzone::ZoneFile file = read_zone_file(path_);
+  EXPECT_EQ(file.zones.at(0).weather->id, "ice");
+  const Profile* courier = file.profiles.find("courier");
+  const Profile* old = file.profiles.find("old courier");
+  ASSERT_TRUE(courier != nullptr && old != nullptr);
+  EXPECT_EQ(courier->speed, 1.8);
+  EXPECT_EQ(courier->patience, 3.0);
+  EXPECT_EQ(courier->share, 0.0);
+  EXPECT_EQ(courier->hearing, file.profiles.find("adult")->hearing);
+  EXPECT_EQ(old->hearing, file.profiles.find("senior")->hearing);
+}
+
+TEST_F(ZoneFile, rejects_bad_profiles_and_weather) {
+  EXPECT_THAT(error("<zones><zone id=\"a\" weather=\"hail\"/></zones>"),
+              HasSubstr("allowed: fair, rain, heat, ice"));
+  EXPECT_THAT(error("<zones><profile id=\"adult\"/></zones>"), HasSubstr("is used twice"));
+  EXPECT_THAT(error("<zones><profile id=\"a\" base=\"b\"/></zones>"),
+              HasSubstr("is no profile; allowed: infant, child"));
+  EXPECT_THAT(error("<zones><profile id=\"a\" speed=\"9\"/></zones>"), HasSubstr("0.1 to 5"));
 }
 
 TEST_F(ZoneFile, the_schema_says_the_same) {
@@ -159,6 +186,7 @@ TEST_F(ZoneFile, the_schema_says_the_same) {
   EXPECT_EQ(names(type("zoneType")), allowed("<zones><zone id=\"a\" x=\"\"/></zones>"));
   EXPECT_EQ(names(type("paramType")),
             allowed("<zones><zone id=\"a\"><param x=\"\"/></zone></zones>"));
+  EXPECT_EQ(names(type("profileType")), allowed("<zones><profile id=\"a\" x=\"\"/></zones>"));
   const auto attribute = [&](const char* name) {
     return type("zoneType").find_child_by_attribute("xsd:attribute", "name", name);
   };

@@ -1,0 +1,32 @@
+// What people do beside walking, and what that does to them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace pedzone {
+
+enum class Pastime : std::uint8_t { kNone, kTexting, kPhoning, kLooking, kChatting, kSitting };
+inline constexpr std::size_t kPastimes = 6;
+
+struct PastimeInfo {
+  Pastime pastime;
+  std::string_view id;      ///< "texting", ...
+  double duration;          ///< [s] mean; exponential
+  double rate;              ///< [1/min] at which somebody who does it at all begins
+  double speed;             ///< factor; 0: stands
+  double field_of_view;     ///< factor
+  double hearing;           ///< factor
+  double noise;             ///< factor of the heading's variation
+  std::string_view colour;  ///< "r,g,b" in sumo-gui
+  std::string_view source;
+};
+
+/// In the order of the enum, kNone (which changes nothing) included.
+std::span<const PastimeInfo> pastime_list();
+const PastimeInfo& info_of(Pastime pastime);
+/// Nullptr where none has that id; "none" is none.
+const PastimeInfo* find_pastime(std::string_view id);
+
+}  // namespace pedzone
