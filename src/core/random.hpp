@@ -14,7 +14,10 @@ enum class Purpose : std::uint32_t {
   kTieBreak,
   kSpeedJitter,
   kCaution,
-  kBootstrap
+  kBootstrap,
+  kAwareness,
+  kPastime,
+  kImpulse
 };
 
 /// 64-bit key of a person's id (FNV-1a): independent of insertion order.

@@ -9,6 +9,7 @@
 #include "crowd/placement.hpp"
 #include "crowd/state.hpp"
 #include "crowd/step.hpp"
+#include "model/obstacle_lists.hpp"
 
 namespace pedzone {
 namespace {
@@ -128,6 +129,10 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   walker.profile = person.profile;
   walker.group = person.group;
   walker.rates = person.rates;
+  walker.own_speed = preferred;
+  const double awareness = person.profile != nullptr ? person.profile->awareness : 1.0;
+  walker.aware = person.aware.value_or(
+      random_uniform(state.seed, person.key, 0, Purpose::kAwareness) < awareness);
   state.row[walker.handle] = static_cast<std::uint32_t>(i);
   // The variation starts in its stationary state, with the number of the substep before.
   walker.noise = state.zone.parameters.heading_noise * kPi / 180.0 *
@@ -153,7 +158,8 @@ void Crowd::set_destination(Handle handle, const Destination& destination) {
 
 void Crowd::set_preferred_speed(Handle handle, double speed) {
   require(std::isfinite(speed), "a preferred speed");
-  state_->persons.preferred_speed[state_->row_of(handle)] = speed_in_range(speed);
+  const std::size_t i = state_->row_of(handle);
+  state_->walkers[i].own_speed = state_->persons.preferred_speed[i] = speed_in_range(speed);
 }
 
 void Crowd::see(std::span<const SeenPerson> others) {
@@ -186,7 +192,12 @@ PersonView Crowd::view(Handle handle) const {
 
 bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {
   const State& state = *state_;
-  return is_aware(state.persons, state.row_of(handle), vehicle, state.zone);
+  const std::size_t i = state.row_of(handle);
+  const bool moving = vehicle.velocity.norm() >= kStandingSpeed;
+  if (!state.differs || !moving) return is_aware(state.persons, i, vehicle, state.zone);
+  return std::ranges::any_of(state.walkers[i].noticed, [&](const Noticed& noticed) {
+    return noticed.vehicle == vehicle.key && noticed.minds;
+  });
 }
 
 std::size_t Crowd::size() const { return state_->persons.walking; }

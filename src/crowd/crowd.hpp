@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,6 +39,7 @@ struct NewPerson {
   Destination destination;
   const Profile* profile = nullptr;       ///< must outlive the crowd; null: as the zone's
                                           ///< parameters say, without pastimes
+  std::optional<bool> aware;              ///< of vehicles; unset: by the profile's share
   std::uint64_t group = 0;                ///< persons of the same number keep together; 0: alone
   std::vector<Waypoint> path;             ///< come by these in turn, then to the destination
   std::array<double, kPastimes> rates{};  ///< [1/min] at which each pastime begins

@@ -40,7 +40,8 @@ void set_goals(CrowdState& crowd, double dt) {
                                                      Purpose::kHeadingNoise);
       }
       const Vec2 to_goal = heading_point(walker.route, crowd.position(i)) - crowd.position(i);
-      persons.goal_direction[i] = wrap_angle(angle_of(to_goal) + walker.noise);
+      persons.goal_direction[i] =
+          wrap_angle(angle_of(to_goal) + walker.noise * info_of(walker.pastime).noise);
       persons.goal_distance[i] = to_goal.norm();
     }
   });

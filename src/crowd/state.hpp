@@ -13,6 +13,15 @@
 
 namespace pedzone {
 
+/// A vehicle that a person has perceived.
+struct Noticed {
+  std::uint64_t vehicle = 0;       ///< its key
+  double since = 0.0, last = 0.0;  ///< [s] on the crowd's clock
+  bool warned = false;             ///< it has sounded its horn
+  bool minds = false;              ///< gives way to it at present
+  bool near = false;               ///< so near that nobody stands and chats before it
+};
+
 /// What a walked person holds beside its row in Persons: its way and its clocks.
 struct WalkState {
   Crowd::Handle handle = 0;
@@ -27,6 +36,10 @@ struct WalkState {
   std::uint64_t group = 0;                ///< 0: alone
   std::array<double, kPastimes> rates{};  ///< [1/min]
   Pastime pastime = Pastime::kNone;
+  double own_speed = 1.34;  ///< [m/s] preferred, but for pastime and weather
+  bool aware = true;        ///< of vehicles
+  std::vector<Noticed> noticed;
+  double dash = 0.0;     ///< [s] that it still runs in front of a vehicle
   bool entered = false;  ///< has been within the radius of the current waypoint
   bool waits = false;    ///< for a vehicle
   bool arrived = false, gave_up = false;
@@ -67,6 +80,10 @@ struct CrowdState {
   std::vector<SeenPerson> seen;
   std::vector<VehicleState> vehicles;  ///< as they are in this substep; after a step, at its end
 
+  double clock = 0.0;    ///< [s] walked so far
+  Attention attention;   ///< of this substep, where people differ
+  bool differs = false;  ///< they do
+
   std::vector<Decision> decisions;
   Motion motion;
   BodyGrid grid;
@@ -88,9 +105,13 @@ constexpr double kStandingTime = 1.0;
 constexpr double kLongestSubstep = 0.1;
 
 // The phases of a substep of `dt` [s], in their order (step.cpp).
+void live(CrowdState& crowd, double dt);              // pastimes.cpp
+void perceive(CrowdState& crowd, double dt);          // perception.cpp
 void set_goals(CrowdState& crowd, double dt);         // goals.cpp
+void dash(CrowdState& crowd);                         // pastimes.cpp
 void leave_claims(CrowdState& crowd);                 // claims.cpp
 void decide(CrowdState& crowd);                       // step.cpp
+void stand_still(CrowdState& crowd);                  // pastimes.cpp
 void wait_beside_claims(CrowdState& crowd);           // claims.cpp
 void set_moves(CrowdState& crowd, double dt);         // moves.cpp
 void resolve_contacts(CrowdState& crowd, double dt);  // contacts.cpp

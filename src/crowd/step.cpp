@@ -40,9 +40,13 @@ void move_others_on(CrowdState& crowd, double dt) {
 
 void walk_substep(CrowdState& crowd, double dt) {
   append_seen(crowd);
+  live(crowd, dt);
+  perceive(crowd, dt);
   set_goals(crowd, dt);
+  dash(crowd);
   leave_claims(crowd);
   decide(crowd);
+  stand_still(crowd);
   wait_beside_claims(crowd);
   set_moves(crowd, dt);
   resolve_contacts(crowd, dt);
@@ -64,7 +68,11 @@ void resize_rows(Persons& persons, std::size_t rows) {
 }
 
 void decide(CrowdState& crowd) {
-  const Snapshot snapshot{&crowd.persons, crowd.vehicles, &crowd.zone.walls, &crowd.zone.parameters,
+  const Snapshot snapshot{&crowd.persons,
+                          crowd.vehicles,
+                          &crowd.zone.walls,
+                          &crowd.zone.parameters,
+                          crowd.differs ? &crowd.attention : nullptr,
                           crowd.seed};
   crowd.decisions.resize(crowd.persons.size());
   crowd.model->prepare(snapshot);

@@ -43,14 +43,18 @@ Heading heading_of(const DirectionTask& task, const DirectionChoice& choice) {
 }  // namespace
 
 Senses senses_of(const Parameters& parameters, VehicleForm form) {
-  const double half_field = parameters.field_of_view * kDegree;
   const double vehicle_sight = minds_discomfort(parameters, form)
                                    ? std::max(parameters.sight, parameters.vehicle_sight)
                                    : parameters.sight;
   Senses senses;
   senses.sight = static_cast<float>(parameters.sight);
   senses.vehicle_sight = static_cast<float>(vehicle_sight);
-  senses.hearing = static_cast<float>(parameters.hearing);
+  return with(senses, {parameters.field_of_view, parameters.hearing, 1.0});
+}
+
+Senses with(Senses senses, const Perception& perception) {
+  const double half_field = perception.field_of_view * kDegree;
+  senses.hearing = static_cast<float>(perception.hearing);
   senses.field_cos = static_cast<float>(std::cos(half_field));
   senses.field_sin = static_cast<float>(std::sin(half_field));
   return senses;
@@ -74,7 +78,9 @@ void HeuristicModel::prepare(const Snapshot& snapshot) {
     candidates_ = Candidates(parameters.candidate_field);
   }
   prepare_walls();
-  grid_.build(*snapshot.persons, origin_, parameters.sight, parameters.field_of_view * kDegree);
+  const double field =
+      snapshot.attention ? snapshot.attention->widest_field : parameters.field_of_view;
+  grid_.build(*snapshot.persons, origin_, parameters.sight, field * kDegree);
   prepare_vehicles();
 }
 
@@ -100,14 +106,18 @@ void HeuristicModel::prepare_vehicles() {
   for (const VehicleState& vehicle : snapshot_.vehicles) {
     vehicles_.push_back(shape_of(vehicle, origin_));
   }
-  const double range = std::max(senses_.vehicle_sight, senses_.hearing);
+  const double hearing =
+      snapshot_.attention ? snapshot_.attention->farthest_hearing : snapshot_.parameters->hearing;
   const std::int64_t tile =
       tile_size_for(grid_.bounds(), to_lattice(kVehicleTile),
                     kTilesPerPerson * static_cast<double>(grid_.size()) + kTilesAtLeast);
   vehicle_tiles_.build(
       grid_.bounds(), tile, vehicles_.size(),
       [&](std::size_t i) {
-        const std::int64_t reach = to_lattice(range + vehicles_[i].reach);
+        const VehicleShape& vehicle = vehicles_[i];
+        const double heard = vehicle.horn ? kHornReach : hearing * vehicle.loudness;
+        const double range = std::max<double>(senses_.vehicle_sight, heard);
+        const std::int64_t reach = to_lattice(range + vehicle.reach);
         const LatticePoint& c = vehicles_[i].centre;
         return LatticeBox{c.x - reach, c.y - reach, c.x + reach, c.y + reach};
       },
@@ -142,15 +152,23 @@ Walker HeuristicModel::walker(std::size_t i) const {
   return w;
 }
 
+Senses HeuristicModel::senses_for(std::size_t i) const {
+  if (snapshot_.attention == nullptr) return senses_;
+  return with(senses_, snapshot_.attention->persons[i]);
+}
+
 Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   const Parameters& parameters = *snapshot_.parameters;
+  const Attention* attention = snapshot_.attention;
   const Walker self = walker(i);
   Surroundings& around = scratch.surroundings;
-  around.see_persons(self, senses_, grid_, kernel_);
+  const Senses senses = senses_for(i);
+  around.see_persons(self, senses, grid_, kernel_);
   around.see_walls(self, walls_);
   const double soon = gives_way() ? kLastMoment : parameters.wait_time;
-  around.notice_vehicles(self, senses_, vehicles_, vehicle_tiles_.at(self.at),
-                         static_cast<float>(soon));
+  around.notice_vehicles(
+      self, senses, vehicles_, vehicle_tiles_.at(self.at), static_cast<float>(soon),
+      [&](std::size_t v) { return attention == nullptr || attention->minds(i, v); });
 
   DirectionTask task;
   task.candidates = candidates_.view();
@@ -193,7 +211,8 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
   const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
   if (vehicles.empty()) return {best, 1.0};
   const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
-  const auto caution = static_cast<float>(std::exp(parameters.margin_spread * z));
+  const double own = snapshot_.attention ? snapshot_.attention->persons[i].caution : 1.0;
+  const auto caution = static_cast<float>(own * std::exp(parameters.margin_spread * z));
   GivingWay& giving_way = scratch.giving_way;
   const Heading way = heading_of(task, best);
   if (!giving_way.notice(self, vehicles, parameters, caution, way.x, way.y, best.time) ||

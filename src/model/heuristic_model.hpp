@@ -29,6 +29,9 @@ inline VehicleForm vehicle_form(std::string_view model) {
 /// farther than people.
 Senses senses_of(const Parameters& parameters, VehicleForm form);
 
+/// The same for one who perceives differently.
+Senses with(Senses senses, const Perception& perception);
+
 class HeuristicModel : public WalkingModel {
  public:
   /// With the fastest kernel for this processor, or a given one.
@@ -44,6 +47,7 @@ class HeuristicModel : public WalkingModel {
   void prepare_walls();
   void prepare_vehicles();
   Walker walker(std::size_t person) const;
+  Senses senses_for(std::size_t person) const;
   Decision decide_one(std::size_t person, Scratch& scratch) const;
   DirectionChoice choose(const Walker& walker, double to_goal, const DirectionTask& task,
                          Scratch& scratch) const;

@@ -107,32 +107,30 @@ void Surroundings::add_wall(const Walker& walker, const WallFace& wall, const Se
   }
 }
 
-void Surroundings::notice_vehicles(const Walker& walker, const Senses& senses,
-                                   std::span<const VehicleShape> vehicles,
-                                   std::span<const std::uint32_t> near, float soon) {
+void Surroundings::forget_vehicles() {
   vehicles_.clear();
   vehicle_discs_.clear();
   vehicle_faces_.clear();
   hears_vehicle_ = threatened_ = false;
-  const float horizon = senses.sight / walker.speed;
-  for (const std::uint32_t v : near) {
-    const VehicleView view = view_of(vehicles[v], walker);
-    const Awareness aware = awareness(view, walker, senses);
-    if (aware == Awareness::kNone) continue;
-    if (!vehicles[v].moving()) {
-      if (view.distance <= walker.static_reach + view.contact) {
-        add_vehicle(view, walker, still_discs_, still_faces_);
-      }
-      continue;
+}
+
+void Surroundings::notice(const Walker& walker, const Senses& senses, const VehicleShape& vehicle,
+                          float soon) {
+  const VehicleView view = view_of(vehicle, walker);
+  const Awareness aware = awareness(view, walker, senses);
+  if (aware == Awareness::kNone) return;
+  if (!vehicle.moving()) {
+    if (view.distance <= walker.static_reach + view.contact) {
+      add_vehicle(view, walker, still_discs_, still_faces_);
     }
-    vehicles_.push_back(view);
-    hears_vehicle_ = hears_vehicle_ || aware == Awareness::kHeard;
-    if (!touchable(view, walker, horizon)) continue;
-    add_vehicle(view, walker, vehicle_discs_, vehicle_faces_);
-    threatened_ = threatened_ || time_to_standing(view, walker, 0.0F, 0.0F, 0.0F) < soon;
+    return;
   }
-  still_discs_.fill_group();
-  still_faces_.fill_group();
+  // One that lets people go first is nothing to give way to, but still nothing to walk into.
+  if (!vehicle.invites) vehicles_.push_back(view);
+  hears_vehicle_ = hears_vehicle_ || aware == Awareness::kHeard;
+  if (!touchable(view, walker, senses.sight / walker.speed)) return;
+  add_vehicle(view, walker, vehicle_discs_, vehicle_faces_);
+  threatened_ = threatened_ || time_to_standing(view, walker, 0.0F, 0.0F, 0.0F) < soon;
 }
 
 void Surroundings::fill(DirectionTask& task) const {

@@ -20,16 +20,24 @@ class Surroundings {
   void see_persons(const Walker& walker, const Senses& senses, const PersonGrid& grid,
                    const DirectionKernel& kernel);
   void see_walls(const Walker& walker, const WallTiles& walls);
-  /// `near`: indices into `vehicles` of those that may matter; `soon` [s]: see threatened().
-  /// To be called last.
+  /// `near`: indices into `vehicles` of those that may matter; `soon` [s]: see threatened();
+  /// `minds(index)`: whether the person minds that one, if it perceives it. To be called last.
+  template <class Minds>
   void notice_vehicles(const Walker& walker, const Senses& senses,
                        std::span<const VehicleShape> vehicles, std::span<const std::uint32_t> near,
-                       float soon);
+                       float soon, const Minds& minds) {
+    forget_vehicles();
+    for (const std::uint32_t v : near) {
+      if (minds(v)) notice(walker, senses, vehicles[v], soon);
+    }
+    still_discs_.fill_group();
+    still_faces_.fill_group();
+  }
 
   /// Lets the task know of everything.
   void fill(DirectionTask& task) const;
 
-  /// Moving vehicles that the person is aware of.
+  /// Moving vehicles that the person is aware of and that do not let it go first.
   std::span<const VehicleView> vehicles() const { return vehicles_; }
   /// Some of them are outside the field of view.
   bool hears_vehicle() const { return hears_vehicle_; }
@@ -40,6 +48,9 @@ class Surroundings {
   FaceView still_faces() const { return still_faces_.view(); }
 
  private:
+  void forget_vehicles();
+  void notice(const Walker& walker, const Senses& senses, const VehicleShape& vehicle, float soon);
+
   /// A wall relative to the person.
   struct Segment {
     float h, x;       ///< [m] the person's distance from the line (< 0: behind it), and its foot

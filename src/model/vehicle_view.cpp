@@ -83,6 +83,12 @@ void add_face(const VehicleView& view, const FaceFrame& face, bool whole_line, F
 
 }  // namespace
 
+float loudness_of(float speed, bool electric) {
+  constexpr float kTyresLikeEngine = 4.2F;  // [m/s]
+  const float tyres = speed / kTyresLikeEngine;
+  return std::max(electric ? 0.5F : 1.0F, tyres * std::sqrt(tyres));
+}
+
 VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin) {
   VehicleShape s;
   s.centre = to_lattice(vehicle.centre.x(), vehicle.centre.y(), origin);
@@ -92,6 +98,9 @@ VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin) 
   s.half_width = static_cast<float>(vehicle.width / 2.0);
   s.reach = std::sqrt(s.half_length * s.half_length + s.half_width * s.half_width);
   s.speed = static_cast<float>(vehicle.velocity.norm());
+  s.loudness = loudness_of(s.speed, vehicle.electric);
+  s.horn = vehicle.horn;
+  s.invites = vehicle.invites;
   if (s.moving()) {
     s.vx = static_cast<float>(vehicle.velocity.x());
     s.vy = static_cast<float>(vehicle.velocity.y());
@@ -115,12 +124,15 @@ VehicleView view_of(const VehicleShape& shape, const Walker& person) {
   return view;
 }
 
+bool heard(const VehicleView& view, const Senses& senses) {
+  const VehicleShape& s = *view.shape;
+  if (s.horn && view.distance <= kHornReach) return true;
+  return s.moving() && view.distance <= senses.hearing * s.loudness;
+}
+
 Awareness awareness(const VehicleView& view, const Walker& person, const Senses& senses) {
   const float sight = view.shape->moving() ? senses.vehicle_sight : senses.sight;
-  if (view.distance > sight) {
-    return view.shape->moving() && view.distance <= senses.hearing ? Awareness::kHeard
-                                                                   : Awareness::kNone;
-  }
+  if (view.distance > sight) return heard(view, senses) ? Awareness::kHeard : Awareness::kNone;
   if (!view.shape->moving() || view.distance == 0.0F) return Awareness::kSeen;
 
   // The rectangle meets the cone of view when one of its corners lies inside or one of the cone's
@@ -140,7 +152,7 @@ Awareness awareness(const VehicleView& view, const Walker& person, const Senses&
     const float ry = h.y * senses.field_cos + h.x * senses.field_sin * side;
     if (ray_meets(view.x, view.y, rx, ry, s, sight)) return Awareness::kSeen;
   }
-  return view.distance <= senses.hearing ? Awareness::kHeard : Awareness::kNone;
+  return heard(view, senses) ? Awareness::kHeard : Awareness::kNone;
 }
 
 bool touchable(const VehicleView& view, const Walker& person, float horizon) {

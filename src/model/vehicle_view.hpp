@@ -31,10 +31,22 @@ struct VehicleShape {
   float vx = 0.0F, vy = 0.0F;                   ///< [m/s]
   float speed = 0.0F;                           ///< [m/s]
   float reach = 2.66F;                          ///< [m] centre to corner
+  float loudness = 1.0F;                        ///< how much farther than a slow car it is heard
+  bool horn = false;
+  bool invites = false;  ///< nobody need give way to it
   bool moving() const { return speed >= kStandingSpeed; }
 };
 
 VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin);
+
+/// [m] how far a horn is heard, by anybody. Assumed.
+inline constexpr float kHornReach = 60.0F;
+
+/// How much farther than a slow car a vehicle is heard: the sound of tyres grows by 30 dB for ten
+/// times the speed (the usual rule for tyre noise), so its reach with speed to the power of 1.5;
+/// below 4.2 m/s (15 km/h) an engine covers that. An electric vehicle has none, and is heard half
+/// as far when it drives slowly (assumed: tyres and its warning sound).
+float loudness_of(float speed, bool electric);
 
 enum class Awareness { kNone, kSeen, kHeard };
 
@@ -49,9 +61,13 @@ struct VehicleView {
 /// The view, whatever the person is aware of.
 VehicleView view_of(const VehicleShape& shape, const Walker& person);
 
+/// Whether its sound reaches the person, wherever that looks.
+bool heard(const VehicleView& view, const Senses& senses);
+
 /// Seen: some part of the rectangle lies in the field of view and its nearest point within sight.
 /// A parked vehicle within sight counts as seen all round: like a wall it is remembered. Heard:
-/// not seen, moving, its nearest point within hearing.
+/// not seen, moving, its nearest point within hearing times its loudness; or it sounds its horn
+/// within kHornReach.
 Awareness awareness(const VehicleView& view, const Walker& person, const Senses& senses);
 
 /// Whether a person walking at its preferred speed could touch the vehicle within `horizon` [s].

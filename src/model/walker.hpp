@@ -7,7 +7,7 @@
 
 namespace pedzone {
 
-/// How far and wide people perceive; the same for all persons of a zone.
+/// How far and wide a person perceives.
 struct Senses {
   float sight = 10.0F;                       ///< [m]
   float vehicle_sight = 10.0F;               ///< [m] of moving vehicles

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/random.hpp"
 #include "sumo/api.hpp"
 #include "sumo/frames.hpp"
 
@@ -69,6 +70,7 @@ Fleet::Fleet(const Network& network, const std::vector<Zone>& zones)
     : network_(network), zone_of_lane_(network.lanes.size(), -1) {
   for (std::size_t z = 0; z < zones.size(); ++z) {
     const Zone& zone = zones[z];
+    grip_ = std::min(grip_, zone.weather->deceleration);
     for (const int lane : zone.lanes) zone_of_lane_[lane] = static_cast<int>(z);
     Vec2 low(1e18, 1e18), high(-1e18, -1e18);
     for (const Polygon& polygon : zone.walkable) {
@@ -92,6 +94,14 @@ bool Fleet::near_zone(const Vec2& point) const {
   });
 }
 
+/// On a slippery road neither SUMO nor we may brake as on a dry one.
+void Fleet::reduce_braking(const std::string& id, VehicleTraits& traits) const {
+  traits.decel *= grip_;
+  traits.emergency_decel *= grip_;
+  api::Vehicle::setEmergencyDecel(id, traits.emergency_decel);
+  api::Vehicle::setDecel(id, traits.decel);
+}
+
 const VehicleTraits& Fleet::traits(const std::string& id) {
   const auto [entry, is_new] = traits_.try_emplace(id);
   VehicleTraits& traits = entry->second;
@@ -101,8 +111,10 @@ const VehicleTraits& Fleet::traits(const std::string& id) {
     traits.decel = api::Vehicle::getDecel(id);
     traits.emergency_decel = std::max(traits.decel, api::Vehicle::getEmergencyDecel(id));
     traits.accel = api::Vehicle::getAccel(id);
+    if (grip_ < 1.0) reduce_braking(id, traits);
     traits.yields = !is_false(parameter(id, "pedzone.yield"));
     traits.external = is_true(parameter(id, "pedzone.external"));
+    traits.electric = is_true(parameter(id, "pedzone.electric"));
   }
   return traits;
 }
@@ -181,6 +193,8 @@ void Fleet::read(double dt) {
     vehicle.heading = radians_from_sumo(api::Vehicle::getAngle(id));
     vehicle.speed = std::max(0.0, api::Vehicle::getSpeed(id));
     vehicle.allowed_speed = api::Vehicle::getAllowedSpeed(id);
+    vehicle.horn = is_true(parameter(id, "pedzone.horn"));
+    vehicle.invites = parameter(id, "pedzone.signal") == "after-you";
     vehicle.stopped = (api::Vehicle::getStopState(id) & 1) != 0;
     vehicle.velocity = unit(vehicle.heading) * vehicle.speed;
     const auto before = previous_index_.find(id);
@@ -221,6 +235,10 @@ void Fleet::states(double dt, std::vector<VehicleState>& out) const {
       state.velocity = (body.centre - state.centre) / dt;
       state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
     }
+    state.key = person_key(vehicle.id);
+    state.electric = vehicle.traits.electric;
+    state.horn = vehicle.horn;
+    state.invites = vehicle.invites;
     out.push_back(state);
   }
 }

@@ -17,6 +17,7 @@ struct VehicleTraits {
   double decel = 4.5, emergency_decel = 9.0, accel = 2.6;  ///< [m/s²] > 0
   bool yields = true;     ///< vType or vehicle parameter pedzone.yield
   bool external = false;  ///< parameter pedzone.external: perceived, never touched
+  bool electric = false;  ///< parameter pedzone.electric: no engine is heard
 };
 
 /// A vehicle near a zone.
@@ -36,6 +37,8 @@ struct FleetVehicle {
   double slowed = 0.0;           ///< [s] people have made it slower without a break
   double claim = 0.0;            ///< [m] see VehicleState
   bool creeping = false;
+  bool horn = false;     ///< parameter pedzone.horn of it or its vType is true at present
+  bool invites = false;  ///< pedzone.signal is after-you at present
 
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };
@@ -79,12 +82,14 @@ class Fleet {
  private:
   bool near_zone(const Vec2& point) const;
   const VehicleTraits& traits(const std::string& id);
+  void reduce_braking(const std::string& id, VehicleTraits& traits) const;
   const std::vector<int>& route(const std::string& id);
   /// Sets way and zone.
   void look_ahead(FleetVehicle& vehicle, double distance);
   int next_lane(int lane, const std::vector<int>& route, int& index) const;
 
   const Network& network_;
+  double grip_ = 1.0;  ///< share of their deceleration that the weather leaves to vehicles
   std::vector<int> zone_of_lane_;                   ///< -1: in no zone
   std::vector<std::pair<Vec2, Vec2>> boxes_;        ///< zones' bounds, grown
   std::vector<std::vector<int>> connections_from_;  ///< per lane: indices of Network::connections

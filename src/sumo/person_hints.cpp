@@ -69,6 +69,12 @@ PersonHints read_hints(const std::string& person, const Profiles& profiles) {
       throw hints.error("is no profile", "pedzone.profile", id, profiles.ids());
     }
   }
+  if (const std::string aware = hints.of("pedzone.aware"); !aware.empty()) {
+    if (aware != "true" && aware != "false") {
+      throw hints.error("is neither true nor false", "pedzone.aware", aware, "true, false");
+    }
+    read.aware = aware == "true";
+  }
   if (const std::string id = hints.of("pedzone.group"); !id.empty()) read.group = person_key(id);
   read.rates = read_rates(hints, "pedzone.activities");
   return read;

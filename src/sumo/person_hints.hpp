@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "world/activities.hpp"
@@ -13,6 +14,7 @@ namespace pedzone {
 
 struct PersonHints {
   const Profile* profile = nullptr;       ///< pedzone.profile; null: none
+  std::optional<bool> aware;              ///< pedzone.aware, of vehicles; unset: by the profile
   std::uint64_t group = 0;                ///< of pedzone.group; 0: alone
   std::array<double, kPastimes> rates{};  ///< [1/min] of pedzone.activities
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/random.hpp"
 #include "sumo/api.hpp"
 
 namespace pedzone {
@@ -54,6 +55,7 @@ std::optional<bool> SceneReader::aware(std::size_t person, std::size_t vehicle) 
   state.velocity = sample.velocity;
   state.length = sample.length;
   state.width = sample.width;
+  state.key = person_key(sample.id);
   return crowds_[guest.zone]->aware_of(guest.handle, state);
 }
 

@@ -189,6 +189,7 @@ bool Takeover::add_guest(const std::string& id, int zone, const Walk& walk, std:
   NewPerson person;
   person.key = person_key(id);
   person.profile = hints.profile;
+  person.aware = hints.aware;
   person.group = hints.group;
   person.rates = hints.rates;
   person.position = walk.start;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/wall_index.hpp"
+#include "world/attention.hpp"
 #include "world/parameters.hpp"
 
 namespace pedzone {
@@ -37,6 +38,10 @@ struct VehicleState {
   std::span<const Vec2> way;         ///< [m] from its rear along its next lanes; empty where
                                      ///< unknown. Read within the step only
   double length = 5.0, width = 1.8;  ///< [m]
+  std::uint64_t key = 0;             ///< of its id, while it is the same vehicle
+  bool electric = false;             ///< no engine is heard
+  bool horn = false;                 ///< sounds its horn
+  bool invites = false;              ///< signals "after you": people need not give way
 };
 
 struct Snapshot {
@@ -44,7 +49,8 @@ struct Snapshot {
   std::span<const VehicleState> vehicles;
   const WallIndex* walls = nullptr;
   const Parameters* parameters = nullptr;
-  std::uint64_t seed = 0;  ///< of what differs from person to person
+  const Attention* attention = nullptr;  ///< null: everybody perceives as the parameters say
+  std::uint64_t seed = 0;                ///< of what differs from person to person
 };
 
 }  // namespace pedzone

@@ -135,8 +135,7 @@ std::map<std::string, std::vector<int>> edges_by_junction(const Network& network
 
 /// At junctions without a walking area SUMO's persons step from any edge to any other. netconvert
 /// builds no walking area where two streets meet in line.
-void link_at_once(const Network& network, const std::vector<int>& edges,
-                  std::vector<Link>& links) {
+void link_at_once(const Network& network, const std::vector<int>& edges, std::vector<Link>& links) {
   std::set<std::string> with_walking_area;
   for (const Edge& edge : network.edges) {
     if (edge.function == EdgeFunction::kWalkingArea) with_walking_area.insert(junction_of(edge));

@@ -50,6 +50,7 @@ Zone finish(const Network& network, const std::vector<bool>& taken, Draft& draft
   zone.walkable = std::move(area.walkable);
   zone.obstacles = std::move(area.obstacles);
   zone.walls = WallIndex(zone.walkable);
+  zone.sight_walls = WallIndex(zone.obstacles);
   zone.ways = WayFinder(zone.walkable, kWayClearance);
   zone.warnings = std::move(draft.warnings);
   zone.inside = lengths_inside(network, parts.selection.edges);

@@ -34,6 +34,7 @@ struct Zone {
   Region walkable;                      ///< [m] where people may be
   Region obstacles;                     ///< [m] buildings and the like near it, for pictures
   WallIndex walls;                      ///< borders of walkable
+  WallIndex sight_walls;                ///< of obstacles: nobody sees through them
   WayFinder ways;                       ///< shortest paths in walkable
   std::vector<std::string> warnings;    ///< one line each, naming what they are about
   std::vector<TypeLength> inside, left_out;

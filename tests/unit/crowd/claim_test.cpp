@@ -90,8 +90,7 @@ TEST(Claim, without_room_beside_people_walk_ahead_of_the_vehicle) {
 TEST(Claim, people_cross_once_it_is_gone) {
   const Zone zone = zone_of(box(-30.0, -6.0, 60.0, 6.0));
   Scene scene(zone);
-  const std::size_t person =
-      scene.add({4.0, 4.0}, Destination{{4.0, -5.0}, {4.0, -5.0}}, 1.3, 0.0);
+  const std::size_t person = scene.add({4.0, 4.0}, Destination{{4.0, -5.0}, {4.0, -5.0}}, 1.3, 0.0);
   Claimant shuttle;
   for (int i = 0; i < 50; ++i) {
     scene.vehicles = {shuttle.vehicle};

@@ -122,8 +122,7 @@ TEST(Contact, absurd_input_gives_no_nan) {
     person.destination = k % 2 == 0 ? point(1e7, -1e7) : Destination{{10, 10}, {10, 10}};
     scene.add(person);
   }
-  scene.vehicles = {vehicle_at({5, 5}, 1e5, 30.0, 0.0, 0.0),
-                    vehicle_at({10, 10}, 0.1, 0.0, 50, 50),
+  scene.vehicles = {vehicle_at({5, 5}, 1e5, 30.0, 0.0, 0.0), vehicle_at({10, 10}, 0.1, 0.0, 50, 50),
                     vehicle_at({-1e9, 3}, 0.0, 1e9, 1e12, 0.5)};
   for (int k = 0; k < 50; ++k) {
     scene.step(0.7);

@@ -37,7 +37,11 @@ Zone zone_of(const Region& space, const std::vector<Ring>& obstacles, bool noise
   zone.model = "heuristic";
   zone.walkable = space;
   for (const Ring& ring : obstacles) zone.walkable = subtract(zone.walkable, repair(ring));
+  Region opaque;
+  for (const Ring& ring : obstacles) opaque = unite(opaque, repair(ring));
+  zone.obstacles = opaque;
   zone.walls = WallIndex(zone.walkable);
+  zone.sight_walls = WallIndex(zone.obstacles);
   zone.ways = WayFinder(zone.walkable, kWayClearance);
   if (!noise) zone.parameters.heading_noise = 0.0;
   return zone;

@@ -99,11 +99,12 @@ TEST_P(Contact, with_walls_from_their_walkable_side) {
     tiles.build(std::vector<Wall>{wall}, 10.0, {});
     Surroundings around;
     around.see_walls(walker_, tiles);
-    around.notice_vehicles(walker_, Senses(), {}, {}, 0.0F);
+    around.notice_vehicles(walker_, Senses(), {}, {}, 0.0F, [](std::size_t) { return true; });
     DirectionTask filled = task_;
     around.fill(filled);
     float times[kMaxDirections];
-    GetParam()->times_of(task_, filled.still_discs, filled.still_faces, 0, candidates_.padded(), times);
+    GetParam()->times_of(task_, filled.still_discs, filled.still_faces, 0, candidates_.padded(),
+                         times);
     for (std::size_t k = 0; k < candidates_.padded(); ++k) {
       if (candidates_.excluded()[k] != 0.0F) continue;
       const auto at = [&](double contact) {

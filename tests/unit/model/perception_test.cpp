@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
 #include "model/person_grid.hpp"
 #include "model/trigonometry.hpp"
+#include "model/vehicle_view.hpp"
 #include "model/wall_tiles.hpp"
 #include "oracle.hpp"
 #include "scene.hpp"
@@ -60,13 +62,22 @@ bool reacts_to_vehicle_behind(double gap, double speed, const Parameters& parame
 
 TEST(Perception, a_moving_vehicle_behind_is_heard_within_hearing) {
   Parameters p;
-  EXPECT_TRUE(reacts_to_vehicle_behind(7.9, 5.0, p));
-  EXPECT_FALSE(reacts_to_vehicle_behind(8.1, 5.0, p));
+  EXPECT_TRUE(reacts_to_vehicle_behind(7.9, 4.0, p));
+  EXPECT_FALSE(reacts_to_vehicle_behind(8.1, 4.0, p));
   p.hearing = 3.0;
-  EXPECT_TRUE(reacts_to_vehicle_behind(2.9, 5.0, p));
-  EXPECT_FALSE(reacts_to_vehicle_behind(3.1, 5.0, p));
+  EXPECT_TRUE(reacts_to_vehicle_behind(2.9, 4.0, p));
+  EXPECT_FALSE(reacts_to_vehicle_behind(3.1, 4.0, p));
   p.hearing = 0.0;
-  EXPECT_FALSE(reacts_to_vehicle_behind(0.5, 5.0, p));
+  EXPECT_FALSE(reacts_to_vehicle_behind(0.5, 4.0, p));
+}
+
+TEST(Perception, a_fast_vehicle_is_heard_from_afar) {
+  const Parameters p;
+  EXPECT_TRUE(reacts_to_vehicle_behind(20.0, 10.0, p));
+  EXPECT_FLOAT_EQ(loudness_of(2.0F, false), 1.0F);
+  EXPECT_FLOAT_EQ(loudness_of(2.0F, true), 0.5F);
+  EXPECT_NEAR(loudness_of(8.4F, false), std::pow(2.0, 1.5), 1e-5);  // 9 dB more
+  EXPECT_FLOAT_EQ(loudness_of(8.4F, true), loudness_of(8.4F, false)) << "tyres";
 }
 
 TEST(Perception, hearing_reaches_beyond_sight_where_it_is_farther) {

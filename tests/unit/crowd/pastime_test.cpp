@@ -1,0 +1,100 @@
+// What people do beside walking: how often, how long, and what it does to them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene.hpp"
+
+namespace pedzone::test {
+namespace {
+
+NewPerson walker(const Vec2& from, const Destination& to, Pastime pastime, double rate) {
+  NewPerson person;
+  person.position = from;
+  person.destination = to;
+  person.heading = angle_of(0.5 * (to.a + to.b) - from);
+  person.rates[static_cast<std::size_t>(pastime)] = rate;
+  return person;
+}
+
+TEST(Pastimes, begin_and_end_by_their_rates) {
+  // A process that begins at rate a and ends at rate b is on for a share a/(a + b) of the time.
+  constexpr double kRate = 3.0;
+  const double share = kRate / 60.0 / (kRate / 60.0 + 1.0 / info_of(Pastime::kTexting).duration);
+  const Zone zone = zone_of(box(0, 0, 2000, 400));
+  Scene scene(zone, 3);
+  constexpr int kPeople = 200;
+  for (int k = 0; k < kPeople; ++k) {
+    scene.add(walker({5, 2.0 * k + 1}, {{1999, 0}, {1999, 400}}, Pastime::kTexting, kRate));
+  }
+  scene.run(100.0, 0.1);
+  long texting = 0, all = 0;
+  for (int k = 0; k < 1000; ++k) {
+    scene.step();
+    for (const auto& person : scene.people) {
+      ++all;
+      texting += person.view.pastime == Pastime::kTexting ? 1 : 0;
+    }
+  }
+  // The process forgets itself in about 10 s, so 100 s of one person are about five looks at it.
+  const double bound = 4.5 * std::sqrt(share * (1.0 - share) / (5.0 * kPeople));
+  EXPECT_NEAR(static_cast<double>(texting) / static_cast<double>(all), share, bound);
+}
+
+TEST(Pastimes, slow_down_or_stop) {
+  const Zone zone = zone_of(box(0, 0, 400, 20));
+  for (const Pastime pastime : {Pastime::kTexting, Pastime::kPhoning, Pastime::kChatting}) {
+    Scene scene(zone);
+    const auto person = scene.add(walker({5, 10}, {{399, 1}, {399, 19}}, pastime, 60.0));
+    while (scene.people[person].view.pastime != pastime) scene.step();
+    const double wanted = 1.34 * info_of(pastime).speed;
+    double settled = -1.0;
+    for (int k = 0; k < 40 && scene.people[person].view.pastime == pastime; ++k) {
+      scene.step();
+      if (k >= 25) settled = scene.people[person].view.velocity.norm();
+    }
+    if (settled >= 0.0) {
+      EXPECT_NEAR(settled, wanted, 0.02) << info_of(pastime).id;
+    }
+  }
+}
+
+TEST(Weather, changes_how_fast_people_walk) {
+  double time[2];
+  for (const bool ice : {false, true}) {
+    Zone zone = zone_of(box(0, 0, 60, 20));
+    if (ice) zone.weather = find_weather("ice");
+    Scene scene(zone);
+    scene.add(walker({5, 10}, {{55, 1}, {55, 19}}, Pastime::kNone, 0.0));
+    scene.run(200.0);
+    time[ice ? 1 : 0] = scene.people[0].arrival_time;
+  }
+  EXPECT_NEAR(time[0] / time[1], find_weather("ice")->speed, 0.02);
+}
+
+TEST(Impulse, sends_people_in_front_of_a_vehicle) {
+  Profile child = *Profiles().find("child");
+  child.impulsiveness = 60.0;
+  int nearer = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    double least[2];
+    for (const bool impulsive : {false, true}) {
+      const Zone zone = zone_of(box(0, 0, 80, 40));
+      Scene scene(zone, seed);
+      NewPerson person = walker({60, 14}, {{1, 1}, {1, 16}}, Pastime::kNone, 0.0);
+      Profile calm = child;
+      calm.impulsiveness = 0.0;
+      person.profile = impulsive ? &child : &calm;
+      person.aware = true;
+      scene.add(person);
+      scene.vehicles = {vehicle_at({20, 20}, 0.0, 3.0)};
+      scene.run(25.0);
+      least[impulsive ? 1 : 0] = scene.least_vehicle_gap();
+    }
+    nearer += least[1] < least[0] - 1.0 ? 1 : 0;
+  }
+  EXPECT_GE(nearer, 15);
+}
+
+}  // namespace
+}  // namespace pedzone::test
