@@ -36,7 +36,7 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
       ->capture_default_str();
   run_command->add_option("--summary", options.summary, "Write the summary as JSON");
   run_command->add_option("--trajectories", options.trajectories,
-                          "Write time,id,x,y,vx,vy,heading,activity of each person and step");
+                          "Write time,id,x,y,vx,vy,heading,activity,pastime of each person and step");
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
   add_conflict_options(*run_command, options.conflicts);
   run_command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");

@@ -273,6 +273,7 @@ void Takeover::write(double dt, const Fleet& fleet) {
       api::Person::moveToXY(guest.id, "", view.position.x(), view.position.y(),
                             sumo_from_radians(view.heading), kKeepRouteFree, kNoMatch);
     }
+    guest.colour.show(guest.id, guest.gone ? Pastime::kNone : view.pastime);
     guest.position = view.position;
   }
   drop_gone();

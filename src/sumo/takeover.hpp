@@ -17,6 +17,7 @@
 
 #include "sumo/bystanders.hpp"
 #include "sumo/fleet.hpp"
+#include "sumo/person_colour.hpp"
 #include "sumo/yielding.hpp"
 #include "sumo/zone_route.hpp"
 
@@ -35,6 +36,7 @@ struct Guest {
   double preferred_speed = 0.0;  ///< [m/s]
   double check_at = 0.0;         ///< [s] when its plan is looked at again
   double held = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
+  PersonColour colour;
   bool gone = false;             ///< no longer ours: dropped at the end of the phase
 };
 

@@ -1,6 +1,7 @@
 // What people do beside walking, and what that does to them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -12,14 +13,14 @@ inline constexpr std::size_t kPastimes = 6;
 
 struct PastimeInfo {
   Pastime pastime;
-  std::string_view id;      ///< "texting", ...
-  double duration;          ///< [s] mean; exponential
-  double rate;              ///< [1/min] at which somebody who does it at all begins
-  double speed;             ///< factor; 0: stands
-  double field_of_view;     ///< factor
-  double hearing;           ///< factor
-  double noise;             ///< factor of the heading's variation
-  std::string_view colour;  ///< "r,g,b" in sumo-gui
+  std::string_view id;                 ///< "texting", ...
+  double duration;                     ///< [s] mean; exponential
+  double rate;                         ///< [1/min] at which somebody who does it at all begins
+  double speed;                        ///< factor; 0: stands
+  double field_of_view;                ///< factor
+  double hearing;                      ///< factor
+  double noise;                        ///< factor of the heading's variation
+  std::array<std::uint8_t, 3> colour;  ///< red, green, blue in sumo-gui
   std::string_view source;
 };
 
