@@ -14,7 +14,8 @@ enum class Purpose : std::uint32_t {
   kTieBreak,
   kSpeedJitter,
   kCaution,
-  kBootstrap
+  kBootstrap,
+  kDemand
 };
 
 /// 64-bit key of a person's id (FNV-1a): independent of insertion order.
