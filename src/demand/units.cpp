@@ -87,7 +87,7 @@ std::vector<Unit> open_units(const PanelSpec& spec, Sizes& sizes, Draws& times, 
 }  // namespace
 
 std::vector<Unit> plan_units(const PanelSpec& spec, std::uint64_t seed, double simulation_begin) {
-  const double begin = spec.begin.value_or(simulation_begin);
+  const double begin = std::max(simulation_begin, spec.begin.value_or(0.0));
   Sizes sizes(spec, seed);
   Draws times(seed, spec.id + " times");
   if (!spec.number) return open_units(spec, sizes, times, begin);

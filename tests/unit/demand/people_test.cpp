@@ -85,6 +85,8 @@ TEST(Panel, times) {
   };
   EXPECT_EQ(departures({{"number", "3"}, {"alone", "1"}}, 25200), std::vector<double>(3, 25200.0));
   EXPECT_EQ(departures({{"number", "3"}, {"begin", "60"}}, 0), std::vector<double>(3, 60.0));
+  // SUMO would drop whoever departs before it begins.
+  EXPECT_EQ(departures({{"number", "3"}, {"begin", "60"}}, 90), std::vector<double>(3, 90.0));
   const auto spread = departures({{"number", "50"}, {"begin", "60"}, {"end", "90"}}, 0);
   EXPECT_EQ(spread.size(), 50u);
   EXPECT_TRUE(std::is_sorted(spread.begin(), spread.end()));
