@@ -17,6 +17,7 @@ packages=(
   libpugixml-dev libexpat1-dev zlib1g-dev  # SUMO's XML, held and streamed, plain and compressed
   nlohmann-json3-dev                # summaries
   libtbb-dev                        # threads
+  libboost-dev                      # distributions; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
   python3 python3-shapely python3-numpy                         # independent checks
   librsvg2-bin                      # the picture as PNG

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/conflicts.hpp"
+#include "app/demand.hpp"
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
 #include "app/profile_tables.hpp"
@@ -21,7 +22,10 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
       "Examples:\n"
       "  pedzone run town.sumocfg\n"
       "  pedzone run town.sumocfg --seed 7 --end 900 --summary out/summary.json \\\n"
-      "              --trajectories out/trajectories.csv -- --tripinfo-output out/trips.xml\n\n"
+      "              --trajectories out/trajectories.csv -- --tripinfo-output out/trips.xml\n"
+      "  pedzone run town.sumocfg --pedestrians 200            # 200 people more, of all kinds\n"
+      "  pedzone run town.sumocfg --pedestrians-per-hour 600 --pedestrians-end 900 \\\n"
+      "              --pedestrians-profiles \"senior=0.5 wheelchair=0.1\" --end 1200\n\n"
       "Without --zone, the zone is all shared space of the network: edges of type\n"
       "highway.pedestrian and highway.living_street and lanes that persons and vehicles share at\n"
       "no more than 20 km/h. `pedzone inspect` shows it. Everything after -- goes to SUMO.\n"
@@ -39,6 +43,7 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
                           "Write time,id,x,y,vx,vy,heading,activity,pastime of each person and step");
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
   add_conflict_options(*run_command, options.conflicts);
+  add_panel_options(*run_command, options.panel);
   run_command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
   run_command->callback([&options, &code] { code = run(options); });
 }
@@ -87,6 +92,27 @@ void add_conflicts(CLI::App& app, ConflictsOptions& options, int& code) {
   command->callback([&options, &code] { code = conflicts(options); });
 }
 
+void add_demand(CLI::App& app, DemandOptions& options, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "demand", "Write the people that `pedzone run` would make as a SUMO route file");
+  command->footer(
+      "Examples:\n"
+      "  pedzone demand town.sumocfg --pedestrians 200 --seed 7 --out people.rou.xml\n"
+      "  sumo -c town.sumocfg --additional-files people.rou.xml    # walked by SUMO's striping\n\n"
+      "The same scenario, zone file, options and seed give the same people as in `pedzone run`, "
+      "to\n"
+      "the bit. On SUMO's command line --additional-files replaces those of the configuration:\n"
+      "name them, too, where they matter. Profiles: `pedzone profiles`.\n"
+      "Exit codes: 0 done, 2 input at fault.");
+  command->add_option("scenario", options.config, "SUMO configuration (.sumocfg)")->required();
+  command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");
+  command->add_option("--seed", options.seed, "Seed [default: the scenario's, else SUMO's]");
+  command->add_option("--out", options.out, "Route file to write")->required();
+  add_panel_options(*command, options.panel);
+  command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
+  command->callback([&options, &code] { code = demand(options); });
+}
+
 int command_line(int argc, char** argv) {
   CLI::App app{"pedzone walks the pedestrians of a SUMO simulation through shared space"};
   app.set_version_flag("--version", PEDZONE_VERSION);
@@ -94,9 +120,11 @@ int command_line(int argc, char** argv) {
   RunOptions run_options;
   InspectOptions inspect_options;
   ConflictsOptions conflicts_options;
+  DemandOptions demand_options;
   int code = 0;
   add_run(app, run_options, code);
   add_inspect(app, inspect_options, code);
+  add_demand(app, demand_options, code);
   add_conflicts(app, conflicts_options, code);
   add_parameters(app);
   add_profiles(app);

@@ -23,12 +23,11 @@ namespace {
 SimulationOptions prepare(const RunOptions& options) {
   SimulationOptions prepared;
   prepared.scenario = read_scenario(options.config, options.sumo_options);
-  require_persons(prepared.scenario);
-  if (!options.zone_file.empty()) {
-    ZoneFile file = read_zone_file(options.zone_file);
-    prepared.zones = std::move(file.zones);
-    prepared.profiles = std::move(file.profiles);
-  }
+  ZoneFile file = read_zone_file(options.zone_file, options.panel);
+  if (file.panels.empty()) require_persons(prepared.scenario);
+  prepared.zones = std::move(file.zones);
+  prepared.profiles = std::move(file.profiles);
+  prepared.panels = std::move(file.panels);
   prepared.seed = options.seed;
   prepared.end = options.end;
   return prepared;

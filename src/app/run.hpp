@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/conflict_options.hpp"
+#include "app/panel_options.hpp"
 
 namespace pedzone {
 
@@ -18,6 +19,7 @@ struct RunOptions {
   int threads = 0;                             ///< 0: all cores
   std::string summary, trajectories, picture;  ///< files to write; empty: not
   ConflictOptions conflicts;
+  PanelOptions panel;
   std::vector<std::string> sumo_options;  ///< what stands after `--`
 };
 

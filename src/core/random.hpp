@@ -17,7 +17,8 @@ enum class Purpose : std::uint32_t {
   kBootstrap,
   kAwareness,
   kPastime,
-  kImpulse
+  kImpulse,
+  kDemand
 };
 
 /// 64-bit key of a person's id (FNV-1a): independent of insertion order.

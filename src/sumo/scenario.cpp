@@ -26,24 +26,36 @@ const Option kNetFile{{"net-file", "n", "net"}};
 const Option kAdditional{{"additional-files", "a", "additional"}};
 const Option kRoutes{{"route-files", "r", "routes"}};
 const Option kModel{{"pedestrian.model"}};
+const Option kSeed{{"seed"}};
+const Option kBegin{{"begin", "b"}};
+const Option kDawdling{{"pedestrian.striping.dawdling"}};
 
 bool is_name_of(const Option& option, std::string_view name) {
   return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
 }
 
-/// Value of an option on SUMO's command line: `--name value`, `--name=value`, `-n value`.
-std::optional<std::string> on_command_line(const std::vector<std::string>& words,
-                                           const Option& option) {
+/// An option on SUMO's command line: `--name value`, `--name=value`, `-n value`.
+struct Given {
+  std::string value;
+  std::size_t first, count;  ///< the words that say it
+};
+std::optional<Given> find_given(const std::vector<std::string>& words, const Option& option) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string_view word = words[i];
     if (word.size() < 2 || word.front() != '-') continue;
     word.remove_prefix(word.starts_with("--") ? 2 : 1);
     const std::size_t equals = word.find('=');
     if (!is_name_of(option, word.substr(0, equals))) continue;
-    if (equals != std::string_view::npos) return std::string(word.substr(equals + 1));
-    if (i + 1 < words.size()) return words[i + 1];
+    if (equals != std::string_view::npos) return Given{std::string(word.substr(equals + 1)), i, 1};
+    if (i + 1 < words.size()) return Given{words[i + 1], i, 2};
   }
   return std::nullopt;
+}
+
+std::optional<std::string> on_command_line(const std::vector<std::string>& words,
+                                           const Option& option) {
+  const auto given = find_given(words, option);
+  return given ? std::optional(given->value) : std::nullopt;
 }
 
 /// The element of an option in a configuration; sections nest it one level deep.
@@ -51,6 +63,33 @@ pugi::xml_node in_configuration(const pugi::xml_node& root, const Option& option
   return root.find_node([&](const pugi::xml_node& node) {
     return is_name_of(option, node.name()) && node.attribute("value");
   });
+}
+
+/// A number, or a time as "h:m:s" or "d:h:m:s" in seconds.
+std::optional<double> parse_time(const std::string& text) {
+  constexpr double kUnits[] = {1.0, 60.0, 3600.0, 86400.0};
+  const auto parts = split_words(text, ':');
+  if (parts.empty() || parts.size() > std::size(kUnits)) return std::nullopt;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    double number = 0.0;
+    if (!parse_number(parts[i], number)) return std::nullopt;
+    sum += number * kUnits[parts.size() - 1 - i];
+  }
+  return sum;
+}
+
+double number_of(const XmlFile& config, const std::vector<std::string>& words, const Option& option,
+                 double otherwise) {
+  const auto given = on_command_line(words, option);
+  const pugi::xml_node node = in_configuration(config.root(), option);
+  if (!given && !node) return otherwise;
+  const std::string text = given ? *given : node.attribute("value").value();
+  if (const auto number = parse_time(text)) return *number;
+  const std::string allowed = "a number";
+  if (!given) throw config.error("is not a number", node, "value", text, allowed);
+  throw InputError("is not a number",
+                   {"", 0, "SUMO option --" + option.names.front(), text, allowed});
 }
 
 std::vector<std::string> split_files(const std::string& list, const fs::path& folder) {
@@ -151,6 +190,28 @@ void require_persons(const Scenario& scenario) {
   if (any(scenario.route_files) || any(scenario.additional_files)) return;
   throw InputError("names no person", {scenario.config, 0, "<route-files>", "",
                                        "route or additional files with <person> or <personFlow>"});
+}
+
+ScenarioNumbers read_numbers(const Scenario& scenario) {
+  constexpr double kSumoSeed = 23423, kSumoDawdling = 0.2;  // SUMO's defaults
+  const XmlFile config(scenario.config);
+  const auto number = [&](const Option& option, double otherwise) {
+    return number_of(config, scenario.sumo_options, option, otherwise);
+  };
+  return {static_cast<std::uint64_t>(std::max(0.0, number(kSeed, kSumoSeed))), number(kBegin, 0.0),
+          std::clamp(number(kDawdling, kSumoDawdling), 0.0, 1.0)};
+}
+
+void add_additional_file(Scenario& scenario, const std::string& file) {
+  auto& words = scenario.sumo_options;
+  // SUMO takes an option once.
+  while (const auto given = find_given(words, kAdditional)) {
+    const auto first = words.begin() + static_cast<std::ptrdiff_t>(given->first);
+    words.erase(first, first + static_cast<std::ptrdiff_t>(given->count));
+  }
+  std::string files;
+  for (const std::string& other : scenario.additional_files) files += other + ",";
+  words.insert(words.end(), {"--" + kAdditional.names.front(), files + file});
 }
 
 }  // namespace pedzone

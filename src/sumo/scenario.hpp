@@ -2,6 +2,7 @@
 // that fails, and so that `pedzone inspect` needs no running SUMO.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,17 @@ Network read_scenario_network(const Scenario& scenario);
 
 /// Throws InputError when no route or additional file of the scenario has a person or person flow.
 void require_persons(const Scenario& scenario);
+
+/// What SUMO will take for some of its options, before it is started: given to it on the command
+/// line, else in the configuration, else its default. Throws InputError for what is no number.
+struct ScenarioNumbers {
+  std::uint64_t seed;
+  double begin;     ///< [s]
+  double dawdling;  ///< of striping, [0, 1]
+};
+ScenarioNumbers read_numbers(const Scenario& scenario);
+
+/// Has SUMO read one more additional file.
+void add_additional_file(Scenario& scenario, const std::string& file);
 
 }  // namespace pedzone

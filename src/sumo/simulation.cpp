@@ -1,9 +1,12 @@
 #include "sumo/simulation.hpp"
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "core/error.hpp"
+#include "sumo/people_file.hpp"
 #include "sumo/stand_off.hpp"
 
 namespace pedzone {
@@ -43,11 +46,41 @@ void translated(double time, const Work& work) {
 
 }  // namespace
 
+namespace {
+
+/// The panels' people as a file that SUMO reads when it starts. It has no name, so that nothing of
+/// it is left however the process ends.
+class MadePeople {
+ public:
+  MadePeople(const SimulationOptions& options, const Network& network,
+             const std::vector<Zone>& zones)
+      : scenario_(options.scenario) {
+    if (options.panels.empty()) return;
+    const std::string text =
+        people_file({scenario_, network, zones, options.profiles, options.panels, options.seed});
+    file_.reset(std::tmpfile());
+    if (!file_ || std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
+        std::fflush(file_.get()) != 0) {
+      throw std::runtime_error("cannot write people to a temporary file");
+    }
+    add_additional_file(scenario_, "/proc/self/fd/" + std::to_string(fileno(file_.get())));
+  }
+
+  const Scenario& scenario() const { return scenario_; }
+
+ private:
+  Scenario scenario_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
+};
+
+}  // namespace
+
 struct Simulation::Parts {
   explicit Parts(const SimulationOptions& options)
       : network(read_scenario_network(options.scenario)),
         zones(build_zones(network, options.zones)),
-        session(options.scenario, options_for(options)),
+        made_people(options, network, zones),
+        session(made_people.scenario(), options_for(options)),
         fleet(network, zones),
         yielding(zones),
         stand_offs(zones),
@@ -77,6 +110,7 @@ struct Simulation::Parts {
   double sumo_seconds = 0.0;
   Network network;
   std::vector<Zone> zones;
+  MadePeople made_people;
   Session session;
   Fleet fleet;
   Yielding yielding;

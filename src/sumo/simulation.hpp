@@ -17,6 +17,7 @@ struct SimulationOptions {
   Scenario scenario;
   std::vector<ZoneSpec> zones;        ///< empty: the zone is found by itself
   Profiles profiles;                  ///< that persons may name
+  std::vector<PanelSpec> panels;      ///< people to be made beside the scenario's own
   std::optional<std::uint64_t> seed;  ///< of SUMO and of pedzone; unset: SUMO's
   std::optional<double> end;          ///< [s] overrides the scenario's
 };

@@ -131,7 +131,7 @@ InputError zone_error(const ZoneSpec& zone, const std::string& problem,
 
 ZoneFile read_zone_file(const std::string& path) {
   const XmlFile file(path, {"zones"});
-  file.check_names(file.root(), {}, {"profile", "zone"});
+  file.check_names(file.root(), {}, {"profile", "zone", "pedestrians"});
   ZoneFile read;
   for (const pugi::xml_node& node : file.root().children("profile")) {
     read.profiles.add(read_profile(file, node, read.profiles));
@@ -143,6 +143,7 @@ ZoneFile read_zone_file(const std::string& path) {
                     [&](const ZoneSpec& other) { return other.id == read.zones.back().id; });
     if (known) throw file.error("is used twice", node, "id", read.zones.back().id, "a new id");
   }
+  read.panels = read_panels(file, read.profiles, read.paths);
   if (!file.root().first_child()) {
     throw file.error("has no <zone>", file.root(), "", "", "one <zone> or more");
   }

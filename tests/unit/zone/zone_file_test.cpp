@@ -129,7 +129,7 @@ TEST_F(ZoneFile, rejects_what_is_missing_empty_or_twice) {
 
 TEST_F(ZoneFile, rejects_other_elements_and_broken_files) {
   EXPECT_EQ(error("<zones>\n<area id=\"a\"/></zones>"),
-            "2: <area id=\"a\">: is not allowed in <zones>; allowed: profile, zone");
+            "2: <area id=\"a\">: is not allowed in <zones>; allowed: profile, zone, pedestrians");
   EXPECT_THAT(error("<zones><zone id=\"a\">\n<parameter/></zone></zones>"),
               HasSubstr("2: <parameter>: is not allowed in <zone>; allowed: param"));
   EXPECT_EQ(error("<net>\n</net>"),
@@ -165,6 +165,36 @@ TEST_F(ZoneFile, rejects_bad_profiles_and_weather) {
   EXPECT_THAT(error("<zones><profile id=\"a\" speed=\"9\"/></zones>"), HasSubstr("0.1 to 5"));
 }
 
+TEST_F(ZoneFile, reads_people_to_be_made) {
+  std::ofstream(path_) << R"(<zones>
+  <profile id="courier" speed="1.8"/>
+  <pedestrians number="200"/>
+  <pedestrians number="20" profiles="courier=0.5" groupSize="3"
+               activities="texting=0.25" atEnd="stay"/></zones>)";
+  const std::vector<PanelSpec> panels = read_zone_file(path_).panels;
+  ASSERT_EQ(panels.size(), 2u);
+  EXPECT_EQ(panels[0].id, "pedestrians");
+  EXPECT_EQ(panels[0].number, 200);
+  EXPECT_FALSE(panels[0].stay);
+  EXPECT_EQ(panels[1].id, "pedestrians2");
+  EXPECT_THAT(panels[1].profiles, ElementsAre(std::pair<std::string, double>("courier", 0.5)));
+  EXPECT_EQ(panels[1].group_least, 3);
+  EXPECT_EQ(panels[1].group_most, 3);
+  EXPECT_TRUE(panels[1].stay);
+}
+
+TEST_F(ZoneFile, rejects_bad_people) {
+  EXPECT_EQ(error("<zones>\n<pedestrians id=\"a\" number=\"0\"/></zones>"),
+            "2: <pedestrians id=\"a\"> attribute number: '0' is out of range; allowed: 1 to "
+            "1000000");
+  EXPECT_THAT(error("<zones><pedestrians number=\"1\"/>\n<pedestrians id=\"pedestrians\" "
+                    "number=\"1\"/></zones>"),
+              HasSubstr("2: <pedestrians id=\"pedestrians\"> attribute id: 'pedestrians' is used "
+                        "twice"));
+  EXPECT_THAT(error("<zones><pedestrians number=\"1\"><walk/></pedestrians></zones>"),
+              HasSubstr("holds something"));
+}
+
 TEST_F(ZoneFile, the_schema_says_the_same) {
   pugi::xml_document schema;
   ASSERT_TRUE(schema.load_file(PEDZONE_ZONES_XSD));
@@ -187,6 +217,7 @@ TEST_F(ZoneFile, the_schema_says_the_same) {
   EXPECT_EQ(names(type("paramType")),
             allowed("<zones><zone id=\"a\"><param x=\"\"/></zone></zones>"));
   EXPECT_EQ(names(type("profileType")), allowed("<zones><profile id=\"a\" x=\"\"/></zones>"));
+  EXPECT_EQ(names(type("pedestriansType")), allowed("<zones><pedestrians x=\"\"/></zones>"));
   const auto attribute = [&](const char* name) {
     return type("zoneType").find_child_by_attribute("xsd:attribute", "name", name);
   };
