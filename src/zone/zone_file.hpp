@@ -9,6 +9,7 @@
 #include "world/parameters.hpp"
 #include "world/profiles.hpp"
 #include "world/weather.hpp"
+#include "zone/paths.hpp"
 
 namespace pedzone {
 
@@ -41,6 +42,7 @@ InputError zone_error(const ZoneSpec& zone, const std::string& problem,
 struct ZoneFile {
   std::vector<ZoneSpec> zones;  ///< empty: the zone is found by itself
   Profiles profiles;            ///< the built-in ones and those of the file
+  std::vector<PathSpec> paths;  ///< ids are unique
 };
 
 /// Reads a zone file. Throws InputError naming file, line, element, value and what is allowed.
