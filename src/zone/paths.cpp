@@ -58,6 +58,8 @@ void require_ways(const Network& network, const Zone& zone, const PathSpec& spec
       throw path_error(spec, "cannot be walked to: walls part it from all lanes of its zone",
                        stop.poi, "waypoints with a way to them inside zone '" + zone.id + "'");
     }
+  }
+  for (const PathStop& stop : stops) {
     if (!reached_from_others(zone, stops, stop)) {
       throw path_error(spec,
                        "cannot be walked to: walls part it from the other waypoints of the path",

@@ -190,7 +190,7 @@ TEST_F(ZoneFile, rejects_bad_paths) {
               HasSubstr("waypoints: 'q' is named twice in a row"));
   EXPECT_THAT(
       error("<zones><path id=\"a\" waypoints=\"p\"/>\n<path id=\"a\" waypoints=\"p\"/></zones>"),
-      HasSubstr("2: <path id=\"a\"> attribute id: 'a' is used twice"));
+      HasSubstr("2: <path> attribute id: 'a' is used twice"));
   EXPECT_THAT(error("<zones><path id=\"a\" waypoints=\"p\" radius=\"1\"/></zones>"),
               HasSubstr("'radius' is an unknown attribute; allowed: id, waypoints"));
 }
