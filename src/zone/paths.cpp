@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/xml.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone {

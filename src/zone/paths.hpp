@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "core/vec.hpp"
-#include "core/xml.hpp"
+
+namespace pugi {
+class xml_node;
+}
 
 namespace pedzone {
 
+class XmlFile;
 struct Network;
 struct Zone;
 

@@ -204,7 +204,7 @@ TEST_F(NetReader, reads_polygons_and_says_which_it_cannot_use) {
 
 // Places on lanes as SUMO 1.15 has them (its own poi.getPosition for the same file).
 TEST_F(NetReader, reads_waypoints_where_sumo_has_them) {
-  Network network = read_network(std::string(PEDZONE_NETWORKS) + "/plaza/plaza.net.xml");
+  Network network = read_network(network_file("plaza/plaza.net.xml"));
   std::ofstream(path_) << R"(<additional>
 <poi id="a" type="pedzone.waypoint" x="3" y="-4.5"><param key="pedzone.radius" value="20"/>
   <param key="colour" value="nobody's"/></poi>
