@@ -6,6 +6,7 @@
 
 #include "app/guarded.hpp"
 #include "output/complete_file.hpp"
+#include "sumo/path_references.hpp"
 #include "sumo/scenario.hpp"
 #include "view/zone_report.hpp"
 #include "view/zone_svg.hpp"
@@ -15,12 +16,13 @@ namespace {
 
 void report(const InspectOptions& options) {
   const Scenario scenario = read_scenario(options.config, options.sumo_options);
-  std::vector<ZoneSpec> specs;
-  if (!options.zone_file.empty()) specs = read_zone_file(options.zone_file).zones;
+  ZoneFile file;
+  if (!options.zone_file.empty()) file = read_zone_file(options.zone_file);
   std::unique_ptr<CompleteFile> picture;
   if (!options.svg.empty()) picture = std::make_unique<CompleteFile>(options.svg, "--svg");
   const Network network = read_scenario_network(scenario);
-  const std::vector<Zone> zones = build_zones(network, specs);
+  const std::vector<Zone> zones = build_zones(network, file.zones);
+  require_known_paths(scenario, find_paths(network, zones, file.paths));
   if (picture) {
     picture->write(zone_svg(network, zones));
     picture->finish();

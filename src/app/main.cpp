@@ -28,7 +28,11 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
       "              --pedestrians-profiles \"senior=0.5 wheelchair=0.1\" --end 1200\n\n"
       "Without --zone, the zone is all shared space of the network: edges of type\n"
       "highway.pedestrian and highway.living_street and lanes that persons and vehicles share at\n"
-      "no more than 20 km/h. `pedzone inspect` shows it. Everything after -- goes to SUMO.\n"
+      "no more than 20 km/h. `pedzone inspect` shows it. Everything after -- goes to SUMO.\n\n"
+      "Persons with the parameter pedzone.path (their own or their vType's) come by the POIs of\n"
+      "type pedzone.waypoint that <path id=\"...\" waypoints=\"poi1 poi2\"/> in the zone file "
+      "names,\n"
+      "in turn. sumo-gui shows what --debug-shapes writes: sumo-gui -c FILE -a POLYGONS,SHAPES.\n\n"
       "Exit codes: 0 done, 2 input at fault, 3 SUMO failed.");
   run_command->add_option("scenario", options.config, "SUMO configuration (.sumocfg)")->required();
   run_command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");
@@ -42,6 +46,14 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--trajectories", options.trajectories,
                           "Write time,id,x,y,vx,vy,heading,activity,pastime of each person and step");
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
+  auto* shapes = run_command->add_option(
+      "--debug-shapes", options.debug_shapes,
+      "Write paths, waypoints and each person's aim, direction and free distances as SUMO shapes");
+  run_command
+      ->add_option("--debug-time", options.debug_time,
+                   "Time in s of those shapes [default: the end of the run]")
+      ->check(CLI::Range(0.0, 1e9))
+      ->needs(shapes);
   add_conflict_options(*run_command, options.conflicts);
   add_panel_options(*run_command, options.panel);
   run_command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <limits>
 #include <memory>
 #include <thread>
 
@@ -16,6 +17,7 @@
 #include "output/complete_file.hpp"
 #include "output/trajectory_writer.hpp"
 #include "sumo/simulation.hpp"
+#include "view/debug_shapes.hpp"
 
 namespace pedzone {
 namespace {
@@ -27,6 +29,7 @@ SimulationOptions prepare(const RunOptions& options) {
   if (file.panels.empty()) require_persons(prepared.scenario);
   prepared.zones = std::move(file.zones);
   prepared.profiles = std::move(file.profiles);
+  prepared.paths = std::move(file.paths);
   prepared.panels = std::move(file.panels);
   prepared.seed = options.seed;
   prepared.end = options.end;
@@ -39,6 +42,9 @@ struct Outputs {
   std::unique_ptr<TrajectoryWriter> trajectories;
   std::unique_ptr<CompleteFile> picture;
   PathRecorder paths;
+  std::unique_ptr<CompleteFile> shapes;
+  double shapes_time = std::numeric_limits<double>::infinity();  ///< [s]
+  std::string shapes_text;                                       ///< empty: it is not yet that time
   std::unique_ptr<ConflictWriter> conflicts;
   std::unique_ptr<ConflictTracker> tracker;
   std::vector<Conflict> over;
@@ -53,6 +59,10 @@ struct Outputs {
     if (!options.picture.empty()) {
       picture = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
     }
+    if (!options.debug_shapes.empty()) {
+      shapes = std::make_unique<CompleteFile>(options.debug_shapes, "--debug-shapes");
+      shapes_time = options.debug_time.value_or(shapes_time);
+    }
     if (options.conflicts.wanted()) {
       conflicts = std::make_unique<ConflictWriter>(options.conflicts.paths());
       tracker = std::make_unique<ConflictTracker>(options.conflicts.limits);
@@ -66,13 +76,24 @@ struct Outputs {
     });
   }
 
+  /// Where everybody is now and what it is about to do.
+  void take_shapes(Simulation& simulation) {
+    std::vector<Insight> insights = simulation.insights();
+    std::vector<DebuggedPerson> persons;
+    for (std::size_t k = 0; k < insights.size(); ++k) {
+      persons.push_back({simulation.guests()[k].id, std::move(insights[k])});
+    }
+    shapes_text = debug_shapes(simulation.zones(), simulation.paths(), persons);
+  }
+
   void write_conflicts() {
     for (const Conflict& conflict : over) conflicts->write(conflict);
     over.clear();
   }
 
   /// `time` [s] before the step, by which SUMO's own outputs name a step's result.
-  void step(double time, const Simulation& simulation) {
+  void step(double time, Simulation& simulation) {
+    if (shapes && shapes_text.empty() && time >= shapes_time) take_shapes(simulation);
     if (tracker) write_conflicts();
     if (picture) paths.observe(simulation);
     if (!trajectories) return;
@@ -81,7 +102,9 @@ struct Outputs {
     }
   }
 
-  void finish(const Simulation& simulation, const RunSummary& totals) {
+  void finish(Simulation& simulation, const RunSummary& totals) {
+    if (shapes && shapes_text.empty()) take_shapes(simulation);
+    if (shapes) shapes->write(shapes_text);
     if (summary) summary->write(summary_json(totals));
     if (picture) picture->write(paths.picture(simulation));
     if (tracker) {
@@ -91,6 +114,7 @@ struct Outputs {
     }
     if (trajectories) trajectories->finish();
     if (picture) picture->finish();
+    if (shapes) shapes->finish();
     if (summary) summary->finish();
   }
 };
@@ -129,7 +153,7 @@ void simulate(const RunOptions& options) {
 int run(const RunOptions& options) {
   const auto work = [&options] { return guarded([&] { simulate(options); }); };
   return supervise(work, {options.summary, options.trajectories, options.picture,
-                          options.conflicts.xml, options.conflicts.csv});
+                          options.debug_shapes, options.conflicts.xml, options.conflicts.csv});
 }
 
 }  // namespace pedzone

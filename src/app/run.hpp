@@ -18,6 +18,8 @@ struct RunOptions {
   std::optional<double> end;                   ///< [s]
   int threads = 0;                             ///< 0: all cores
   std::string summary, trajectories, picture;  ///< files to write; empty: not
+  std::string debug_shapes;                    ///< file to write; empty: not
+  std::optional<double> debug_time;            ///< [s] of the shapes; unset: the end
   ConflictOptions conflicts;
   PanelOptions panel;
   std::vector<std::string> sumo_options;  ///< what stands after `--`

@@ -6,6 +6,8 @@
 
 #include "core/random.hpp"
 #include "crowd/awareness.hpp"
+#include "crowd/insight.hpp"
+#include "crowd/path_walk.hpp"
 #include "crowd/placement.hpp"
 #include "crowd/state.hpp"
 #include "crowd/step.hpp"
@@ -61,19 +63,6 @@ struct Crowd::State : CrowdState {
     walkers[to] = std::move(walkers[from]);
     row[walkers[to].handle] = static_cast<std::uint32_t>(to);
   }
-
-  /// Plans the way of row i from where it stands.
-  void plan_way(std::size_t i, const Destination& destination) {
-    WalkState& walker = walkers[i];
-    plan(zone, position(i), persons.radius[i], destination, walker.route);
-    walker.planned = substep;
-    walker.entered = walker.arrived = walker.gave_up = walker.waits = false;
-    walker.least_left = std::numeric_limits<double>::infinity();
-    walker.blocked = 0.0;
-    const Vec2 to_goal = heading_point(walker.route, position(i)) - position(i);
-    persons.goal_direction[i] = angle_of(to_goal);
-    persons.goal_distance[i] = to_goal.norm();
-  }
 };
 
 const char* name_of(Activity activity) {
@@ -103,6 +92,9 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   require(finite(person.velocity) && std::isfinite(person.heading), "a velocity or heading");
   require(finite(person.destination.a) && finite(person.destination.b), "a destination");
   require(std::isfinite(person.radius), "a radius");
+  for (const Waypoint& waypoint : person.path) {
+    require(finite(waypoint.at) && std::isfinite(waypoint.radius), "a waypoint");
+  }
   require(std::isfinite(person.preferred_speed), "a preferred speed");
   const double radius = std::clamp(person.radius, kLeastRadius, kMostRadius);
   const double preferred = speed_in_range(person.preferred_speed);
@@ -137,7 +129,10 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   // The variation starts in its stationary state, with the number of the substep before.
   walker.noise = state.zone.parameters.heading_noise * kPi / 180.0 *
                  random_normal(state.seed, person.key, state.substep - 1, Purpose::kHeadingNoise);
-  state.plan_way(i, person.destination);
+  if (!person.path.empty()) {
+    walker.path = std::make_unique<PathWalk>(PathWalk{person.path, 0, person.destination});
+  }
+  start_way(state, i, person.destination);
   return walker.handle;
 }
 
@@ -153,7 +148,7 @@ void Crowd::remove(Handle handle) {
 
 void Crowd::set_destination(Handle handle, const Destination& destination) {
   require(finite(destination.a) && finite(destination.b), "a destination");
-  state_->plan_way(state_->row_of(handle), destination);
+  start_way(*state_, state_->row_of(handle), destination);
 }
 
 void Crowd::set_preferred_speed(Handle handle, double speed) {
@@ -198,6 +193,12 @@ bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {
   return std::ranges::any_of(state.walkers[i].noticed, [&](const Noticed& noticed) {
     return noticed.vehicle == vehicle.key && noticed.minds;
   });
+}
+
+std::vector<Insight> Crowd::insights(std::span<const Handle> handles) {
+  std::vector<std::size_t> rows;
+  for (const Handle handle : handles) rows.push_back(state_->row_of(handle));
+  return look_into(*state_, rows);
 }
 
 std::size_t Crowd::size() const { return state_->persons.walking; }

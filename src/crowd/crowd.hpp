@@ -12,6 +12,7 @@
 #include "model/walking_model.hpp"
 #include "world/activities.hpp"
 #include "world/profiles.hpp"
+#include "zone/paths.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone {
@@ -21,12 +22,6 @@ namespace pedzone {
 /// (0.5 m of a single point), or of the nearest place inside the walls where it lies outside.
 struct Destination {
   Vec2 a = Vec2::Zero(), b = Vec2::Zero();  ///< [m]
-};
-
-/// A place to come by on the way.
-struct Waypoint {
-  Vec2 at = Vec2::Zero();  ///< [m]
-  double radius = 1.0;     ///< [m] (0, 20] ε: so near, it is reached
 };
 
 struct NewPerson {
@@ -41,7 +36,9 @@ struct NewPerson {
                                           ///< parameters say, without pastimes
   std::optional<bool> aware;              ///< of vehicles; unset: by the profile's share
   std::uint64_t group = 0;                ///< persons of the same number keep together; 0: alone
-  std::vector<Waypoint> path;             ///< come by these in turn, then to the destination
+  std::vector<Waypoint> path;             ///< come by these in turn, then to the destination;
+                                          ///< one that cannot be reached is passed over when
+                                          ///< patience runs out, at once where there is no way
   std::array<double, kPastimes> rates{};  ///< [1/min] at which each pastime begins
   bool place_freely = false;              ///< departs here: moved to the nearest free place if
                                           ///< somebody or something stands there
@@ -67,6 +64,14 @@ struct PersonView {
   bool gave_up;  ///< arrived only since patience ran out near a blocked destination
 };
 
+/// What a person is about to do, for pictures.
+struct Insight {
+  Vec2 position = Vec2::Zero(), aim = Vec2::Zero();  ///< [m] what it heads for now
+  std::optional<Waypoint> waypoint;                  ///< of its path, that it is on the way to
+  double direction = 0.0, speed = 0.0;               ///< [rad], [m/s] as it chooses them
+  std::vector<Ray> rays;                             ///< how far it finds each direction free
+};
+
 class Crowd {
  public:
   using Handle = std::uint32_t;  ///< stable while the person is in the crowd; reused afterwards
@@ -85,7 +90,8 @@ class Crowd {
   /// not finite.
   Handle add(const NewPerson& person);
   void remove(Handle handle);
-  /// Plans the way anew from where the person is; it has not arrived any more.
+  /// Plans the way anew from where the person is; it has not arrived any more. Waypoints of its
+  /// path that are left still come first.
   void set_destination(Handle handle, const Destination& destination);
   void set_preferred_speed(Handle handle, double speed);  ///< [m/s]
   /// Replaces those who are seen. They move on with their velocity until the next call.
@@ -101,6 +107,8 @@ class Crowd {
   PersonView view(Handle handle) const;
   /// Whether the person sees or hears the vehicle.
   bool aware_of(Handle handle, const VehicleState& vehicle) const;
+  /// Of those persons, in that order. Slow; changes nothing that a later step depends on.
+  std::vector<Insight> insights(std::span<const Handle> handles);
   std::size_t size() const;
   std::uint64_t person_steps() const;  ///< person-substeps so far
 

@@ -19,6 +19,20 @@ struct Variation {
 
 }  // namespace
 
+void set_goal(CrowdState& crowd, std::size_t i) {
+  Persons& persons = crowd.persons;
+  const WalkState& walker = crowd.walkers[i];
+  if (walker.arrived) {
+    persons.goal_direction[i] = persons.heading[i];
+    persons.goal_distance[i] = 0.0;
+    return;
+  }
+  const Vec2 to_goal = heading_point(walker.route, crowd.position(i)) - crowd.position(i);
+  persons.goal_direction[i] =
+      wrap_angle(angle_of(to_goal) + walker.noise * info_of(walker.pastime).noise);
+  persons.goal_distance[i] = to_goal.norm();
+}
+
 /// The variation turns the goal and not the movement: what the person then chooses is checked
 /// for contacts like any other direction, so the noise carries nobody into anything.
 void set_goals(CrowdState& crowd, double dt) {
@@ -29,20 +43,12 @@ void set_goals(CrowdState& crowd, double dt) {
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       WalkState& walker = crowd.walkers[i];
-      if (walker.arrived) {
-        persons.goal_direction[i] = persons.heading[i];
-        persons.goal_distance[i] = 0.0;
-        continue;
-      }
-      if (deviation > 0.0) {
+      if (deviation > 0.0 && !walker.arrived) {
         walker.noise = variation.keep * walker.noise +
                        variation.add * random_normal(crowd.seed, persons.key[i], crowd.substep,
                                                      Purpose::kHeadingNoise);
       }
-      const Vec2 to_goal = heading_point(walker.route, crowd.position(i)) - crowd.position(i);
-      persons.goal_direction[i] =
-          wrap_angle(angle_of(to_goal) + walker.noise * info_of(walker.pastime).noise);
-      persons.goal_distance[i] = to_goal.norm();
+      set_goal(crowd, i);
     }
   });
 }

@@ -22,12 +22,20 @@ struct Noticed {
   bool near = false;               ///< so near that nobody stands and chats before it
 };
 
+/// The user's waypoints of a person. While it has them, its route leads to the current one.
+struct PathWalk {
+  std::vector<Waypoint> waypoints;
+  std::size_t next = 0;     ///< the current one
+  Destination destination;  ///< after the last
+};
+
 /// What a walked person holds beside its row in Persons: its way and its clocks.
 struct WalkState {
   Crowd::Handle handle = 0;
   Route route;
-  double noise = 0.0;  ///< [rad] variation of the goal direction
-  WallRoom wall_room;  ///< around where the person is
+  std::unique_ptr<PathWalk> path;  ///< null: none, or all its waypoints are behind it
+  double noise = 0.0;              ///< [rad] variation of the goal direction
+  WallRoom wall_room;              ///< around where the person is
   double least_left = std::numeric_limits<double>::infinity();  ///< [m] least way left so far
   double blocked = 0.0;                                         ///< [s] since that was
   double slow = 0.0;          ///< [s] since the person was last faster than standing
@@ -109,6 +117,7 @@ void live(CrowdState& crowd, double dt);              // pastimes.cpp
 void perceive(CrowdState& crowd, double dt);          // perception.cpp
 void set_goals(CrowdState& crowd, double dt);         // goals.cpp
 void dash(CrowdState& crowd);                         // pastimes.cpp
+void set_goal(CrowdState& crowd, std::size_t i);      // goals.cpp: of one, as it varies now
 void leave_claims(CrowdState& crowd);                 // claims.cpp
 void decide(CrowdState& crowd);                       // step.cpp
 void stand_still(CrowdState& crowd);                  // pastimes.cpp

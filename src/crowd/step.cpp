@@ -13,25 +13,6 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // numerical: 0.3 s are three substeps, not four
 
-/// Appends those who are only seen to those who are walked.
-void append_seen(CrowdState& crowd) {
-  Persons& persons = crowd.persons;
-  resize_rows(persons, persons.walking + crowd.seen.size());
-  for (std::size_t k = 0; k < crowd.seen.size(); ++k) {
-    const SeenPerson& person = crowd.seen[k];
-    const std::size_t i = persons.walking + k;
-    persons.x[i] = person.position.x();
-    persons.y[i] = person.position.y();
-    persons.vx[i] = person.velocity.x();
-    persons.vy[i] = person.velocity.y();
-    persons.heading[i] = persons.goal_direction[i] = angle_of(person.velocity);
-    persons.goal_distance[i] = 0.0;
-    persons.radius[i] = person.radius;
-    persons.preferred_speed[i] = person.velocity.norm();
-    persons.key[i] = 0;
-  }
-}
-
 /// What pedzone does not walk moves on as it is seen to move.
 void move_others_on(CrowdState& crowd, double dt) {
   for (SeenPerson& person : crowd.seen) person.position += person.velocity * dt;
@@ -57,6 +38,24 @@ void walk_substep(CrowdState& crowd, double dt) {
 }
 
 }  // namespace
+
+void append_seen(CrowdState& crowd) {
+  Persons& persons = crowd.persons;
+  resize_rows(persons, persons.walking + crowd.seen.size());
+  for (std::size_t k = 0; k < crowd.seen.size(); ++k) {
+    const SeenPerson& person = crowd.seen[k];
+    const std::size_t i = persons.walking + k;
+    persons.x[i] = person.position.x();
+    persons.y[i] = person.position.y();
+    persons.vx[i] = person.velocity.x();
+    persons.vy[i] = person.velocity.y();
+    persons.heading[i] = persons.goal_direction[i] = angle_of(person.velocity);
+    persons.goal_distance[i] = 0.0;
+    persons.radius[i] = person.radius;
+    persons.preferred_speed[i] = person.velocity.norm();
+    persons.key[i] = 0;
+  }
+}
 
 void resize_rows(Persons& persons, std::size_t rows) {
   for (auto* column :

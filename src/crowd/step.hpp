@@ -9,6 +9,9 @@ namespace pedzone {
 /// keep each at most kLongestSubstep.
 void walk(CrowdState& crowd, double dt);
 
+/// Appends those who are only seen to those who are walked.
+void append_seen(CrowdState& crowd);
+
 /// Sets the length of every column.
 void resize_rows(Persons& persons, std::size_t rows);
 

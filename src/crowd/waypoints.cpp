@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "crowd/parallel.hpp"
+#include "crowd/path_walk.hpp"
 #include "crowd/state.hpp"
 
 namespace pedzone {
@@ -28,6 +29,9 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
   return cross(ab, c - a) * cross(ab, d - a) <= 0.0 && cross(cd, a - c) * cross(cd, b - c) < 0.0;
 }
 
+/// The user's waypoint that a person on a path is on the way to.
+const Waypoint& current(const PathWalk& path) { return path.waypoints[path.next]; }
+
 /// A portal is reached by crossing it or coming close to it; a point by coming close. Where the
 /// destination lies outside the walkable area, the nearest place inside counts.
 bool reaches(const Route& route, double radius, const Vec2& from, const Vec2& to) {
@@ -46,6 +50,7 @@ class Follower {
  public:
   Follower(CrowdState& crowd, std::size_t i)
       : crowd_(crowd),
+        row_(i),
         walls_(crowd.zone.walls),
         walker_(crowd.walkers[i]),
         route_(walker_.route),
@@ -118,8 +123,8 @@ class Follower {
 
   /// Blocked for the whole of its patience, a person goes on to the next waypoint when there is a
   /// free way to it, and plans again when there is not (the next one may be behind a corner). Near
-  /// its destination it has arrived; far from it it goes on trying. Waiting for a vehicle is not
-  /// being blocked.
+  /// its destination it has arrived; far from it it goes on trying. A waypoint of the user's is
+  /// passed over, however far it is. Waiting for a vehicle is not being blocked.
   void lose_patience(double dt) {
     const double left = (heading_point(route_, here_) - here_).norm() + route_.rest;
     if (left < walker_.least_left - kProgress) {
@@ -129,6 +134,10 @@ class Follower {
       walker_.blocked += dt;
     }
     if (walker_.blocked < crowd_.zone.parameters.patience) return;
+    if (walker_.path != nullptr) {
+      leave_waypoint(crowd_, row_);
+      return;
+    }
     walker_.least_left = left;
     walker_.blocked = 0.0;
     if (left <= kGiveUpWithin) {
@@ -141,6 +150,7 @@ class Follower {
   }
 
   CrowdState& crowd_;
+  std::size_t row_;
   const WallIndex& walls_;
   WalkState& walker_;
   Route& route_;
@@ -159,7 +169,9 @@ void follow_waypoints(CrowdState& crowd, double dt) {
       const Vec2 from(crowd.motion.x[i], crowd.motion.y[i]), to = crowd.position(i);
       walker.slow = (to - from).norm() < kStandingSpeed * dt ? walker.slow + dt : 0.0;
       if (!walker.arrived) {
-        if (reaches(walker.route, persons.radius[i], from, to)) {
+        if (walker.path != nullptr && comes_by(crowd.zone.walls, current(*walker.path), from, to)) {
+          leave_waypoint(crowd, i);
+        } else if (walker.path == nullptr && reaches(walker.route, persons.radius[i], from, to)) {
           walker.arrived = true;
         } else {
           Follower(crowd, i).follow(dt);

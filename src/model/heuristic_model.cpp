@@ -157,11 +157,10 @@ Senses HeuristicModel::senses_for(std::size_t i) const {
   return with(senses_, snapshot_.attention->persons[i]);
 }
 
-Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
+DirectionTask HeuristicModel::look_around(std::size_t i, const Walker& self,
+                                          Surroundings& around) const {
   const Parameters& parameters = *snapshot_.parameters;
   const Attention* attention = snapshot_.attention;
-  const Walker self = walker(i);
-  Surroundings& around = scratch.surroundings;
   const Senses senses = senses_for(i);
   around.see_persons(self, senses, grid_, kernel_);
   around.see_walls(self, walls_);
@@ -184,6 +183,14 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   task.horizon = senses_.sight / self.speed;
   task.static_horizon = self.static_reach / self.speed;
   around.fill(task);
+  return task;
+}
+
+Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
+  const Parameters& parameters = *snapshot_.parameters;
+  const Walker self = walker(i);
+  const DirectionTask task = look_around(i, self, scratch.surroundings);
+  const double to_goal = wrapped(snapshot_.persons->goal_direction[i] - self.heading);
   const PacedChoice chosen =
       gives_way() ? give_way(i, self, to_goal, task, scratch) : plain(self, to_goal, task, scratch);
   Decision decision;

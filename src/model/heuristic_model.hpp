@@ -40,6 +40,7 @@ class HeuristicModel : public WalkingModel {
 
   void prepare(const Snapshot& snapshot) override;
   void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override;
+  void rays(std::size_t person, std::vector<Ray>& out) const override;
 
  private:
   struct Scratch;
@@ -48,6 +49,8 @@ class HeuristicModel : public WalkingModel {
   void prepare_vehicles();
   Walker walker(std::size_t person) const;
   Senses senses_for(std::size_t person) const;
+  /// What the person is aware of, ready for the kernel, which reads it from `around`.
+  DirectionTask look_around(std::size_t person, const Walker& walker, Surroundings& around) const;
   Decision decide_one(std::size_t person, Scratch& scratch) const;
   DirectionChoice choose(const Walker& walker, double to_goal, const DirectionTask& task,
                          Scratch& scratch) const;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "world/snapshot.hpp"
 
@@ -15,6 +16,12 @@ struct Decision {
   double speed = 0.0;          ///< [m/s] [0, preferred speed]
   double free_distance = 0.0;  ///< [m] [0, sight] f(α) in the chosen direction
   bool waits = false;          ///< stands for a vehicle that is about to cross
+};
+
+/// How far one candidate direction is free.
+struct Ray {
+  double direction;      ///< [rad]
+  double free_distance;  ///< [m] [0, sight] f(α)
 };
 
 /// A walking model. prepare() is called once a step, then decide() for disjoint ranges from many
@@ -28,6 +35,9 @@ class WalkingModel {
   virtual void prepare(const Snapshot& snapshot) = 0;
   /// Decides for persons [first, last) of those pedzone walks, into decisions[first .. last).
   virtual void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const = 0;
+  /// For pictures, and slow: the candidate directions of one person, once round. After prepare();
+  /// none where the model does not compare directions.
+  virtual void rays(std::size_t /*person*/, std::vector<Ray>& out) const { out.clear(); }
 };
 
 /// The model of that name ("heuristic"). Throws std::invalid_argument naming the known ones.

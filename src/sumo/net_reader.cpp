@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "core/xml.hpp"
+#include "sumo/poi_reader.hpp"
 
 namespace pedzone {
 namespace {
@@ -187,23 +188,10 @@ class NetworkReader {
   Network& network_;
 };
 
-}  // namespace
-
-Network read_network(const std::string& net_file) {
-  const XmlFile file(net_file, {"net"});
-  Network network;
-  network.file = net_file;
-  NetworkReader(file, network).read();
-  if (network.edges.empty()) throw file.error("has no <edge>", file.root());
-  return network;
-}
-
-void read_polygons(const std::string& additional_file, Network& network) {
-  const XmlFile file(additional_file);
+void read_polygons(const XmlFile& file, Network& network) {
   const auto warn = [&](const pugi::xml_node& node, const std::string& problem) {
-    network.warnings.push_back(additional_file + ":" + std::to_string(file.line(node)) +
-                               ": polygon '" + node.attribute("id").value() + "' " + problem +
-                               ": left out");
+    network.warnings.push_back(file.file() + ":" + std::to_string(file.line(node)) + ": polygon '" +
+                               node.attribute("id").value() + "' " + problem + ": left out");
   };
   std::unordered_set<std::string> known;
   for (const MapPolygon& polygon : network.polygons) known.insert(polygon.id);
@@ -225,6 +213,23 @@ void read_polygons(const std::string& additional_file, Network& network) {
     }
     network.polygons.push_back(std::move(polygon));
   }
+}
+
+}  // namespace
+
+Network read_network(const std::string& net_file) {
+  const XmlFile file(net_file, {"net"});
+  Network network;
+  network.file = net_file;
+  NetworkReader(file, network).read();
+  if (network.edges.empty()) throw file.error("has no <edge>", file.root());
+  return network;
+}
+
+void read_shapes(const std::string& additional_file, Network& network) {
+  const XmlFile file(additional_file);
+  read_polygons(file, network);
+  read_waypoints(file, network);
 }
 
 }  // namespace pedzone

@@ -11,9 +11,9 @@ namespace pedzone {
 /// it is missing, malformed or not a network.
 Network read_network(const std::string& net_file);
 
-/// Adds the <poly> elements of an additional file (.xml or .xml.gz) to the network. Polygons with
-/// geographical coordinates and those whose id is taken are left out with a warning. Throws
-/// InputError as read_network.
-void read_polygons(const std::string& additional_file, Network& network);
+/// Adds the <poly> elements of an additional file (.xml or .xml.gz) and its waypoints (see
+/// poi_reader.hpp) to the network. Polygons with geographical coordinates and those whose id is
+/// taken are left out with a warning. Throws InputError as read_network.
+void read_shapes(const std::string& additional_file, Network& network);
 
 }  // namespace pedzone

@@ -4,6 +4,7 @@
 #include "core/random.hpp"
 #include "core/xml.hpp"
 #include "sumo/api.hpp"
+#include "sumo/path_references.hpp"
 
 namespace pedzone {
 namespace {
@@ -60,7 +61,8 @@ std::array<double, kPastimes> read_rates(const Hints& hints, const std::string& 
 
 }  // namespace
 
-PersonHints read_hints(const std::string& person, const Profiles& profiles) {
+PersonHints read_hints(const std::string& person, const Profiles& profiles,
+                       const std::vector<WaypointPath>& paths) {
   const Hints hints(person);
   PersonHints read;
   if (const std::string id = hints.of("pedzone.profile"); !id.empty()) {
@@ -77,6 +79,12 @@ PersonHints read_hints(const std::string& person, const Profiles& profiles) {
   }
   if (const std::string id = hints.of("pedzone.group"); !id.empty()) read.group = person_key(id);
   read.rates = read_rates(hints, "pedzone.activities");
+  if (const std::string id = hints.of(kPathKey); !id.empty()) {
+    read.path = find_path(paths, id);
+    if (read.path == nullptr) {
+      throw hints.error("is no path of the zone file", kPathKey, id, path_ids(paths));
+    }
+  }
   return read;
 }
 

@@ -179,7 +179,7 @@ Network read_scenario_network(const Scenario& scenario) {
         "has no lane that persons may use",
         {scenario.net_file, 0, "<net>", "", "a network with lanes that allow pedestrians"});
   }
-  for (const std::string& file : scenario.additional_files) read_polygons(file, network);
+  for (const std::string& file : scenario.additional_files) read_shapes(file, network);
   return network;
 }
 

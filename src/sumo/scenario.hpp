@@ -25,7 +25,7 @@ Scenario read_scenario(const std::string& config, const std::vector<std::string>
 /// The same whatever the pedestrian model: for what a run without pedzone has written.
 Scenario read_any_scenario(const std::string& config, const std::vector<std::string>& sumo_options);
 
-/// Network and polygons of a scenario.
+/// Network, polygons and waypoints of a scenario.
 /// Throws InputError when malformed or when no lane admits persons.
 Network read_scenario_network(const Scenario& scenario);
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/error.hpp"
+#include "sumo/path_references.hpp"
 #include "sumo/people_file.hpp"
 #include "sumo/stand_off.hpp"
 
@@ -79,6 +80,7 @@ struct Simulation::Parts {
   explicit Parts(const SimulationOptions& options)
       : network(read_scenario_network(options.scenario)),
         zones(build_zones(network, options.zones)),
+        paths(read_paths(options)),
         made_people(options, network, zones),
         session(made_people.scenario(), options_for(options)),
         fleet(network, zones),
@@ -88,13 +90,19 @@ struct Simulation::Parts {
                           : static_cast<std::uint64_t>(number_option(session, "seed"))),
         profiles(options.profiles),
         crowds(make_crowds()),
-        takeover(network, zones, crowds, profiles,
+        takeover(network, zones, crowds, profiles, paths,
                  number_option(session, "pedestrian.striping.dawdling")) {
     if (session.option("pedestrian.model") != "striping") {
       throw InputError("is a pedestrian model that pedzone cannot take persons over from",
                        {options.scenario.config, 0, "option pedestrian.model",
                         session.option("pedestrian.model"), "striping"});
     }
+  }
+
+  std::vector<WaypointPath> read_paths(const SimulationOptions& options) const {
+    std::vector<WaypointPath> found = find_paths(network, zones, options.paths);
+    require_known_paths(options.scenario, found);
+    return found;
   }
 
   std::vector<std::unique_ptr<Crowd>> make_crowds() {
@@ -110,6 +118,7 @@ struct Simulation::Parts {
   double sumo_seconds = 0.0;
   Network network;
   std::vector<Zone> zones;
+  std::vector<WaypointPath> paths;
   MadePeople made_people;
   Session session;
   Fleet fleet;
@@ -184,10 +193,28 @@ double Simulation::time() const { return parts_->session.time(); }
 double Simulation::end_time() const { return parts_->session.end_time(); }
 const std::vector<Zone>& Simulation::zones() const { return parts_->zones; }
 const Network& Simulation::network() const { return parts_->network; }
+const std::vector<WaypointPath>& Simulation::paths() const { return parts_->paths; }
 const std::vector<Guest>& Simulation::guests() const { return parts_->takeover.guests(); }
 
 PersonView Simulation::view(const Guest& guest) const {
   return parts_->crowds[guest.zone]->view(guest.handle);
+}
+
+std::vector<Insight> Simulation::insights() {
+  const std::vector<Guest>& all = guests();
+  std::vector<Insight> insights(all.size());
+  for (std::size_t z = 0; z < parts_->crowds.size(); ++z) {
+    std::vector<Crowd::Handle> handles;
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k].zone != static_cast<int>(z)) continue;
+      handles.push_back(all[k].handle);
+      places.push_back(k);
+    }
+    std::vector<Insight> some = parts_->crowds[z]->insights(handles);
+    for (std::size_t k = 0; k < some.size(); ++k) insights[places[k]] = std::move(some[k]);
+  }
+  return insights;
 }
 
 RunSummary Simulation::summary() const {

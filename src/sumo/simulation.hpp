@@ -18,6 +18,7 @@ struct SimulationOptions {
   std::vector<ZoneSpec> zones;        ///< empty: the zone is found by itself
   Profiles profiles;                  ///< that persons may name
   std::vector<PanelSpec> panels;      ///< people to be made beside the scenario's own
+  std::vector<PathSpec> paths;        ///< that persons may name
   std::optional<std::uint64_t> seed;  ///< of SUMO and of pedzone; unset: SUMO's
   std::optional<double> end;          ///< [s] overrides the scenario's
 };
@@ -46,9 +47,12 @@ class Simulation {
   double end_time() const;  ///< [s]; negative: none
   const std::vector<Zone>& zones() const;
   const Network& network() const;
+  const std::vector<WaypointPath>& paths() const;
   /// Persons that pedzone walks now, in the order they were taken over.
   const std::vector<Guest>& guests() const;
   PersonView view(const Guest& guest) const;
+  /// What the guests are about to do, in their order; slow.
+  std::vector<Insight> insights();
   /// Figures so far.
   RunSummary summary() const;
 

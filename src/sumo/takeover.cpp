@@ -60,11 +60,12 @@ Destination with_room(const Destination& portal, double radius) {
 // walkers average this share of it; ours walk as fast, or a comparison would measure free speed.
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
                    std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
-                   double dawdling)
+                   const std::vector<WaypointPath>& paths, double dawdling)
     : network_(network),
       zones_(zones),
       crowds_(crowds),
       profiles_(profiles),
+      paths_(paths),
       striping_share_(1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0)),
       zone_of_edge_(network.edges.size(), -1),
       bystanders_(zones),
@@ -185,13 +186,14 @@ bool Takeover::add_guest(const std::string& id, int zone, const Walk& walk, std:
   guest.plan = plan;
   guest.radius = body_radius(id);
   guest.preferred_speed = striping_share_ * api::Person::getMaxSpeed(id);
-  const PersonHints hints = read_hints(id, profiles_);
+  const PersonHints hints = read_hints(id, profiles_, paths_);
   NewPerson person;
   person.key = person_key(id);
   person.profile = hints.profile;
   person.aware = hints.aware;
   person.group = hints.group;
   person.rates = hints.rates;
+  if (hints.path != nullptr) person.path = hints.path->waypoints(static_cast<std::size_t>(zone));
   person.position = walk.start;
   person.heading = radians_from_sumo(api::Person::getAngle(id));
   person.velocity = unit(person.heading) *

@@ -51,9 +51,10 @@ struct WalkTotals {
 
 class Takeover {
  public:
-  /// `dawdling`: SUMO's option pedestrian.striping.dawdling.
+  /// `dawdling`: SUMO's option pedestrian.striping.dawdling. The rest must outlive it.
   Takeover(const Network& network, const std::vector<Zone>& zones,
-           std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles, double dawdling);
+           std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
+           const std::vector<WaypointPath>& paths, double dawdling);
 
   /// After a step of SUMO, at `time` [s]: forgets persons that are gone, notices new plans, takes
   /// over who has entered a zone, and lets the crowds see who else is near.
@@ -101,6 +102,7 @@ class Takeover {
   const std::vector<Zone>& zones_;
   std::vector<std::unique_ptr<Crowd>>& crowds_;
   const Profiles& profiles_;
+  const std::vector<WaypointPath>& paths_;
   double striping_share_;          ///< of top speed, see takeover.cpp
   std::vector<int> zone_of_edge_;  ///< -1: SUMO's
   Bystanders bystanders_;

@@ -2,6 +2,7 @@
 // of SUMO itself.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -54,6 +55,13 @@ struct MapPolygon {
   Ring shape;  ///< [m]
 };
 
+/// A place marked by the user (SUMO's <poi>) that people can be told to come by.
+struct MapPoint {
+  std::string id;
+  Vec2 at = Vec2::Zero();        ///< [m]
+  std::optional<double> radius;  ///< [m] (0, 20] parameter pedzone.radius
+};
+
 struct Network {
   std::string file;  ///< as the user named it
   std::vector<Edge> edges;
@@ -61,6 +69,7 @@ struct Network {
   std::vector<Connection> connections;
   std::vector<Junction> junctions;
   std::vector<MapPolygon> polygons;
+  std::vector<MapPoint> waypoints;  ///< points of type pedzone.waypoint
   std::unordered_map<std::string, int> edge_index, lane_index, junction_index;
   std::vector<std::string> warnings;  ///< what could not be used, one line each
 };

@@ -309,8 +309,8 @@ std::vector<double> profile_shares(const PanelSpec& spec, const Profiles& profil
   return shares;
 }
 
-PanelSpec read_panel(PanelText text, const Profiles& profiles,
-                     const std::vector<std::string>& paths, std::size_t index) {
+PanelSpec read_panel(PanelText text, const Profiles& profiles, const std::vector<PathSpec>& paths,
+                     std::size_t index) {
   PanelSpec spec;
   spec.text = std::move(text);
   for (const auto& [name, value] : spec.text.values) {
@@ -338,9 +338,9 @@ PanelSpec read_panel(PanelText text, const Profiles& profiles,
   check_guarded(spec, profiles);
   read_activities(values, spec);
   spec.path = values.word("path", "");
-  if (!spec.path.empty() && std::ranges::find(paths, spec.path) == paths.end()) {
+  if (!spec.path.empty() && std::ranges::find(paths, spec.path, &PathSpec::id) == paths.end()) {
     std::string allowed;
-    for (const std::string& path : paths) allowed += (allowed.empty() ? "" : ", ") + path;
+    for (const PathSpec& path : paths) allowed += (allowed.empty() ? "" : ", ") + path.id;
     throw panel_error(spec.text, "is no path", "path", spec.path,
                       allowed.empty() ? "none: the zone file has no <path>" : allowed);
   }
@@ -358,7 +358,7 @@ void add_panel(std::vector<PanelSpec>& panels, PanelSpec panel) {
 }
 
 std::vector<PanelSpec> read_panels(const XmlFile& file, const Profiles& profiles,
-                                   const std::vector<std::string>& paths) {
+                                   const std::vector<PathSpec>& paths) {
   std::vector<PanelSpec> specs;
   for (const pugi::xml_node& node : file.root().children("pedestrians")) {
     PanelText text{file.file(), file.line(node), {}};

@@ -12,6 +12,7 @@
 #include "core/xml.hpp"
 #include "world/activities.hpp"
 #include "world/profiles.hpp"
+#include "zone/paths.hpp"
 
 namespace pedzone {
 
@@ -55,16 +56,16 @@ std::span<const PanelField> panel_fields();
 /// Reads it. Throws InputError naming the file, line and element, or the option, the value and
 /// what is allowed: numbers out of range, unknown profiles, activities and paths, shares of more
 /// than 1 in all, groups of one, and small children who would have to walk alone.
-/// `paths`: ids that `path` may name. `index` counts the elements of a file; it makes their ids.
-PanelSpec read_panel(PanelText text, const Profiles& profiles,
-                     const std::vector<std::string>& paths, std::size_t index);
+/// `paths`: those that `path` may name. `index` counts the elements of a file; it makes their ids.
+PanelSpec read_panel(PanelText text, const Profiles& profiles, const std::vector<PathSpec>& paths,
+                     std::size_t index);
 
 /// Adds one to others. Throws InputError where another one has its id.
 void add_panel(std::vector<PanelSpec>& panels, PanelSpec panel);
 
 /// The <pedestrians> elements of a zone file.
 std::vector<PanelSpec> read_panels(const XmlFile& file, const Profiles& profiles,
-                                   const std::vector<std::string>& paths);
+                                   const std::vector<PathSpec>& paths);
 
 /// The error for one of its attributes (or for all of it when `attribute` is empty).
 InputError panel_error(const PanelText& text, const std::string& problem,

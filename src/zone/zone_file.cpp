@@ -131,10 +131,17 @@ InputError zone_error(const ZoneSpec& zone, const std::string& problem,
 
 ZoneFile read_zone_file(const std::string& path) {
   const XmlFile file(path, {"zones"});
-  file.check_names(file.root(), {}, {"profile", "zone", "pedestrians"});
+  file.check_names(file.root(), {}, {"profile", "path", "zone", "pedestrians"});
   ZoneFile read;
   for (const pugi::xml_node& node : file.root().children("profile")) {
     read.profiles.add(read_profile(file, node, read.profiles));
+  }
+  for (const pugi::xml_node& node : file.root().children("path")) {
+    PathSpec spec = read_path(file, node);
+    if (std::ranges::find(read.paths, spec.id, &PathSpec::id) != read.paths.end()) {
+      throw file.error("is used twice", node, "id", spec.id, "a new id");
+    }
+    read.paths.push_back(std::move(spec));
   }
   for (const pugi::xml_node& node : file.root().children("zone")) {
     read.zones.push_back(read_zone(file, node));

@@ -10,6 +10,7 @@
 #include "world/profiles.hpp"
 #include "world/weather.hpp"
 #include "zone/panel.hpp"
+#include "zone/paths.hpp"
 
 namespace pedzone {
 
@@ -40,10 +41,10 @@ InputError zone_error(const ZoneSpec& zone, const std::string& problem,
 
 /// All that a zone file says.
 struct ZoneFile {
-  std::vector<ZoneSpec> zones;     ///< empty: the zone is found by itself
-  Profiles profiles;               ///< the built-in ones and those of the file
-  std::vector<std::string> paths;  ///< ids of ways that people may be told to follow
-  std::vector<PanelSpec> panels;   ///< people to be made
+  std::vector<ZoneSpec> zones;    ///< empty: the zone is found by itself
+  Profiles profiles;              ///< the built-in ones and those of the file
+  std::vector<PathSpec> paths;    ///< ids are unique
+  std::vector<PanelSpec> panels;  ///< people to be made
 };
 
 /// Reads a zone file. Throws InputError naming file, line, element, value and what is allowed.

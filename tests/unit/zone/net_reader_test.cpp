@@ -191,7 +191,7 @@ TEST_F(NetReader, reads_polygons_and_says_which_it_cannot_use) {
                           "<poly id=\"a\" shape=\"0,0 1,0 1,1\"/>\n"
                           "<poly id=\"c\" shape=\"\"/>\n"
                           "</additional>";
-  read_polygons(path_, network);
+  read_shapes(path_, network);
   ASSERT_EQ(network.polygons.size(), 2u);
   EXPECT_EQ(network.polygons[0].id, "a");
   EXPECT_EQ(network.polygons[0].type, "building");
@@ -202,11 +202,31 @@ TEST_F(NetReader, reads_polygons_and_says_which_it_cannot_use) {
                           HasSubstr(":5: polygon 'a' has the id of another polygon: left out")));
 }
 
+// Places on lanes as SUMO 1.15 has them (its own poi.getPosition for the same file).
+TEST_F(NetReader, reads_waypoints_where_sumo_has_them) {
+  Network network = read_network(network_file("plaza/plaza.net.xml"));
+  std::ofstream(path_) << R"(<additional>
+<poi id="a" type="pedzone.waypoint" x="3" y="-4.5"><param key="pedzone.radius" value="20"/>
+  <param key="colour" value="nobody's"/></poi>
+<poi id="b" type="pedzone.waypoint" lane="north_0" pos="-30" posLat="2"/>
+<poi id="c" type="pedzone.waypoint" lane="east_path_0" pos="10"/>
+<poi id="d" type="bench" x="0" y="0"/>
+</additional>)";
+  read_shapes(path_, network);
+  ASSERT_EQ(network.waypoints.size(), 3u);
+  EXPECT_EQ(network.waypoints[0].id, "a");
+  EXPECT_EQ(network.waypoints[0].at, Vec2(3, -4.5));
+  EXPECT_EQ(network.waypoints[0].radius, 20.0);
+  EXPECT_NEAR((network.waypoints[1].at - Vec2(2, 34.5)).norm(), 0.0, 1e-9);
+  EXPECT_EQ(network.waypoints[1].radius, std::nullopt);
+  EXPECT_NEAR((network.waypoints[2].at - Vec2(130, -7)).norm(), 0.0, 0.01);
+}
+
 TEST_F(NetReader, malformed_polygons_are_an_error) {
   Network network;
   std::ofstream(path_) << "<additional>\n<poly id=\"a\" shape=\"0,0 4;0\"/></additional>";
   try {
-    read_polygons(path_, network);
+    read_shapes(path_, network);
     FAIL();
   } catch (const InputError& problem) {
     EXPECT_THAT(problem.what(), HasSubstr(":2: <poly id=\"a\"> attribute shape: '4;0' is not"));

@@ -27,7 +27,7 @@ const Town& town(const std::string& name) {
     const std::string folder = network_file("bad-hersfeld/");
     Town& built = entry->second;
     built.network = read_network(folder + name + ".net.xml.gz");
-    read_polygons(folder + name + ".poly.xml", built.network);
+    read_shapes(folder + name + ".poly.xml", built.network);
     built.zone = build_zones(built.network, {}).front();
   }
   return entry->second;

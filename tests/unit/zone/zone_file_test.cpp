@@ -128,8 +128,9 @@ TEST_F(ZoneFile, rejects_what_is_missing_empty_or_twice) {
 }
 
 TEST_F(ZoneFile, rejects_other_elements_and_broken_files) {
-  EXPECT_EQ(error("<zones>\n<area id=\"a\"/></zones>"),
-            "2: <area id=\"a\">: is not allowed in <zones>; allowed: profile, zone, pedestrians");
+  EXPECT_EQ(
+      error("<zones>\n<area id=\"a\"/></zones>"),
+      "2: <area id=\"a\">: is not allowed in <zones>; allowed: profile, path, zone, pedestrians");
   EXPECT_THAT(error("<zones><zone id=\"a\">\n<parameter/></zone></zones>"),
               HasSubstr("2: <parameter>: is not allowed in <zone>; allowed: param"));
   EXPECT_EQ(error("<net>\n</net>"),
@@ -195,6 +196,36 @@ TEST_F(ZoneFile, rejects_bad_people) {
               HasSubstr("holds something"));
 }
 
+TEST_F(ZoneFile, reads_paths) {
+  std::ofstream(path_) << R"(<zones>
+  <path id="tour" waypoints="kiosk  well
+     kiosk"/>
+  <path id="errand" waypoints="well"/>
+  <zone id="a"/></zones>)";
+  const pedzone::ZoneFile file = read_zone_file(path_);
+  ASSERT_EQ(file.paths.size(), 2u);
+  EXPECT_EQ(file.paths[0].id, "tour");
+  EXPECT_EQ(file.paths[0].file, path_);
+  EXPECT_EQ(file.paths[0].line, 2);
+  EXPECT_THAT(file.paths[0].waypoints, ElementsAre("kiosk", "well", "kiosk"));
+  EXPECT_THAT(file.paths[1].waypoints, ElementsAre("well"));
+}
+
+TEST_F(ZoneFile, rejects_bad_paths) {
+  EXPECT_EQ(error("<zones>\n<path id=\"a\"/></zones>"),
+            "2: <path id=\"a\"> attribute waypoints: is missing");
+  EXPECT_THAT(error("<zones>\n<path id=\"a\" waypoints=\" \"/></zones>"),
+              HasSubstr("2: <path id=\"a\"> attribute waypoints: is empty"));
+  EXPECT_THAT(error("<zones><path waypoints=\"p\"/></zones>"), HasSubstr("id: is missing"));
+  EXPECT_THAT(error("<zones><path id=\"a\" waypoints=\"p q q\"/></zones>"),
+              HasSubstr("waypoints: 'q' is named twice in a row"));
+  EXPECT_THAT(
+      error("<zones><path id=\"a\" waypoints=\"p\"/>\n<path id=\"a\" waypoints=\"p\"/></zones>"),
+      HasSubstr("2: <path> attribute id: 'a' is used twice"));
+  EXPECT_THAT(error("<zones><path id=\"a\" waypoints=\"p\" radius=\"1\"/></zones>"),
+              HasSubstr("'radius' is an unknown attribute; allowed: id, waypoints"));
+}
+
 TEST_F(ZoneFile, the_schema_says_the_same) {
   pugi::xml_document schema;
   ASSERT_TRUE(schema.load_file(PEDZONE_ZONES_XSD));
@@ -216,6 +247,7 @@ TEST_F(ZoneFile, the_schema_says_the_same) {
   EXPECT_EQ(names(type("zoneType")), allowed("<zones><zone id=\"a\" x=\"\"/></zones>"));
   EXPECT_EQ(names(type("paramType")),
             allowed("<zones><zone id=\"a\"><param x=\"\"/></zone></zones>"));
+  EXPECT_EQ(names(type("pathType")), allowed("<zones><path id=\"a\" x=\"\"/></zones>"));
   EXPECT_EQ(names(type("profileType")), allowed("<zones><profile id=\"a\" x=\"\"/></zones>"));
   EXPECT_EQ(names(type("pedestriansType")), allowed("<zones><pedestrians x=\"\"/></zones>"));
   const auto attribute = [&](const char* name) {
