@@ -120,6 +120,7 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   walker.handle = state.new_handle();
   walker.profile = person.profile;
   walker.group = person.group;
+  if (walker.group != 0) ++state.grouped;
   walker.rates = person.rates;
   walker.own_speed = preferred;
   const double awareness = person.profile != nullptr ? person.profile->awareness : 1.0;
@@ -139,6 +140,7 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
 void Crowd::remove(Handle handle) {
   State& state = *state_;
   const std::size_t i = state.row_of(handle), last = state.persons.walking - 1;
+  if (state.walkers[i].group != 0) --state.grouped;
   if (i != last) state.copy_row(last, i);
   state.walkers.pop_back();
   state.persons.walking = last;
@@ -181,8 +183,9 @@ PersonView Crowd::view(Handle handle) const {
   const Activity activity = walker.waits                   ? Activity::kWaiting
                             : walker.slow >= kStandingTime ? Activity::kStanding
                                                            : Activity::kWalking;
-  return {state.position(i), state.velocity(i), state.persons.heading[i], activity, walker.pastime,
-          walker.arrived,    walker.gave_up};
+  return {state.position(i), state.velocity(i),      state.persons.heading[i],
+          activity,          walker.pastime,         walker.arrived,
+          walker.gave_up,    walker.waits_for_group, walker.holds_hand};
 }
 
 bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {

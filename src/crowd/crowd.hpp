@@ -60,8 +60,10 @@ struct PersonView {
   double heading;
   Activity activity;
   Pastime pastime;
-  bool arrived;  ///< on its destination (or gave up there after its patience)
-  bool gave_up;  ///< arrived only since patience ran out near a blocked destination
+  bool arrived;          ///< on its destination (or gave up there after its patience)
+  bool gave_up;          ///< arrived only since patience ran out near a blocked destination
+  bool waits_for_group;  ///< is too far ahead of the last of its group
+  bool holds_hand;       ///< a child whom an adult leads by the hand
 };
 
 /// What a person is about to do, for pictures.

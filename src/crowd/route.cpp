@@ -87,6 +87,10 @@ Vec2 heading_point(const Route& route, const Vec2& position) {
   return route.points[route.next];
 }
 
+double way_left(const Route& route, const Vec2& position) {
+  return (heading_point(route, position) - position).norm() + route.rest;
+}
+
 void plan(const Zone& zone, const Vec2& from, double radius, const Destination& destination,
           Route& route) {
   const double clearance = passing_clearance(radius);

@@ -36,6 +36,9 @@ void go_on_to(Route& route, std::size_t index);
 /// destination once that is in view.
 Vec2 heading_point(const Route& route, const Vec2& position);
 
+/// Way [m] that is left from `position` to the end.
+double way_left(const Route& route, const Vec2& position);
+
 /// The point of segment a–b nearest to `point`.
 Vec2 nearest_on_segment(const Vec2& point, const Vec2& a, const Vec2& b);
 

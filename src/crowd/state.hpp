@@ -8,6 +8,7 @@
 
 #include "crowd/body_grid.hpp"
 #include "crowd/crowd.hpp"
+#include "crowd/groups.hpp"
 #include "crowd/route.hpp"
 #include "crowd/wall_guard.hpp"
 
@@ -47,9 +48,17 @@ struct WalkState {
   double own_speed = 1.34;  ///< [m/s] preferred, but for pastime and weather
   bool aware = true;        ///< of vehicles
   std::vector<Noticed> noticed;
-  double dash = 0.0;     ///< [s] that it still runs in front of a vehicle
-  bool entered = false;  ///< has been within the radius of the current waypoint
-  bool waits = false;    ///< for a vehicle
+  double dash = 0.0;           ///< [s] that it still runs in front of a vehicle
+  double group_clock = 0.0;    ///< [s] waiting for the group in vain; below 0: goes on
+  double group_least = 0.0;    ///< [m] nearest that the last one has come meanwhile
+  std::uint64_t guardian = 0;  ///< key of the adult that a child goes with
+  double calm = 0.0;           ///< [s] since a vehicle drove near the child
+  double hand_side = 1.0;      ///< 1: at the adult's left hand, -1: at its right
+  bool waits_for_group = false;
+  bool led = false;         ///< a child on its way to its adult, or by its hand
+  bool holds_hand = false;  ///< of its adult
+  bool entered = false;     ///< has been within the radius of the current waypoint
+  bool waits = false;       ///< for a vehicle
   bool arrived = false, gave_up = false;
 };
 
@@ -86,6 +95,8 @@ struct CrowdState {
   std::vector<std::uint32_t> row;     ///< of each handle
   std::vector<Crowd::Handle> unused;  ///< handles to give out again
   std::vector<SeenPerson> seen;
+  std::vector<GroupMember> members;    ///< of groups, by group and key
+  std::size_t grouped = 0;             ///< how many walkers have a group
   std::vector<VehicleState> vehicles;  ///< as they are in this substep; after a step, at its end
 
   double clock = 0.0;    ///< [s] walked so far
@@ -116,12 +127,14 @@ constexpr double kLongestSubstep = 0.1;
 void live(CrowdState& crowd, double dt);              // pastimes.cpp
 void perceive(CrowdState& crowd, double dt);          // perception.cpp
 void set_goals(CrowdState& crowd, double dt);         // goals.cpp
+void gather_groups(CrowdState& crowd, double dt);     // groups.cpp
 void dash(CrowdState& crowd);                         // pastimes.cpp
 void set_goal(CrowdState& crowd, std::size_t i);      // goals.cpp: of one, as it varies now
 void leave_claims(CrowdState& crowd);                 // claims.cpp
 void decide(CrowdState& crowd);                       // step.cpp
 void stand_still(CrowdState& crowd);                  // pastimes.cpp
 void wait_beside_claims(CrowdState& crowd);           // claims.cpp
+void wait_for_groups(CrowdState& crowd);              // groups.cpp
 void set_moves(CrowdState& crowd, double dt);         // moves.cpp
 void resolve_contacts(CrowdState& crowd, double dt);  // contacts.cpp
 void follow_waypoints(CrowdState& crowd, double dt);  // waypoints.cpp

@@ -24,11 +24,13 @@ void walk_substep(CrowdState& crowd, double dt) {
   live(crowd, dt);
   perceive(crowd, dt);
   set_goals(crowd, dt);
+  gather_groups(crowd, dt);
   dash(crowd);
   leave_claims(crowd);
   decide(crowd);
   stand_still(crowd);
   wait_beside_claims(crowd);
+  wait_for_groups(crowd);
   set_moves(crowd, dt);
   resolve_contacts(crowd, dt);
   follow_waypoints(crowd, dt);

@@ -124,13 +124,14 @@ class Follower {
   /// Blocked for the whole of its patience, a person goes on to the next waypoint when there is a
   /// free way to it, and plans again when there is not (the next one may be behind a corner). Near
   /// its destination it has arrived; far from it it goes on trying. A waypoint of the user's is
-  /// passed over, however far it is. Waiting for a vehicle is not being blocked.
+  /// passed over, however far it is. Waiting for a vehicle or the group, or going with an adult, is
+  /// not being blocked.
   void lose_patience(double dt) {
-    const double left = (heading_point(route_, here_) - here_).norm() + route_.rest;
+    const double left = way_left(route_, here_);
     if (left < walker_.least_left - kProgress) {
       walker_.least_left = left;
       walker_.blocked = 0.0;
-    } else if (!walker_.waits) {
+    } else if (!walker_.waits && !walker_.waits_for_group && !walker_.led) {
       walker_.blocked += dt;
     }
     if (walker_.blocked < crowd_.zone.parameters.patience) return;

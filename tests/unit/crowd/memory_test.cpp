@@ -78,6 +78,25 @@ TEST(Memory, a_step_allocates_nothing_after_the_first_ones) {
   EXPECT_EQ(allocations - before, 0u);
 }
 
+TEST(Memory, groups_allocate_nothing_either) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "as above";
+#endif
+  const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+  const Zone zone = zone_of(box(0, 0, 30, 30), {}, true);
+  Crowd crowd(zone, 1);
+  for (std::uint64_t k = 0; k < 80; ++k) {
+    NewPerson person = somebody(k, 30);
+    person.group = 1 + k / 4;
+    crowd.add(person);
+  }
+  const std::vector<VehicleState> vehicles{vehicle_at({15, 15}, 0.0, 0.5)};
+  for (int k = 0; k < 150; ++k) crowd.step(0.1, vehicles);
+  const std::size_t before = allocations;
+  for (int k = 0; k < 30; ++k) crowd.step(0.1, vehicles);
+  EXPECT_EQ(allocations - before, 0u);
+}
+
 TEST(Memory, a_person_takes_less_than_a_kilobyte) {
   const Zone zone = zone_of(box(0, 0, 110, 110), {}, true);
   constexpr int kPersons = 10000;
