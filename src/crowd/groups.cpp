@@ -35,6 +35,23 @@ void for_each_group(CrowdState& crowd, const What& what) {
   }
 }
 
+/// D of row i [m]: its way to the waypoint of the user's that it is on the way to, if any, then by
+/// the ones after it to the end. Straight from each to the next, so that members on different
+/// waypoints of a path compare where those are in view of each other.
+double left_in_all(const CrowdState& crowd, std::size_t i) {
+  const WalkState& walker = crowd.walkers[i];
+  double left = way_left(walker.route, crowd.position(i));
+  if (walker.path == nullptr) return left;
+  const std::vector<Waypoint>& waypoints = walker.path->waypoints;
+  Vec2 at = waypoints[walker.path->next].at;
+  for (std::size_t k = walker.path->next + 1; k < waypoints.size(); ++k) {
+    left += (waypoints[k].at - at).norm();
+    at = waypoints[k].at;
+  }
+  const Destination& end = walker.path->destination;
+  return left + (nearest_on_segment(at, end.a, end.b) - at).norm();
+}
+
 /// Those under way. Sorted by keys and not by rows, so that the order in which people came does
 /// not matter. Who has arrived counts no more, and is nobody's to wait for.
 void index_members(CrowdState& crowd) {
@@ -47,8 +64,8 @@ void index_members(CrowdState& crowd) {
       let_go(walker);
       continue;
     }
-    crowd.members.push_back({walker.group, crowd.persons.key[i], static_cast<std::uint32_t>(i),
-                             way_left(walker.route, crowd.position(i))});
+    crowd.members.push_back(
+        {walker.group, crowd.persons.key[i], static_cast<std::uint32_t>(i), left_in_all(crowd, i)});
   }
   std::sort(crowd.members.begin(), crowd.members.end(), [](const auto& one, const auto& other) {
     return one.group != other.group ? one.group < other.group : one.key < other.key;
@@ -59,7 +76,8 @@ void index_members(CrowdState& crowd) {
 /// waited for its patience without that walks on for as long before it waits again: where the last
 /// one is stuck the others come to their destination in twice their time, and where it is free
 /// again they are still found. A maximum distance below the preferred one counts as that.
-void update_wait(WalkState& walker, double ahead, const Parameters& parameters, double dt) {
+void update_wait(WalkState& walker, double ahead, const Zone& zone, double dt) {
+  const Parameters& parameters = zone.parameters;
   if (ahead <= parameters.group_preferred_distance) {
     walker.waits_for_group = false;
     walker.group_clock = 0.0;
@@ -67,9 +85,9 @@ void update_wait(WalkState& walker, double ahead, const Parameters& parameters, 
     const bool nearer = ahead < walker.group_least - kNearer;
     if (nearer) walker.group_least = ahead;
     walker.group_clock = nearer ? 0.0 : walker.group_clock + dt;
-    if (walker.group_clock < parameters.patience) return;
+    if (walker.group_clock < patience(zone, walker)) return;
     walker.waits_for_group = false;
-    walker.group_clock = -parameters.patience;
+    walker.group_clock = -patience(zone, walker);
   } else {
     walker.group_clock = std::min(0.0, walker.group_clock + dt);
     walker.waits_for_group = walker.group_clock == 0.0 && ahead > parameters.group_maximum_distance;
@@ -84,7 +102,7 @@ void update_waits(CrowdState& crowd, std::span<const GroupMember> group, double 
     WalkState& walker = crowd.walkers[member.row];
     // A child that is on its way to its adult, or held by it, waits for nobody else.
     const double ahead = walker.led ? 0.0 : most - member.left;
-    update_wait(walker, ahead, crowd.zone.parameters, dt);
+    update_wait(walker, ahead, crowd.zone, dt);
   }
 }
 

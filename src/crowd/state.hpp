@@ -62,6 +62,11 @@ struct WalkState {
   bool arrived = false, gave_up = false;
 };
 
+/// [s] blocked for so long, the person goes on elsewhere.
+inline double patience(const Zone& zone, const WalkState& walker) {
+  return walker.profile != nullptr ? walker.profile->patience : zone.parameters.patience;
+}
+
 /// The motion of all bodies within one substep, in the order of Persons.
 struct Motion {
   std::vector<double> dx, dy;          ///< [m] displacement that each body means to make

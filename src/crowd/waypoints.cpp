@@ -134,7 +134,7 @@ class Follower {
     } else if (!walker_.waits && !walker_.waits_for_group && !walker_.led) {
       walker_.blocked += dt;
     }
-    if (walker_.blocked < crowd_.zone.parameters.patience) return;
+    if (walker_.blocked < patience(crowd_.zone, walker_)) return;
     if (walker_.path != nullptr) {
       leave_waypoint(crowd_, row_);
       return;

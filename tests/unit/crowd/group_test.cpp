@@ -102,6 +102,28 @@ TEST(Group, who_waits_stands_and_turns_to_the_others) {
   EXPECT_EQ(scene.arrived(), 2u);
 }
 
+// Two waypoints 20 m apart: the first of the two has passed one and has the next before it.
+TEST(Group, members_on_different_waypoints_of_a_path_compare) {
+  const Zone zone = open_space();
+  Scene scene(zone);
+  NewPerson slow = member({5, 10}, line_at_x(100, 1, 19), 1);
+  NewPerson quick = member({5, 11}, line_at_x(100, 1, 19), 1);
+  slow.preferred_speed = 0.9;
+  slow.path = quick.path = {{{20, 10}, 1.0}, {{40, 14}, 1.0}, {{60, 6}, 1.0}};
+  const auto last = scene.add(slow);
+  const auto first = scene.add(quick);
+  double widest = 0.0;
+  while (scene.arrived() == 0 && scene.time < 200) {
+    scene.step();
+    if (scene.people[last].here && scene.people[first].here) {
+      widest = std::max(
+          widest, (scene.people[first].view.position - scene.people[last].view.position).norm());
+    }
+  }
+  EXPECT_GT(widest, 3.0);
+  EXPECT_LE(widest, kMaximum + kStopping + 1.0);  // and some metre aside
+}
+
 TEST(Group, others_do_not_count) {
   const Zone zone = open_space();
   Scene scene(zone);

@@ -215,12 +215,15 @@ TEST(Path, behind_the_last_waypoint_a_person_is_one_without_a_path) {
 
 TEST(Insight, tells_aim_and_rays_and_changes_nothing) {
   const Zone zone = zone_of(box(0, 0, 40, 20), {box(18, 0, 20, 12)}, true);
+  const Profiles profiles;
   Scene watched(zone), alone(zone);
   for (Scene* scene : {&watched, &alone}) {
     scene->crowd.see(std::vector<SeenPerson>{{{12, 6}, {0.5, 0}, 0.24}});
     scene->vehicles = {vehicle_at({35, 15}, kPi, 2.0)};
     for (int k = 0; k < 5; ++k) {
-      scene->add(walker({3.0 + k, 4.0 + k}, line_at_x(39, 0, 20), {{{10, 17}, 1.0}}));
+      NewPerson person = walker({3.0 + k, 4.0 + k}, line_at_x(39, 0, 20), {{{10, 17}, 1.0}});
+      if (k % 2 == 1) person.profile = profiles.find("senior");  // who is slow to notice
+      scene->add(person);
     }
   }
   for (int k = 0; k < 200; ++k) {
@@ -246,6 +249,34 @@ TEST(Insight, tells_aim_and_rays_and_changes_nothing) {
   }
   for (std::size_t k = 0; k < watched.people.size(); ++k) {
     EXPECT_EQ(watched.people[k].path, alone.people[k].path);
+  }
+}
+
+/// Also of somebody who has come since the last step, and when others have left since.
+TEST(Insight, is_of_those_who_are_there_now) {
+  const Zone zone = zone_of(box(0, 0, 200, 20));
+  const Profiles profiles;
+  NewPerson person = walker({10, 10}, line_at_x(199, 0, 20), {});
+  person.key = 77;
+  person.profile = profiles.find("senior");
+  Scene fresh(zone), lived(zone);
+  const auto reference = [&] {
+    const auto handle = fresh.crowd.add(person);
+    return fresh.crowd.insights(std::vector{handle}).at(0);
+  }();
+  for (int k = 0; k < 20; ++k) {  // far away; young, and not at all like the senior
+    NewPerson other = walker({150.0 + k, 10}, line_at_x(199, 0, 20), {});
+    other.profile = profiles.find("adult");
+    lived.add(other);
+  }
+  for (int k = 0; k < 5; ++k) lived.step();
+  for (int k = 0; k < 10; ++k) lived.crowd.remove(lived.people[k].handle);
+  for (int k = 0; k < 10; ++k) lived.people[k].here = false;
+  const auto late = lived.crowd.insights(std::vector{lived.crowd.add(person)}).at(0);
+  ASSERT_EQ(late.rays.size(), reference.rays.size());
+  for (std::size_t k = 0; k < late.rays.size(); ++k) {
+    EXPECT_EQ(late.rays[k].direction, reference.rays[k].direction);
+    EXPECT_EQ(late.rays[k].free_distance, reference.rays[k].free_distance);
   }
 }
 

@@ -8,12 +8,22 @@ namespace pedzone::test {
 
 PanelScene::PanelScene(Network net) : network(std::move(net)), zones(build_zones(network, {})) {}
 
+namespace {
+
+std::vector<PathSpec> known_paths() {
+  PathSpec loop;
+  loop.id = "loop";
+  return {loop};
+}
+
+}  // namespace
+
 PanelScene PanelScene::plaza() {
   return PanelScene(read_network(network_file("plaza/plaza.net.xml")));
 }
 
 PanelScene& PanelScene::add(const Attributes& attributes) {
-  add_panel(panels, read_panel({"z.xml", 7, attributes}, profiles, {"loop"}, panels.size()));
+  add_panel(panels, read_panel({"z.xml", 7, attributes}, profiles, known_paths(), panels.size()));
   return *this;
 }
 
@@ -36,7 +46,7 @@ std::string PanelScene::file(std::uint64_t seed) const {
 
 std::string panel_complaint(const Attributes& attributes) {
   try {
-    read_panel({"z.xml", 7, attributes}, Profiles(), {"loop"}, 0);
+    read_panel({"z.xml", 7, attributes}, Profiles(), known_paths(), 0);
   } catch (const InputError& error) {
     return error.what();
   }
