@@ -10,6 +10,7 @@ import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from kinds_of_people import make_people
 from random_demand import make_demand
 from random_network import SUMO_ENVIRONMENT, make_network
 
@@ -67,8 +68,8 @@ def most_between(before: ET.Element, stage: ET.Element) -> float:
 class Case:
     """A seed's scenario in a folder of its own."""
 
-    def __init__(self, seed: int, folder: Path, pedzone: str, meddler: str):
-        self.folder, self.pedzone, self.meddler = folder, pedzone, meddler
+    def __init__(self, seed: int, folder: Path, pedzone: str, meddler: str, people: bool):
+        self.folder, self.pedzone, self.meddler, self.people = folder, pedzone, meddler, people
         self.rng = random.Random(seed)
         self.outcome = Outcome(seed, STEP_LENGTHS[seed % len(STEP_LENGTHS)])
         self.walked, self.reroutes = set(), set()  # (time, person)
@@ -97,6 +98,8 @@ class Case:
             ET.SubElement(root, name, {"value": value})
         ET.ElementTree(root).write(self.folder / "town.sumocfg")
         self.zone_file = self.make_zone_file(edges) if self.rng.random() < 0.3 else None
+        if self.people:
+            self.zone_file = make_people(self.outcome.seed, self.folder, self.zone_file)
 
     def make_zone_file(self, edges: list) -> Path:
         """A zone file that asks for something else than the rule without one does."""

@@ -34,6 +34,8 @@ def parse_arguments() -> argparse.Namespace:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--pedzone", required=True, help="the command")
     parser.add_argument("--meddler", help="the program that embeds pedzone; used instead")
+    parser.add_argument("--people", action="store_true", help="with profiles, activities, groups, "
+                        "families and weather")
     parser.add_argument("--steps", type=int, default=100_000, help="controlled person-steps wanted")
     parser.add_argument("--networks", type=int, default=24, help="networks wanted")
     parser.add_argument("--seed", type=int, default=1, help="the first seed")
@@ -45,9 +47,9 @@ def parse_arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def run_seed(work: Path, pedzone: str, meddler: str, keep: bool, seed: int):
+def run_seed(work: Path, pedzone: str, meddler: str, people: bool, keep: bool, seed: int):
     folder = work / f"seed{seed}"
-    outcome = Case(seed, folder, pedzone, meddler).run()
+    outcome = Case(seed, folder, pedzone, meddler, people).run()
     print(outcome.line(), flush=True)
     if not outcome.failures and not outcome.stuck and not keep:
         shutil.rmtree(folder)
@@ -60,7 +62,7 @@ def main() -> int:
     pedzone = str(Path(options.pedzone).resolve())
     meddler = str(Path(options.meddler).resolve()) if options.meddler else ""
 
-    one = functools.partial(run_seed, work, pedzone, meddler, bool(options.keep))
+    one = functools.partial(run_seed, work, pedzone, meddler, options.people, bool(options.keep))
     outcomes, seed = [], options.seed
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         while (len(outcomes) < options.networks
