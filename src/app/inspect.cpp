@@ -6,7 +6,7 @@
 
 #include "app/guarded.hpp"
 #include "output/complete_file.hpp"
-#include "sumo/path_references.hpp"
+#include "sumo/hint_values.hpp"
 #include "sumo/scenario.hpp"
 #include "view/zone_report.hpp"
 #include "view/zone_svg.hpp"
@@ -22,7 +22,8 @@ void report(const InspectOptions& options) {
   if (!options.svg.empty()) picture = std::make_unique<CompleteFile>(options.svg, "--svg");
   const Network network = read_scenario_network(scenario);
   const std::vector<Zone> zones = build_zones(network, file.zones);
-  require_known_paths(scenario, find_paths(network, zones, file.paths));
+  const std::vector<WaypointPath> paths = find_paths(network, zones, file.paths);
+  require_known_hints(scenario, {file.profiles, paths});
   if (picture) {
     picture->write(zone_svg(network, zones));
     picture->finish();

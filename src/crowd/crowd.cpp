@@ -9,6 +9,7 @@
 #include "crowd/insight.hpp"
 #include "crowd/path_walk.hpp"
 #include "crowd/placement.hpp"
+#include "crowd/shade.hpp"
 #include "crowd/state.hpp"
 #include "crowd/step.hpp"
 #include "model/obstacle_lists.hpp"
@@ -130,8 +131,10 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   // The variation starts in its stationary state, with the number of the substep before.
   walker.noise = state.zone.parameters.heading_noise * kPi / 180.0 *
                  random_normal(state.seed, person.key, state.substep - 1, Purpose::kHeadingNoise);
-  if (!person.path.empty()) {
-    walker.path = std::make_unique<PathWalk>(PathWalk{person.path, 0, person.destination});
+  std::vector<Waypoint> path = person.path;
+  if (path.empty()) path = way_through_shade(state.zone, place, person.destination);
+  if (!path.empty()) {
+    walker.path = std::make_unique<PathWalk>(PathWalk{std::move(path), 0, person.destination});
   }
   start_way(state, i, person.destination);
   return walker.handle;

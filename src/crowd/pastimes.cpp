@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kMinute = 60.0;
 constexpr double kDashReach = 15.0;  // [m] assumed: from farther away nobody runs at a vehicle
+constexpr double kSeatReach = 15.0;  // [m] assumed: nobody goes farther to sit down
+constexpr double kOnSeat = 0.4;      // [m] assumed
 constexpr double kDashTime = 3.0;    // [s] assumed: and so long it runs
 
 /// The pastime that begins within dt; none nearly always.
@@ -27,6 +29,37 @@ Pastime begun(const CrowdState& crowd, std::size_t i, double dt) {
     if (drawn < sum) return static_cast<Pastime>(k);
   }
   return Pastime::kNone;
+}
+
+/// The nearest seat that the person can go straight to; nothing: none within kSeatReach.
+std::optional<Vec2> free_seat(const CrowdState& crowd, std::size_t i) {
+  std::optional<Vec2> nearest;
+  const Vec2 here = crowd.position(i);
+  double least = kSeatReach;
+  for (const Vec2& seat : crowd.zone.seats) {
+    const double distance = (seat - here).norm();
+    if (distance >= least || !crowd.zone.walls.free_line(here, seat, 0.0)) continue;
+    least = distance;
+    nearest = seat;
+  }
+  return nearest;
+}
+
+/// Where there are seats people sit on seats, else where they are.
+void begin(CrowdState& crowd, std::size_t i, Pastime pastime) {
+  WalkState& walker = crowd.walkers[i];
+  walker.seat.reset();
+  if (pastime == Pastime::kSitting && !crowd.zone.seats.empty()) {
+    walker.seat = free_seat(crowd, i);
+    if (!walker.seat) return;
+  }
+  walker.pastime = pastime;
+}
+
+bool on_the_way_to_seat(const CrowdState& crowd, std::size_t i) {
+  const WalkState& walker = crowd.walkers[i];
+  return walker.pastime == Pastime::kSitting && walker.seat &&
+         (*walker.seat - crowd.position(i)).norm() > kOnSeat;
 }
 
 bool ended(const CrowdState& crowd, std::size_t i, double dt) {
@@ -65,7 +98,7 @@ void live(CrowdState& crowd, double dt) {
     for (std::size_t i = first; i < last; ++i) {
       WalkState& walker = crowd.walkers[i];
       if (walker.pastime == Pastime::kNone) {
-        walker.pastime = begun(crowd, i, dt);
+        begin(crowd, i, begun(crowd, i, dt));
       } else if (ended(crowd, i, dt)) {
         walker.pastime = Pastime::kNone;
       }
@@ -78,6 +111,17 @@ void live(CrowdState& crowd, double dt) {
       if (walker.dash > 0.0) crowd.persons.preferred_speed[i] = walker.profile->top_speed;
     }
   });
+}
+
+void go_to_seats(CrowdState& crowd) {
+  if (crowd.zone.seats.empty()) return;
+  Persons& persons = crowd.persons;
+  for (std::size_t i = 0; i < persons.walking; ++i) {
+    if (crowd.walkers[i].arrived || !on_the_way_to_seat(crowd, i)) continue;
+    const Vec2 to = *crowd.walkers[i].seat - crowd.position(i);
+    persons.goal_direction[i] = angle_of(to);
+    persons.goal_distance[i] = to.norm();
+  }
 }
 
 /// Towards where the vehicle's front will be when the person gets there, not minding it.
@@ -102,6 +146,7 @@ void stand_still(CrowdState& crowd) {
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     const WalkState& walker = crowd.walkers[i];
     if (walker.pastime == Pastime::kNone || info_of(walker.pastime).speed > 0.0) continue;
+    if (on_the_way_to_seat(crowd, i)) continue;
     const bool disturbed = std::ranges::any_of(
         walker.noticed, [&](const Noticed& noticed) { return noticed.minds && noticed.near; });
     if (!disturbed) crowd.decisions[i].speed = 0.0;

@@ -48,6 +48,7 @@ struct WalkState {
   double own_speed = 1.34;  ///< [m/s] preferred, but for pastime and weather
   bool aware = true;        ///< of vehicles
   std::vector<Noticed> noticed;
+  std::optional<Vec2> seat;    ///< [m] where it sits, or goes to sit down
   double dash = 0.0;           ///< [s] that it still runs in front of a vehicle
   double group_clock = 0.0;    ///< [s] waiting for the group in vain; below 0: goes on
   double group_least = 0.0;    ///< [m] nearest that the last one has come meanwhile
@@ -133,6 +134,7 @@ void live(CrowdState& crowd, double dt);              // pastimes.cpp
 void perceive(CrowdState& crowd, double dt);          // perception.cpp
 void set_goals(CrowdState& crowd, double dt);         // goals.cpp
 void gather_groups(CrowdState& crowd, double dt);     // groups.cpp
+void go_to_seats(CrowdState& crowd);                  // pastimes.cpp
 void dash(CrowdState& crowd);                         // pastimes.cpp
 void set_goal(CrowdState& crowd, std::size_t i);      // goals.cpp: of one, as it varies now
 void leave_claims(CrowdState& crowd);                 // claims.cpp

@@ -25,6 +25,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   perceive(crowd, dt);
   set_goals(crowd, dt);
   gather_groups(crowd, dt);
+  go_to_seats(crowd);
   dash(crowd);
   leave_claims(crowd);
   decide(crowd);

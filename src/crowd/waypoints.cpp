@@ -124,14 +124,15 @@ class Follower {
   /// Blocked for the whole of its patience, a person goes on to the next waypoint when there is a
   /// free way to it, and plans again when there is not (the next one may be behind a corner). Near
   /// its destination it has arrived; far from it it goes on trying. A waypoint of the user's is
-  /// passed over, however far it is. Waiting for a vehicle or the group, or going with an adult, is
-  /// not being blocked.
+  /// passed over, however far it is. Waiting for a vehicle or the group, going with an adult,
+  /// chatting and sitting is not being blocked.
   void lose_patience(double dt) {
     const double left = way_left(route_, here_);
     if (left < walker_.least_left - kProgress) {
       walker_.least_left = left;
       walker_.blocked = 0.0;
-    } else if (!walker_.waits && !walker_.waits_for_group && !walker_.led) {
+    } else if (!walker_.waits && !walker_.waits_for_group && !walker_.led &&
+               info_of(walker_.pastime).speed > 0.0) {
       walker_.blocked += dt;
     }
     if (walker_.blocked < patience(crowd_.zone, walker_)) return;

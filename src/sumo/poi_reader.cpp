@@ -9,6 +9,7 @@ namespace pedzone {
 namespace {
 
 constexpr std::string_view kWaypointType = "pedzone.waypoint";
+constexpr std::string_view kSeatType = "pedzone.seat";
 constexpr std::string_view kOwnKeys = "pedzone.";  // of parameters that are ours
 constexpr std::string_view kRadiusKey = "pedzone.radius";
 constexpr NumberRange kRadiusRange{0.0, 20.0};          // [m]
@@ -61,7 +62,9 @@ std::optional<double> read_radius(const XmlFile& file, const pugi::xml_node& nod
 
 void read_waypoints(const XmlFile& file, Network& network) {
   for (const pugi::xml_node& node : file.root().children("poi")) {
-    if (node.attribute("type").value() != kWaypointType) continue;
+    const std::string_view type = node.attribute("type").value();
+    if (type == kSeatType) network.seats.push_back(read_place(file, node, network));
+    if (type != kWaypointType) continue;
     MapPoint point;
     point.id = file.required(node, "id");
     if (std::ranges::find(network.waypoints, point.id, &MapPoint::id) != network.waypoints.end()) {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/error.hpp"
-#include "sumo/path_references.hpp"
+#include "sumo/hint_values.hpp"
 #include "sumo/people_file.hpp"
 #include "sumo/stand_off.hpp"
 
@@ -101,7 +101,7 @@ struct Simulation::Parts {
 
   std::vector<WaypointPath> read_paths(const SimulationOptions& options) const {
     std::vector<WaypointPath> found = find_paths(network, zones, options.paths);
-    require_known_paths(options.scenario, found);
+    require_known_hints(options.scenario, {options.profiles, found});
     return found;
   }
 

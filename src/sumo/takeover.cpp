@@ -186,7 +186,7 @@ bool Takeover::add_guest(const std::string& id, int zone, const Walk& walk, std:
   guest.plan = plan;
   guest.radius = body_radius(id);
   guest.preferred_speed = striping_share_ * api::Person::getMaxSpeed(id);
-  const PersonHints hints = read_hints(id, profiles_, paths_);
+  const PersonHints hints = read_hints(id, {profiles_, paths_});
   NewPerson person;
   person.key = person_key(id);
   person.profile = hints.profile;

@@ -11,7 +11,7 @@ struct Weather {
   double speed;          ///< factor of people's preferred speeds
   double field_of_view;  ///< factor
   double deceleration;   ///< factor of what vehicles are taken to brake with
-  bool shade;            ///< people would rather walk in shaded polygons
+  bool shade;            ///< people go through polygons of type pedzone.shade
   std::string_view meaning, source;
 };
 

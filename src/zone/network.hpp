@@ -70,6 +70,7 @@ struct Network {
   std::vector<Junction> junctions;
   std::vector<MapPolygon> polygons;
   std::vector<MapPoint> waypoints;  ///< points of type pedzone.waypoint
+  std::vector<Vec2> seats;          ///< [m] points of type pedzone.seat
   std::unordered_map<std::string, int> edge_index, lane_index, junction_index;
   std::vector<std::string> warnings;  ///< what could not be used, one line each
 };

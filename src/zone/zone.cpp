@@ -30,6 +30,15 @@ void select_all(const Network& network, std::vector<Draft>& drafts, std::vector<
   }
 }
 
+std::vector<Region> shades_of(const Network& network) {
+  std::vector<Region> shades;
+  for (const MapPolygon& polygon : network.polygons) {
+    if (polygon.type == "pedzone.shade") shades.push_back(repair(polygon.shape));
+  }
+  std::erase_if(shades, [](const Region& shade) { return shade.empty(); });
+  return shades;
+}
+
 Zone finish(const Network& network, const std::vector<bool>& taken, Draft& draft) {
   ZoneParts& parts = draft.parts;
   warn_of_roads_under_lanes(network, parts.selection, draft.warnings);
@@ -51,6 +60,9 @@ Zone finish(const Network& network, const std::vector<bool>& taken, Draft& draft
   zone.obstacles = std::move(area.obstacles);
   zone.walls = WallIndex(zone.walkable);
   zone.sight_walls = WallIndex(zone.obstacles);
+  std::ranges::copy_if(network.seats, std::back_inserter(zone.seats),
+                       [&](const Vec2& seat) { return zone.walls.inside(seat); });
+  if (zone.weather->shade) zone.shades = shades_of(network);
   zone.ways = WayFinder(zone.walkable, kWayClearance);
   zone.warnings = std::move(draft.warnings);
   zone.inside = lengths_inside(network, parts.selection.edges);

@@ -32,6 +32,9 @@ struct Zone {
   std::vector<int> lanes;               ///< lanes whose area is in the zone, those inside junctions
                                         ///< (walking areas, crossings) included; ascending
   Region walkable;                      ///< [m] where people may be
+  std::vector<Vec2> seats;              ///< [m] where people can sit down; none: anywhere
+  std::vector<Region> shades;           ///< [m] polygons of type pedzone.shade, where the weather
+                                        ///< makes people seek them
   Region obstacles;                     ///< [m] buildings and the like near it, for pictures
   WallIndex walls;                      ///< borders of walkable
   WallIndex sight_walls;                ///< of obstacles: nobody sees through them

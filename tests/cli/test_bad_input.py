@@ -105,6 +105,31 @@ class BadInput(RefusalChecks, unittest.TestCase):
 
     # The zone file
 
+    # Who people are
+
+    def person_with(self, key, value):
+        self.tiny.write("people.rou.xml", "<routes><vType id=\"walker\" vClass=\"pedestrian\">"
+                        f"<param key=\"{key}\" value=\"{value}\"/></vType>"
+                        "<person id=\"p0\" type=\"walker\" depart=\"0\">"
+                        "<walk edges=\"west shared east\"/></person></routes>")
+        return self.run_scenario(self.tiny.config(routes="people.rou.xml"))
+
+    def test_unknown_profile(self):
+        self.expect(self.person_with("pedzone.profile", "giant"), 2, "people.rou.xml:1",
+                    "giant", "is no profile", "infant, child")
+
+    def test_unknown_activity(self):
+        self.expect(self.person_with("pedzone.activities", "texting dancing"), 2,
+                    "people.rou.xml:1", "dancing", "texting, phoning")
+
+    def test_activity_without_a_rate(self):
+        self.expect(self.person_with("pedzone.activities", "texting=often"), 2, "texting=often",
+                    "per minute")
+
+    def test_awareness_that_is_neither(self):
+        self.expect(self.person_with("pedzone.aware", "maybe"), 2, "people.rou.xml:1", "maybe",
+                    "true, false")
+
     def test_missing_zone_file(self):
         done = self.run_scenario(self.tiny.config(), "--zone", "gone.zone.xml")
         self.expect(done, 2, "gone.zone.xml")

@@ -49,6 +49,10 @@ def activity(name, measure, sign):
     return Effect(f"activity {name}", measure, sign, {"pedzone.activities": f"{name}=6"})
 
 
+SHADE = (-45.0, 2.5, -8.0, 5.5)  # [m] as the scenario's polygon "trees"
+TREES = ('<poly id="trees" type="pedzone.shade" color="green" '
+         'shape="{0},{1} {2},{1} {2},{3} {0},{3}"/>'.format(*SHADE))
+
 EFFECTS = [
     profile("infant", "gap", -1), profile("child", "gap", -1), profile("preteen", "gap", -1),
     profile("teenager", "crossing_gap", -1), profile("middle-aged", "gap", -1),
@@ -63,6 +67,7 @@ EFFECTS = [
     activity("looking", "sway", 1), activity("chatting", "time", 1), activity("sitting", "time", 1),
     Effect("rain", "time", -1, zone='weather="rain"'),
     Effect("heat", "time", 1, zone='weather="heat"'),
+    Effect("heat under trees", "shade", 1, zone='weather="heat"', base_extra=TREES),
     Effect("ice", "time", 1, zone='weather="ice"'),
     Effect("ice under a vehicle that yields", "braking", 1, zone='weather="ice"',
            base_vehicle={"pedzone.yield": "true"}),
@@ -135,6 +140,8 @@ def measures(fcd):
         "gap": gap,
         "clearance": min(distance for _, distance in near),
         "time": ahead[-1][0] - ahead[0][0],
+        "shade": statistics.fmean(SHADE[0] < row[1] < SHADE[2] and SHADE[1] < row[2] < SHADE[3]
+                                  for row in ahead),
         # Of the way that it makes aside in a second.
         "sway": statistics.pstdev(b - a for a, b in zip(before, before[10:])),
         "crossing_gap": min(clearance(row[3]["shuttle.2"], row[1], row[2]) for row in crossing

@@ -72,6 +72,49 @@ TEST(Weather, changes_how_fast_people_walk) {
   EXPECT_NEAR(time[0] / time[1], find_weather("ice")->speed, 0.02);
 }
 
+TEST(Pastimes, people_sit_down_on_seats) {
+  Zone zone = zone_of(box(0, 0, 60, 30));
+  zone.seats = {{20, 22}, {50, 2}};
+  int on_seats = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Scene scene(zone, seed);
+    const auto person = scene.add(walker({5, 15}, {{59, 14}, {59, 16}}, Pastime::kSitting, 6.0));
+    while (scene.time < 900 && scene.arrived() == 0) {
+      scene.step();
+      const PersonView& view = scene.people[person].view;
+      if (view.pastime != Pastime::kSitting || view.velocity.norm() > 0.01) continue;
+      const double to_seat =
+          std::min((view.position - zone.seats[0]).norm(), (view.position - zone.seats[1]).norm());
+      ASSERT_LT(to_seat, 0.5) << "seed " << seed << ", " << scene.time << " s";
+      ++on_seats;
+    }
+    EXPECT_EQ(scene.arrived(), 1u) << seed;
+  }
+  EXPECT_GT(on_seats, 100);
+}
+
+TEST(Weather, heat_leads_through_the_shade) {
+  double share[2];
+  for (const bool hot : {false, true}) {
+    Zone zone = zone_of(box(0, 0, 80, 20));
+    if (hot) {
+      zone.weather = find_weather("heat");
+      zone.shades = {repair(box(20, 12, 60, 18)), repair(box(20, -200, 60, -190))};
+    }
+    Scene scene(zone);
+    const auto person = scene.add(walker({2, 8}, {{78, 7}, {78, 9}}, Pastime::kNone, 0.0));
+    scene.run(200.0);
+    int shaded = 0;
+    for (const Vec2& at : scene.people[person].path) {
+      shaded += at.x() > 20 && at.x() < 60 && at.y() > 12 && at.y() < 18 ? 1 : 0;
+    }
+    EXPECT_EQ(scene.arrived(), 1u);
+    share[hot ? 1 : 0] = shaded / static_cast<double>(scene.people[person].path.size());
+  }
+  EXPECT_EQ(share[0], 0.0);
+  EXPECT_GT(share[1], 0.4);
+}
+
 TEST(Impulse, sends_people_in_front_of_a_vehicle) {
   Profile child = *Profiles().find("child");
   child.impulsiveness = 60.0;
