@@ -122,7 +122,7 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   walker.profile = person.profile;
   walker.group = person.group;
   if (walker.group != 0) ++state.grouped;
-  walker.rates = person.rates;
+  std::ranges::copy(person.rates, walker.rates.begin());
   walker.own_speed = preferred;
   const double awareness = person.profile != nullptr ? person.profile->awareness : 1.0;
   walker.aware = person.aware.value_or(

@@ -31,16 +31,17 @@ Pastime begun(const CrowdState& crowd, std::size_t i, double dt) {
   return Pastime::kNone;
 }
 
-/// The nearest seat that the person can go straight to; nothing: none within kSeatReach.
-std::optional<Vec2> free_seat(const CrowdState& crowd, std::size_t i) {
-  std::optional<Vec2> nearest;
+/// Index of the nearest seat that the person can go straight to; -1: none within kSeatReach.
+std::int32_t free_seat(const CrowdState& crowd, std::size_t i) {
+  std::int32_t nearest = -1;
   const Vec2 here = crowd.position(i);
   double least = kSeatReach;
-  for (const Vec2& seat : crowd.zone.seats) {
+  for (std::size_t k = 0; k < crowd.zone.seats.size(); ++k) {
+    const Vec2& seat = crowd.zone.seats[k];
     const double distance = (seat - here).norm();
     if (distance >= least || !crowd.zone.walls.free_line(here, seat, 0.0)) continue;
     least = distance;
-    nearest = seat;
+    nearest = static_cast<std::int32_t>(k);
   }
   return nearest;
 }
@@ -48,18 +49,20 @@ std::optional<Vec2> free_seat(const CrowdState& crowd, std::size_t i) {
 /// Where there are seats people sit on seats, else where they are.
 void begin(CrowdState& crowd, std::size_t i, Pastime pastime) {
   WalkState& walker = crowd.walkers[i];
-  walker.seat.reset();
+  walker.seat = -1;
   if (pastime == Pastime::kSitting && !crowd.zone.seats.empty()) {
     walker.seat = free_seat(crowd, i);
-    if (!walker.seat) return;
+    if (walker.seat < 0) return;
   }
   walker.pastime = pastime;
 }
 
-bool on_the_way_to_seat(const CrowdState& crowd, std::size_t i) {
+/// [m] way to the seat of a person who goes to sit down; zero where it has got there, or has none.
+Vec2 way_to_seat(const CrowdState& crowd, std::size_t i) {
   const WalkState& walker = crowd.walkers[i];
-  return walker.pastime == Pastime::kSitting && walker.seat &&
-         (*walker.seat - crowd.position(i)).norm() > kOnSeat;
+  if (walker.pastime != Pastime::kSitting || walker.seat < 0) return Vec2::Zero();
+  const Vec2 way = crowd.zone.seats[static_cast<std::size_t>(walker.seat)] - crowd.position(i);
+  return way.norm() > kOnSeat ? way : Vec2(Vec2::Zero());
 }
 
 bool ended(const CrowdState& crowd, std::size_t i, double dt) {
@@ -117,8 +120,8 @@ void go_to_seats(CrowdState& crowd) {
   if (crowd.zone.seats.empty()) return;
   Persons& persons = crowd.persons;
   for (std::size_t i = 0; i < persons.walking; ++i) {
-    if (crowd.walkers[i].arrived || !on_the_way_to_seat(crowd, i)) continue;
-    const Vec2 to = *crowd.walkers[i].seat - crowd.position(i);
+    const Vec2 to = way_to_seat(crowd, i);
+    if (crowd.walkers[i].arrived || to == Vec2::Zero()) continue;
     persons.goal_direction[i] = angle_of(to);
     persons.goal_distance[i] = to.norm();
   }
@@ -146,7 +149,7 @@ void stand_still(CrowdState& crowd) {
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     const WalkState& walker = crowd.walkers[i];
     if (walker.pastime == Pastime::kNone || info_of(walker.pastime).speed > 0.0) continue;
-    if (on_the_way_to_seat(crowd, i)) continue;
+    if (way_to_seat(crowd, i) != Vec2::Zero()) continue;
     const bool disturbed = std::ranges::any_of(
         walker.noticed, [&](const Noticed& noticed) { return noticed.minds && noticed.near; });
     if (!disturbed) crowd.decisions[i].speed = 0.0;

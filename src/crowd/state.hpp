@@ -42,19 +42,19 @@ struct WalkState {
   double slow = 0.0;          ///< [s] since the person was last faster than standing
   std::uint64_t planned = 0;  ///< substep of the last plan
   const Profile* profile = nullptr;
-  std::uint64_t group = 0;                ///< 0: alone
-  std::array<double, kPastimes> rates{};  ///< [1/min]
-  Pastime pastime = Pastime::kNone;
-  double own_speed = 1.34;  ///< [m/s] preferred, but for pastime and weather
-  bool aware = true;        ///< of vehicles
+  std::uint64_t group = 0;               ///< 0: alone
+  std::array<float, kPastimes> rates{};  ///< [1/min]
+  double own_speed = 1.34;               ///< [m/s] preferred, but for pastime and weather
   std::vector<Noticed> noticed;
-  std::optional<Vec2> seat;    ///< [m] where it sits, or goes to sit down
-  double dash = 0.0;           ///< [s] that it still runs in front of a vehicle
-  double group_clock = 0.0;    ///< [s] waiting for the group in vain; below 0: goes on
-  double group_least = 0.0;    ///< [m] nearest that the last one has come meanwhile
+  std::int32_t seat = -1;    ///< index in Zone::seats of where it sits, or goes to; -1: where it is
+  double dash = 0.0;         ///< [s] that it still runs in front of a vehicle
+  double group_clock = 0.0;  ///< [s] waiting for the group in vain; below 0: goes on
+  double group_least = 0.0;  ///< [m] nearest that the last one has come meanwhile
   std::uint64_t guardian = 0;  ///< key of the adult that a child goes with
   double calm = 0.0;           ///< [s] since a vehicle drove near the child
   double hand_side = 1.0;      ///< 1: at the adult's left hand, -1: at its right
+  Pastime pastime = Pastime::kNone;
+  bool aware = true;  ///< of vehicles
   bool waits_for_group = false;
   bool led = false;         ///< a child on its way to its adult, or by its hand
   bool holds_hand = false;  ///< of its adult
