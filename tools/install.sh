@@ -10,7 +10,7 @@ fi
 
 packages=(
   cmake ninja-build g++ ccache      # build
-  sumo                              # simulation, network tools, libsumo
+  sumo sumo-tools                   # simulation, network tools, libsumo; the schemas SUMO checks with
   libeigen3-dev                     # vectors
   libfmt-dev                        # text
   libcli11-dev                      # command line

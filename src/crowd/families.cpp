@@ -22,7 +22,9 @@ constexpr double kTug = 1.0;        // [s] assumed: in which the hand brings the
 constexpr double kLead = 0.5;       // [s] assumed: a child goes to where its adult will be then
 constexpr double kOtherSide = 1.0;  // [m] assumed: so far aside a vehicle makes them change sides
 constexpr double kHandShare = 0.9;  // assumed: of the child's speed, so that it keeps up
-constexpr double kCatchUpShare = 0.5;      // assumed: while the child is behind
+constexpr double kCatchUpShare = 0.5;  // assumed: while the child is behind
+constexpr double kWaitClear = 0.5;  // [m] assumed: nobody waits where a vehicle comes this near ...
+constexpr double kWaitSoon = 3.0;   // [s] ... so soon, as for the group
 constexpr double kLastMoment = 1.0;        // [s] as the models' last-moment guard
 constexpr double kLastMomentMargin = 0.1;  // [m] numerical
 constexpr double kStillSpeed = 0.1;        // [m/s] numerical: a slower pull turns nobody round
@@ -71,6 +73,7 @@ void update_hand(CrowdState& crowd, std::size_t i, std::size_t adult, double dt)
   const VehicleState* vehicle = moving_near(crowd, crowd.position(i), kVehicleNear, kAhead);
   const double apart = gap(crowd, i, adult);
   child.calm = vehicle != nullptr ? 0.0 : child.calm + dt;
+  child.awaited = vehicle != nullptr && !child.holds_hand ? child.awaited + dt : 0.0;
   if (child.calm > kCalm || apart > kTorn) child.holds_hand = false;
   if (vehicle == nullptr) return;
   if (!child.holds_hand && apart <= kArm) {
@@ -121,14 +124,26 @@ void pull(CrowdState& crowd, std::size_t i, std::size_t adult) {
   decision.waits = crowd.decisions[adult].waits;
 }
 
-/// Never to 0: an adult whose child cannot move waits for it as for anybody else of the group, and
-/// with the same patience.
+/// Whether the adult stands until the child has come to its hand. Where the child cannot, no longer
+/// than its patience.
+bool awaits_hand(const CrowdState& crowd, std::size_t child, std::size_t adult) {
+  const WalkState& walker = crowd.walkers[child];
+  return walker.led && !walker.holds_hand && walker.awaited > 0.0 &&
+         walker.awaited < patience(crowd.zone, crowd.walkers[adult]) &&
+         !is_claimed(crowd, adult, kWaitClear) && !is_swept(crowd, adult, kWaitClear, kWaitSoon);
+}
+
+/// To 0 only for a hand that is wanted: an adult whose child cannot move waits for it as for
+/// anybody else of the group.
 void slow_down(CrowdState& crowd, const GroupMember& child, const GroupMember& adult) {
   if (is_swept(crowd, adult.row, kLastMomentMargin, kLastMoment)) return;
   const WalkState& walker = crowd.walkers[child.row];
   const double apart = (crowd.position(child.row) - crowd.position(adult.row)).norm();
   const bool behind = apart > kClose && child.left > adult.left;
-  const double share = behind ? kCatchUpShare : walker.holds_hand ? kHandShare : 1.0;
+  const double share = awaits_hand(crowd, child.row, adult.row) ? 0.0
+                       : behind                                 ? kCatchUpShare
+                       : walker.holds_hand                      ? kHandShare
+                                                                : 1.0;
   double& speed = crowd.decisions[adult.row].speed;
   speed = std::min(speed, share * crowd.persons.preferred_speed[child.row]);
 }
@@ -148,7 +163,7 @@ bool goes_with_adult(const Profile* profile) {
 void let_go(WalkState& child) {
   child.guardian = 0;
   child.led = child.holds_hand = false;
-  child.calm = 0.0;
+  child.calm = child.awaited = 0.0;
 }
 
 void guide_children(CrowdState& crowd, std::span<const GroupMember> group, double dt) {

@@ -1,4 +1,4 @@
-// The only place where the crowd uses threads: the same work for every block of persons.
+// The only place where work is shared out to threads.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <thread>
 #include <vector>
 #else
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #endif
 
@@ -25,17 +24,12 @@ constexpr std::size_t kBlock = 128;
 
 inline std::size_t block_count(std::size_t persons) { return (persons + kBlock - 1) / kBlock; }
 
-/// Calls work(block, first, last) for the blocks of `persons`, which together cover
-/// [0, persons). Blocks may run at once and in any order: `work` writes only what belongs to its
-/// own persons. A crowd of one block runs in the calling thread. `work` must not throw.
+/// Calls work(k) for each k of [0, count), at once and in any order: `work` writes only what
+/// belongs to its own k. A single one runs in the calling thread. `work` must not throw.
 template <class Work>
-void for_each_block(std::size_t persons, const Work& work) {
-  const std::size_t blocks = block_count(persons);
-  const auto run = [&](std::size_t block) {
-    work(block, block * kBlock, std::min(persons, (block + 1) * kBlock));
-  };
-  if (blocks <= 1) {
-    if (blocks == 1) run(0);
+void for_each_parallel(std::size_t count, const Work& work) {
+  if (count <= 1) {
+    if (count == 1) work(0);
     return;
   }
 #if defined(__SANITIZE_THREAD__)
@@ -44,18 +38,24 @@ void for_each_block(std::size_t persons, const Work& work) {
   // share before another, so a race between two is seen however the threads are scheduled.
   constexpr std::size_t kThreads = 4;
   const auto share = [&](std::size_t thread) {
-    for (std::size_t block = thread; block < blocks; block += kThreads) run(block);
+    for (std::size_t k = thread; k < count; k += kThreads) work(k);
   };
   std::vector<std::thread> threads;
   for (std::size_t i = 1; i < kThreads; ++i) threads.emplace_back(share, i);
   share(0);
   for (std::thread& thread : threads) thread.join();
 #else
-  using Range = oneapi::tbb::blocked_range<std::size_t>;
-  oneapi::tbb::parallel_for(Range(0, blocks), [&](const Range& range) {
-    for (std::size_t block = range.begin(); block != range.end(); ++block) run(block);
-  });
+  oneapi::tbb::parallel_for(std::size_t{0}, count, work);
 #endif
+}
+
+/// Calls work(block, first, last) for the blocks of `persons`, which together cover
+/// [0, persons), as for_each_parallel() does: `work` writes only what belongs to its own persons.
+template <class Work>
+void for_each_block(std::size_t persons, const Work& work) {
+  for_each_parallel(block_count(persons), [&](std::size_t block) {
+    work(block, block * kBlock, std::min(persons, (block + 1) * kBlock));
+  });
 }
 
 }  // namespace pedzone

@@ -52,6 +52,7 @@ struct WalkState {
   double group_least = 0.0;  ///< [m] nearest that the last one has come meanwhile
   std::uint64_t guardian = 0;  ///< key of the adult that a child goes with
   double calm = 0.0;           ///< [s] since a vehicle drove near the child
+  double awaited = 0.0;        ///< [s] since the adult began to wait for the child's hand
   double hand_side = 1.0;      ///< 1: at the adult's left hand, -1: at its right
   Pastime pastime = Pastime::kNone;
   bool aware = true;  ///< of vehicles

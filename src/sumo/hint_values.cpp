@@ -1,6 +1,7 @@
 #include "sumo/hint_values.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "core/random.hpp"
 #include "core/xml.hpp"
@@ -42,6 +43,44 @@ Found known(Found found, const char* problem, const std::string& value, const st
   return found;
 }
 
+/// Who is in each group of a scenario's files. A vType or a personFlow counts as many.
+class GroupCount {
+ public:
+  /// To be shown every element in its order.
+  void visit(const XmlElement& element) {
+    parents_.resize(static_cast<std::size_t>(element.depth()));
+    parents_.emplace_back(element.name());
+    if (element.name() != "param" || element.depth() == 0) return;
+    if (element.value("key") != "pedzone.group") return;
+    const std::string group(element.value("value").value_or(""));
+    if (group.empty()) return;
+    const bool one = parents_[parents_.size() - 2] == "person";
+    Group& found = groups_.try_emplace(group, Group{0, lone(element, group)}).first->second;
+    found.members += one ? 1 : 2;
+  }
+
+  /// Throws the InputError of the first of those with one member.
+  void require_company() const {
+    for (const auto& [id, group] : groups_) {
+      if (group.members == 1) throw group.error;
+    }
+  }
+
+ private:
+  struct Group {
+    int members;
+    InputError error;
+  };
+
+  static InputError lone(const XmlElement& element, const std::string& group) {
+    return element.error("is a group of one", "value", group,
+                         "the same pedzone.group for two persons or more");
+  }
+
+  std::vector<std::string> parents_;     ///< names of the open elements, the last one included
+  std::map<std::string, Group> groups_;  ///< by id
+};
+
 }  // namespace
 
 void take_hint(std::string_view key, const std::string& value, const HintContext& context,
@@ -78,9 +117,16 @@ void require_known_hints(const Scenario& scenario, const HintContext& context) {
       throw element.error(hint.problem, "value", hint.value, hint.allowed);
     }
   };
+  GroupCount groups;
   for (const auto* files : {&scenario.route_files, &scenario.additional_files}) {
-    for (const std::string& file : *files) visit_elements(file, "", check);
+    for (const std::string& file : *files) {
+      visit_elements(file, "", [&](const XmlElement& element) {
+        check(element);
+        groups.visit(element);
+      });
+    }
   }
+  groups.require_company();
 }
 
 }  // namespace pedzone

@@ -44,7 +44,7 @@ void take_hint(std::string_view key, const std::string& value, const HintContext
                PersonHints& hints);
 
 /// Throws InputError for a <param> of a route or additional file of the scenario whose value means
-/// nothing.
+/// nothing, or that makes a group of one.
 void require_known_hints(const Scenario& scenario, const HintContext& context);
 
 }  // namespace pedzone

@@ -1,11 +1,10 @@
 #include "validation/scores.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "crowd/parallel.hpp"
 #include "validation/statistics.hpp"
 
 namespace pedzone {
@@ -130,9 +129,8 @@ static std::vector<ScoredPerson> recorded_persons(const std::vector<Clip>& clips
 ScoredRuns score(const std::vector<Clip>& clips, const ReplayModel& model, int seeds) {
   const std::size_t runs = static_cast<std::size_t>(seeds);
   std::vector<std::vector<ScoredPerson>> recorded(clips.size()), parts(clips.size() * runs);
-  oneapi::tbb::parallel_for(std::size_t{0}, clips.size(),
-                            [&](std::size_t c) { recorded[c] = recorded_persons(clips, c); });
-  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) {
+  for_each_parallel(clips.size(), [&](std::size_t c) { recorded[c] = recorded_persons(clips, c); });
+  for_each_parallel(parts.size(), [&](std::size_t k) {
     const std::size_t c = k % clips.size();
     const Clip& clip = clips[c];
     const std::vector<Polyline> ways = replay(clip, model, k / clips.size() + 1);

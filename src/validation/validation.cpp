@@ -1,7 +1,5 @@
 #include "validation/validation.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <set>
 
 #include "core/random.hpp"
+#include "crowd/parallel.hpp"
 #include "validation/statistics.hpp"
 
 namespace pedzone {
@@ -177,7 +176,7 @@ ValidationResult validate(std::vector<Clip> clips, const ValidationOptions& opti
   result.scored = result.runs.front().front().size();
   std::vector<RowTask> tasks = row_tasks(result);
   std::atomic<std::size_t> done = 0;
-  oneapi::tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t k) {
+  for_each_parallel(tasks.size(), [&](std::size_t k) {
     fill_row(tasks[k].sample, tasks[k].recorded, options.resamples, tasks[k].row);
     progressed(0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(tasks.size()));
   });

@@ -59,6 +59,7 @@ class Network:
     edges: dict = field(default_factory=dict)
     junctions: dict = field(default_factory=dict)  # id -> shape
     links: list = field(default_factory=list)  # (from lane, to lane, via lane or None)
+    next_inner: dict = field(default_factory=dict)  # lane of a junction -> the one after it
     signalled: set = field(default_factory=set)  # ids of crossings under a traffic light
 
     def distance_along(self, edge_id, start, end):
@@ -118,9 +119,12 @@ def read_network(path):
                 elif element.tag == "connection":
                     if element.get("tl"):
                         network.signalled.update((element.get("from"), element.get("to")))
-                    network.links.append((
-                        f"{element.get('from')}_{element.get('fromLane')}",
-                        f"{element.get('to')}_{element.get('toLane')}", element.get("via")))
+                    start = f"{element.get('from')}_{element.get('fromLane')}"
+                    via = element.get("via")
+                    network.links.append(
+                        (start, f"{element.get('to')}_{element.get('toLane')}", via))
+                    if via and start.startswith(":"):
+                        network.next_inner[start] = via
                 if element.tag in ("edge", "junction", "connection"):
                     element.clear()
         except (ElementTree.ParseError, OSError, EOFError) as error:
@@ -272,8 +276,8 @@ class ZoneArea:
                   if whole and name in network.junctions]
         walking_areas = self._walking_areas(zone)
         for start, end, via in network.links:
-            if start in zone and end in zone and via:
-                parts += [lane.area() for lane in self._lanes_of(via)]
+            if start in zone and end in zone:
+                parts += [lane.area() for lane in self._inner_lanes(via)]
         for edge in network.edges.values():
             if edge.function == "walkingarea" and edge.id in walking_areas:
                 parts.append(_ring(list(edge.lanes[0].line.coords)))
@@ -305,9 +309,14 @@ class ZoneArea:
                                             for end in ends)
         return over_own or (between_own and crossing.id not in network.signalled)
 
-    def _lanes_of(self, lane_id):
-        edge = self._network.edges.get(lane_id.rpartition("_")[0])
-        return [lane for lane in edge.lanes if lane.id == lane_id] if edge else []
+    def _inner_lanes(self, via):
+        """A link's lanes inside the junction in turn: two where it waits in the middle."""
+        found = []
+        while via:
+            edge = self._network.edges.get(via.rpartition("_")[0])
+            found += [lane for lane in edge.lanes if lane.id == via] if edge else []
+            via = self._network.next_inner.get(via)
+        return found
 
     def _centre_lines(self, zone):
         """(line, half width [m]): the zone's lanes and crossings, and the straight ways between the
@@ -349,6 +358,6 @@ class ZoneArea:
                  if edge.function == "normal" for lane in edge.lanes
                  if lane.vehicles and lane.id not in zone]
         for start, end, via in self._network.links:
-            if via and not (start in zone and end in zone):
-                parts += [lane.area() for lane in self._lanes_of(via) if lane.vehicles]
+            if not (start in zone and end in zone):
+                parts += [lane.area() for lane in self._inner_lanes(via) if lane.vehicles]
         return parts

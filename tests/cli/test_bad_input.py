@@ -130,6 +130,20 @@ class BadInput(RefusalChecks, unittest.TestCase):
         self.expect(self.person_with("pedzone.aware", "maybe"), 2, "people.rou.xml:1", "maybe",
                     "true, false")
 
+    def persons_in_groups(self, *groups):
+        persons = "".join(
+            f"\n<person id=\"p{k}\" depart=\"0\"><param key=\"pedzone.group\" value=\"{group}\"/>"
+            "<walk edges=\"west shared east\"/></person>" for k, group in enumerate(groups))
+        self.tiny.write("people.rou.xml", f"<routes>{persons}</routes>")
+        return self.run_scenario(self.tiny.config(routes="people.rou.xml"))
+
+    def test_group_of_one(self):
+        self.expect(self.persons_in_groups("two", "two", "lonely"), 2, "people.rou.xml:4",
+                    "'lonely'", "is a group of one", "two persons or more")
+
+    def test_group_of_two(self):
+        self.assertEqual(self.persons_in_groups("two", "two").returncode, 0)
+
     def test_missing_zone_file(self):
         done = self.run_scenario(self.tiny.config(), "--zone", "gone.zone.xml")
         self.expect(done, 2, "gone.zone.xml")

@@ -39,6 +39,7 @@ class Effect:
     base_vehicle: dict = field(default_factory=dict)
     extra: str = ""               # XML beside the types
     base_extra: str = ""
+    profiles: str = ""            # XML before <zone>
 
 
 def profile(name, measure, sign):
@@ -53,11 +54,14 @@ SHADE = (-45.0, 2.5, -8.0, 5.5)  # [m] as the scenario's polygon "trees"
 TREES = ('<poly id="trees" type="pedzone.shade" color="green" '
          'shape="{0},{1} {2},{1} {2},{3} {0},{3}"/>'.format(*SHADE))
 
+RASH = '<profile id="rash" base="adult" impulsiveness="60"/>'
+
 EFFECTS = [
     profile("infant", "gap", -1), profile("child", "gap", -1), profile("preteen", "gap", -1),
     profile("teenager", "crossing_gap", -1), profile("middle-aged", "gap", -1),
     profile("senior", "gap", -1), profile("wheelchair", "gap", -1),
     profile("pram", "crossing_gap", 1), profile("cyclist", "crossing_gap", 1),
+    Effect("impulsive", "crossing_gap", -1, {"pedzone.profile": "rash"}, profiles=RASH),
     Effect("unaware", "clearance", -1, {"pedzone.aware": "false"}),
     Effect("horn for the unaware", "clearance", 1, vehicle={"pedzone.horn": "true"},
            base_walker={"pedzone.aware": "false"}),
@@ -151,11 +155,11 @@ def measures(fcd):
     }
 
 
-def run(pedzone, scenario, seed, walker, vehicle, extra, zone):
+def run(pedzone, scenario, seed, walker, vehicle, extra, zone, profiles):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "types.add.xml").write_text(types(walker, vehicle, extra))
-        (folder / "a.zone.xml").write_text(f'<zones><zone id="street" {zone}/></zones>')
+        (folder / "a.zone.xml").write_text(f'<zones>{profiles}<zone id="street" {zone}/></zones>')
         done = subprocess.run(
             [pedzone, "run", scenario, "--zone", str(folder / "a.zone.xml"), "--seed", str(seed),
              "--threads", "1", "--", "--additional-files", str(folder / "types.add.xml"),
@@ -185,16 +189,17 @@ def main():
     pool = concurrent.futures.ThreadPoolExecutor(options.jobs)
     cache = {}
 
-    def start(seed, walker, vehicle, extra, zone):
-        key = (seed, str(walker), str(vehicle), extra, zone)
+    def start(seed, walker, vehicle, extra, zone, profiles):
+        key = (seed, str(walker), str(vehicle), extra, zone, profiles)
         if key not in cache:
             cache[key] = pool.submit(run, options.pedzone, options.scenario, seed, walker, vehicle,
-                                     extra, zone)
+                                     extra, zone, profiles)
         return cache[key]
 
-    runs = [[(start(seed, e.base_walker, e.base_vehicle, e.base_extra, ""),
+    runs = [[(start(seed, e.base_walker, e.base_vehicle, e.base_extra, "", ""),
               start(seed, {**e.base_walker, **e.walker}, {**e.base_vehicle, **e.vehicle},
-                    e.extra + e.base_extra, e.zone)) for seed in range(1, options.seeds + 1)]
+                    e.extra + e.base_extra, e.zone, e.profiles))
+             for seed in range(1, options.seeds + 1)]
             for e in effects]
     bar = "| " if options.markdown else ""
     good = True
