@@ -75,6 +75,7 @@ FcdReader::Row FcdReader::row_of(const XmlElement& element, bool person,
                           "types of the files given with --scenario and --vtypes");
     }
     mover.size = *size;
+    if (!person) mover.type = element.required("type");
   }
   Row row;
   row.id = &entry.first;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -28,6 +29,11 @@ class FcdReader {
   /// is missing, not fcd-output or broken off, and where a vehicle's type is not known.
   void read(const std::string& file, const StepVisitor& visitor, const ReadProgress& progress);
 
+  /// Type of a vehicle that is being visited.
+  const std::string& type_of(std::string_view vehicle) const {
+    return vehicles_.at(std::string(vehicle)).type;
+  }
+
  private:
   /// One who moves, from step to step.
   struct Mover {
@@ -35,6 +41,7 @@ class FcdReader {
     Vec2 at = Vec2::Zero();    ///< [m] centre of the body
     Vec2 way = Vec2::UnitX();  ///< [m] the latest way, what is longer ago counting less
     BodySize size{0.0, 0.0};   ///< [m] length 0: not known yet
+    std::string type;          ///< of a vehicle
   };
   struct Row {
     const std::string* id;

@@ -1,0 +1,39 @@
+// What the commands that show a recorded run have in common: the run, and the place it was in.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sumo/recording_reader.hpp"
+#include "zone/paths.hpp"
+#include "zone/zone.hpp"
+
+namespace pedzone {
+
+struct RecordingOptions {
+  RecordingSource source;
+  std::string scenario;            ///< SUMO configuration; empty: not given
+  std::string zone_file;           ///< empty: zones are found by themselves
+  std::vector<std::string> types;  ///< more route or additional files
+};
+
+/// Adds the positional file and the options.
+void add_recording_options(CLI::App& command, RecordingOptions& options);
+
+/// Where a run took place.
+struct Place {
+  Network network;
+  std::vector<Zone> zones;
+  std::vector<WaypointPath> paths;
+};
+
+/// The place of --scenario and --zone; null without a scenario. Throws InputError.
+std::unique_ptr<Place> read_place(const RecordingOptions& options);
+
+/// The recording with what the files of --scenario and --vtypes say of everybody; shows progress.
+/// Throws InputError.
+Recording read_recording(const RecordingOptions& options);
+
+}  // namespace pedzone

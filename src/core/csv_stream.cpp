@@ -1,0 +1,146 @@
+#include "core/csv_stream.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+
+namespace pedzone {
+namespace {
+
+constexpr int kPiece = 1 << 18;  // [bytes] numerical: read at a time
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+/// Cuts characters into fields and rows.
+class RowCutter {
+ public:
+  RowCutter(const std::string& file, const std::vector<std::string>& header,
+            const RowVisitor& visitor)
+      : file_(file), header_(header), visitor_(visitor), fields_(1) {}
+
+  void take(char c) {
+    if (quoted_) {
+      if (c == '\n') ++line_;
+      if (c == '"') {
+        quoted_ = false;
+        after_quote_ = true;
+      } else {
+        fields_[count_] += c;
+      }
+      return;
+    }
+    if (c == '"' && (after_quote_ || fields_[count_].empty())) {
+      if (after_quote_) fields_[count_] += c;  // "" is one quote
+      quoted_ = true;
+    } else if (c == ',') {
+      next_field();
+    } else if (c == '\n') {
+      end_row();
+      ++line_;
+    } else if (c != '\r') {
+      fields_[count_] += c;
+    }
+    after_quote_ = false;
+  }
+
+  void finish() {
+    const bool row_open = count_ > 0 || !fields_[0].empty();
+    if (quoted_ || (row_open && header_read_ && count_ + 1 < header_.size())) {
+      throw error("is cut off: its last row is incomplete", joined(header_));
+    }
+    if (row_open) end_row();
+    if (!header_read_) throw error("is empty", "a first line '" + joined(header_) + "'");
+  }
+
+ private:
+  void next_field() {
+    ++count_;
+    if (count_ == fields_.size()) fields_.emplace_back();
+    fields_[count_].clear();
+  }
+
+  void end_row() {
+    const std::span<const std::string> row(fields_.data(), count_ + 1);
+    if (!header_read_) {
+      if (!std::ranges::equal(row, header_)) {
+        throw InputError("is another header than expected",
+                         {file_, line_, "first line",
+                          joined({row.begin(), row.end()}).substr(0, 80), joined(header_)});
+      }
+      header_read_ = true;
+    } else if (row.size() != header_.size()) {
+      throw error("has " + std::to_string(row.size()) + " fields",
+                  std::to_string(header_.size()) + " fields: " + joined(header_));
+    } else {
+      visitor_(CsvRow(file_, line_, header_, row));
+    }
+    count_ = 0;
+    fields_[0].clear();
+  }
+
+  InputError error(const std::string& problem, const std::string& allowed) const {
+    return InputError(problem, {file_, line_, "", "", allowed});
+  }
+
+  const std::string& file_;
+  const std::vector<std::string>& header_;
+  const RowVisitor& visitor_;
+  std::vector<std::string> fields_;  ///< kept from row to row for their memory
+  std::size_t count_ = 0;            ///< the field that is being read
+  int line_ = 1;
+  bool header_read_ = false, quoted_ = false, after_quote_ = false;
+};
+
+}  // namespace
+
+double CsvRow::number(std::size_t column, const NumberRange& range) const {
+  double result = 0.0;
+  if (!parse_number(fields_[column], result)) {
+    throw error("is not a number", column, describe(range));
+  }
+  if (result < range.least || result > range.most) {
+    throw error("is out of range", column, describe(range));
+  }
+  return result;
+}
+
+InputError CsvRow::error(const std::string& problem, std::size_t column,
+                         const std::string& allowed) const {
+  return InputError(problem, {file_, line_, "column " + header_[column], fields_[column], allowed});
+}
+
+void visit_rows(const std::string& file, const std::vector<std::string>& header,
+                const RowVisitor& visitor, const ReadProgress& progress) {
+  // gzopen reads plain files as they are.
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> input(gzopen(file.c_str(), "rb"), gzclose);
+  std::error_code no_size;
+  const auto size = std::filesystem::file_size(file, no_size);
+  if (!input || std::filesystem::is_directory(file)) {
+    throw InputError("cannot be opened", {.file = file});
+  }
+  RowCutter cutter(file, header, visitor);
+  std::vector<char> piece(kPiece);
+  for (int got = kPiece; got == kPiece;) {
+    got = gzread(input.get(), piece.data(), kPiece);
+    int code = Z_OK;
+    const char* reason = gzerror(input.get(), &code);
+    if (got < 0 || (code != Z_OK && code != Z_STREAM_END)) {
+      throw InputError(std::string("cannot be read (") + reason + ")", {.file = file});
+    }
+    std::for_each(piece.begin(), piece.begin() + got, [&](char c) { cutter.take(c); });
+    if (progress && !no_size && size > 0) {
+      const auto read = static_cast<double>(gzoffset(input.get()));
+      progress(std::min(1.0, read / static_cast<double>(size)));
+    }
+  }
+  cutter.finish();
+}
+
+}  // namespace pedzone
