@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "sumo/recording_reader.hpp"
-#include "zone/paths.hpp"
-#include "zone/zone.hpp"
+#include "view/place.hpp"
 
 namespace pedzone {
 
@@ -21,13 +20,6 @@ struct RecordingOptions {
 
 /// Adds the positional file and the options.
 void add_recording_options(CLI::App& command, RecordingOptions& options);
-
-/// Where a run took place.
-struct Place {
-  Network network;
-  std::vector<Zone> zones;
-  std::vector<WaypointPath> paths;
-};
 
 /// The place of --scenario and --zone; null without a scenario. Throws InputError.
 std::unique_ptr<Place> read_place(const RecordingOptions& options);

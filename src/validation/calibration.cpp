@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "validation/evaluation_log.hpp"
-#include "validation/statistics.hpp"
+#include "core/statistics.hpp"
 
 namespace pedzone {
 namespace {

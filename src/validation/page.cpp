@@ -38,15 +38,6 @@ std::string number(double value, int digits) {
   return fmt::format("{:.{}f}", value, digits);
 }
 
-double round_step(double range, double parts) {
-  if (!(range > 0.0) || !std::isfinite(range)) return 1.0;
-  const double rough = range / parts, ten = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (rough <= step * ten) return step * ten;
-  }
-  return 10.0 * ten;
-}
-
 std::vector<const ValidationRow*> rows_of(const ValidationResult& result, PersonSet set,
                                           const std::string& group) {
   std::vector<const ValidationRow*> rows;

@@ -1,17 +1,16 @@
 // One person's recorded and walked way drawn with the vehicle, on a clock of seconds.
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "validation/page_parts.hpp"
+#include "view/axis.hpp"
+#include "view/label_places.hpp"
 #include "view/svg.hpp"
 
 namespace pedzone::page {
 namespace {
-
-using Box = Eigen::AlignedBox2d;
 
 constexpr double kWidth = 480.0, kMostHeight = 420.0, kLeastHeight = 200.0;  // of a picture
 constexpr double kFoot = 30.0;       // below it, for the scale bar
@@ -105,35 +104,21 @@ struct Mark {
 /// Puts texts where nothing else is; those that fit nowhere are left out.
 class Labels {
  public:
-  explicit Labels(double height) : picture_(Vec2(0, 0), Vec2(kWidth, height)) {}
+  explicit Labels(double height) : places_(Box(Vec2(0, 0), Vec2(kWidth, height))) {}
 
-  void keep_free(const Vec2& at, double radius) {
-    taken_.emplace_back(at - Vec2::Constant(radius), at + Vec2::Constant(radius));
-  }
+  void keep_free(const Vec2& at, double radius) { places_.keep_free(grown(Box(at, at), radius)); }
 
   void put(std::string& svg, const Mark& mark, const std::string& text) {
     constexpr double kLetter = 6.8, kLine = 11.0, kApart = 3.0;  // pixels of letters
     const Vec2 size(kLetter * static_cast<double>(text.size()) + kApart, kLine);
-    const Vec2 away = Vec2::Constant(mark.distance) + 0.5 * size;
-    for (const Vec2& side : {Vec2(0, -1), Vec2(0, 1), Vec2(1, 0), Vec2(-1, 0)}) {
-      const Vec2 centre = mark.at + (mark.distance > 0.0 ? side.cwiseProduct(away) : Vec2(0, 0));
-      const Box box(centre - 0.5 * size, centre + 0.5 * size);
-      if (!picture_.contains(box) || !free(box)) continue;
-      taken_.push_back(box);
-      add(svg, "<text class=\"{}\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-          mark.look, centre.x(), centre.y() + 4.0, escaped(text));
-      return;
-    }
+    const auto centre = places_.take(mark.at, mark.distance, size);
+    if (!centre) return;
+    add(svg, "<text class=\"{}\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+        mark.look, centre->x(), centre->y() + 4.0, escaped(text));
   }
 
  private:
-  bool free(const Box& box) const {
-    return std::none_of(taken_.begin(), taken_.end(),
-                        [&](const Box& other) { return other.intersects(box); });
-  }
-
-  Box picture_;
-  std::vector<Box> taken_;
+  LabelPlaces places_;
 };
 
 /// What the parts of one picture share.

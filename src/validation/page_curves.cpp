@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "validation/page_parts.hpp"
-#include "validation/statistics.hpp"
+#include "core/statistics.hpp"
+#include "view/axis.hpp"
 #include "view/svg.hpp"
 
 namespace pedzone::page {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "validation/page_parts.hpp"
+#include "view/axis.hpp"
 #include "view/svg.hpp"
 
 namespace pedzone::page {

@@ -35,9 +35,6 @@ std::string named_key(std::string_view name, std::string_view look);
 /// A value as tables print it; a dash for what is no number.
 std::string number(double value, int digits);
 
-/// A step of 1, 2 or 5 times a power of ten that cuts `range` into about `parts`.
-double round_step(double range, double parts);
-
 /// Rows of the set and group; the recording first.
 std::vector<const ValidationRow*> rows_of(const ValidationResult& result, PersonSet set,
                                           const std::string& group);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/statistics.hpp"
 #include "crowd/parallel.hpp"
-#include "validation/statistics.hpp"
 
 namespace pedzone {
 namespace {

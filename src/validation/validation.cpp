@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/random.hpp"
+#include "core/statistics.hpp"
 #include "crowd/parallel.hpp"
-#include "validation/statistics.hpp"
 
 namespace pedzone {
 namespace {

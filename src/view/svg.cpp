@@ -9,7 +9,7 @@
 namespace pedzone {
 namespace {
 
-constexpr double kWidthInPixels = 1600.0;  // of the picture as shown; the scale is free
+constexpr double kLongSide = 1600.0;  // [pixels] of the picture as shown; the scale is free
 
 }  // namespace
 
@@ -79,11 +79,26 @@ void SvgPage::line(const Polyline& line, std::string_view attributes, std::strin
   close_element("path", title);
 }
 
+void SvgPage::circle(const Vec2& centre, double radius, std::string_view attributes,
+                     std::string_view title) {
+  fmt::format_to(std::back_inserter(body_), "<circle {} cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"",
+                 attributes, centre.x() - box_.min().x(), box_.max().y() - centre.y(), radius);
+  close_element("circle", title);
+}
+
 void SvgPage::text(const Vec2& place, double size, std::string_view text,
                    std::string_view attributes) {
   body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" {}>{}</text>\n",
                        place.x() - box_.min().x(), box_.max().y() - place.y(), size, attributes,
                        escaped(text));
+}
+
+void SvgPage::clip_box(std::string_view name, const Box& box) {
+  body_ += fmt::format(
+      "<clipPath id=\"{}\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
+      "height=\"{:.2f}\"/></clipPath>\n",
+      name, box.min().x() - box_.min().x(), box_.max().y() - box.max().y(), box.sizes().x(),
+      box.sizes().y());
 }
 
 void SvgPage::begin_group(std::string_view attributes) {
@@ -98,14 +113,15 @@ Vec2 SvgPage::panel_point(double right, double down) const {
 
 std::string SvgPage::finish(std::string_view title) const {
   const double width = box_.sizes().x(), height = box_.sizes().y() + panel_;
+  const double pixels = kLongSide / std::max(width, height);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" "
-      "viewBox=\"0 0 {:.2f} {:.2f}\" font-family=\"sans-serif\">\n"
+      "viewBox=\"0 0 {:.2f} {:.2f}\" data-origin=\"{:.2f} {:.2f}\" font-family=\"sans-serif\">\n"
       "<title>{}</title>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{}</svg>\n",
-      kWidthInPixels, std::ceil(kWidthInPixels * height / width), width, height, escaped(title),
-      body_);
+      std::ceil(pixels * width), std::ceil(pixels * height), width, height, box_.min().x(),
+      box_.max().y(), escaped(title), body_);
 }
 
 }  // namespace pedzone

@@ -22,8 +22,13 @@ class SvgPage {
   /// shows under the pointer; it is escaped here.
   void region(const Region& region, std::string_view attributes, std::string_view title = "");
   void line(const Polyline& line, std::string_view attributes, std::string_view title = "");
+  void circle(const Vec2& centre, double radius, std::string_view attributes,
+              std::string_view title = "");
   void text(const Vec2& place, double size, std::string_view text,
             std::string_view attributes = "");
+
+  /// Names a box that groups can be cut to: clip-path="url(#name)".
+  void clip_box(std::string_view name, const Box& box);
 
   /// Opens and closes a group of elements with common attributes.
   void begin_group(std::string_view attributes);
@@ -33,7 +38,8 @@ class SvgPage {
   Vec2 panel_point(double right, double down) const;
   const Box& box() const { return box_; }
 
-  /// The whole file. `title` names the picture; it is escaped here.
+  /// The whole file. `title` names the picture; it is escaped here. The attribute data-origin tells
+  /// where in the network its upper left corner lies.
   std::string finish(std::string_view title) const;
 
  private:

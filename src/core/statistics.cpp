@@ -1,4 +1,4 @@
-#include "validation/statistics.hpp"
+#include "core/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,150 @@
+#include "view/line_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "view/axis.hpp"
+#include "view/map_panel.hpp"
+#include "view/svg.hpp"
+#include "view/zone_map.hpp"
+#include "zone/simplify.hpp"
+
+namespace pedzone {
+namespace {
+
+// In units of the picture; y is up.
+constexpr double kWidth = 1000.0, kHeight = 520.0;
+constexpr double kLeft = 85.0, kRight = 790.0, kTop = 470.0, kBottom = 70.0;  // of the axes
+constexpr double kText = 17.0, kTitle = 19.0, kRow = 27.0;
+constexpr std::size_t kLetters = 19;  // of a name in the legend
+constexpr double kThinning = 0.3;     // corners of lines are left out so far
+
+class Picture {
+ public:
+  explicit Picture(const Chart& chart)
+      : chart_(chart), page_(Box(Vec2(0.0, 0.0), Vec2(kWidth, kHeight)), 0.0) {
+    Box box;
+    for (const ChartLine& line : chart.lines) {
+      for (const Polyline& piece : line.pieces) box.extend(box_of(piece));
+    }
+    for (const ChartBand& band : chart.bands) {
+      for (const auto& piece : band.pieces) {
+        for (const auto& point : piece) {
+          box.extend(Vec2(point.x, point.low));
+          box.extend(Vec2(point.x, point.high));
+        }
+      }
+    }
+    if (box.isEmpty()) box = Box(Vec2(0.0, 0.0), Vec2(1.0, 1.0));
+    x_ = Axis::over(box.min().x(), box.max().x(), 8.0);
+    y_ = Axis::over(std::min(0.0, box.min().y()), std::min(box.max().y(), chart.y_most), 6.0);
+  }
+
+  std::string draw() {
+    draw_grid();
+    page_.begin_group("clip-path=\"url(#frame)\" stroke-linejoin=\"round\"");
+    for (const ChartBand& band : chart_.bands) draw_band(band);
+    for (const ChartLine& line : chart_.lines) draw_line(line);
+    page_.end_group();
+    draw_axes();
+    draw_legend();
+    return page_.finish(chart_.title);
+  }
+
+ private:
+  Vec2 at(double x, double y) const {
+    return {kLeft + x_.part(x) * (kRight - kLeft), kBottom + y_.part(y) * (kTop - kBottom)};
+  }
+
+  void draw_grid() {
+    page_.clip_box("frame", Box(Vec2(kLeft, kBottom), Vec2(kRight, kTop)));
+    page_.begin_group(stroke("#dddddd", 1.0));
+    for (const double tick : x_.ticks()) page_.line({at(tick, y_.least), at(tick, y_.most)}, "");
+    for (const double tick : y_.ticks()) page_.line({at(x_.least, tick), at(x_.most, tick)}, "");
+    page_.end_group();
+  }
+
+  void draw_axes() {
+    page_.line({{kLeft, kTop}, {kLeft, kBottom}, {kRight, kBottom}}, stroke("#333333", 1.5));
+    if (y_.least < 0.0) page_.line({at(x_.least, 0.0), at(x_.most, 0.0)}, stroke("#333333", 1.0));
+    for (const double tick : x_.ticks()) {
+      page_.text(at(tick, y_.least) - Vec2(0.0, 24.0), kText, x_.label(tick),
+                 "class=\"x-tick\" text-anchor=\"middle\"");
+    }
+    for (const double tick : y_.ticks()) {
+      page_.text(at(x_.least, tick) - Vec2(10.0, 6.0), kText, y_.label(tick),
+                 "class=\"y-tick\" text-anchor=\"end\"");
+    }
+    page_.text({0.5 * (kLeft + kRight), 18.0}, kTitle, chart_.x_label, "text-anchor=\"middle\"");
+    const double middle = kHeight - 0.5 * (kTop + kBottom);
+    page_.text({24.0, kHeight - middle}, kTitle, chart_.y_label,
+               fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 24 {})\"", middle));
+    page_.text({kLeft, kTop + 20.0}, kTitle, chart_.title, "font-weight=\"bold\"");
+  }
+
+  void draw_line(const ChartLine& line) {
+    page_.begin_group("class=\"line\" " + look_of(line));
+    for (const Polyline& piece : line.pieces) {
+      Polyline placed;
+      for (const Vec2& point : piece) placed.push_back(at(point.x(), point.y()));
+      page_.line(simplified(placed, kThinning), "", line.name);
+    }
+    page_.end_group();
+  }
+
+  void draw_band(const ChartBand& band) {
+    page_.begin_group("class=\"band\" " + look_of(band));
+    for (const auto& piece : band.pieces) {
+      Polyline low, high;
+      for (const ChartBand::Point& point : piece) {
+        low.push_back(at(point.x, point.low));
+        high.push_back(at(point.x, point.high));
+      }
+      low = simplified(low, kThinning);
+      high = simplified(high, kThinning);
+      low.insert(low.end(), high.rbegin(), high.rend());
+      page_.region({{low, {}}}, "", band.name);
+    }
+    page_.end_group();
+  }
+
+  static std::string look_of(const ChartLine& line) {
+    std::string look = stroke(line.colour, 2.2);
+    if (line.dashes.empty()) return look;
+    return look + fmt::format(" stroke-dasharray=\"{}\"", line.dashes);
+  }
+  static std::string look_of(const ChartBand& band) {
+    return fmt::format("fill=\"{}\" fill-opacity=\"0.25\"", band.colour);
+  }
+
+  void draw_legend() {
+    double y = kTop - 8.0;
+    const auto entry = [&](const std::string& name, const auto& sign) {
+      sign(Vec2(kRight + 20.0, y), Vec2(kRight + 52.0, y));
+      page_.text({kRight + 60.0, y - 6.0}, 0.9 * kText, shortened(name, kLetters));
+      y -= kRow;
+    };
+    for (const ChartLine& line : chart_.lines) {
+      entry(line.name, [&](const Vec2& from, const Vec2& to) {
+        page_.line({from, to}, look_of(line));
+      });
+    }
+    for (const ChartBand& band : chart_.bands) {
+      entry(band.name, [&](const Vec2& from, const Vec2& to) {
+        const Vec2 half(0.0, 8.0);
+        page_.region({{{from - half, to - half, to + half, from + half}, {}}}, look_of(band));
+      });
+    }
+  }
+
+  const Chart& chart_;
+  SvgPage page_;
+  Axis x_, y_;
+};
+
+}  // namespace
+
+std::string line_chart(const Chart& chart) { return Picture(chart).draw(); }
+
+}  // namespace pedzone

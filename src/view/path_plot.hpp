@@ -1,0 +1,24 @@
+// Everybody's way through the place, a line each.
+#pragma once
+
+#include <string>
+
+#include "view/place.hpp"
+#include "view/recording.hpp"
+
+namespace pedzone {
+
+/// What the colour of a line tells. kAuto: the person where they are few, else the group where
+/// these are, else nothing.
+enum class PathColour { kAuto, kPerson, kGroup, kNone };
+
+struct PathPlotOptions {
+  std::string title;
+  PathColour colour = PathColour::kAuto;
+};
+
+/// The picture as an SVG file; the place may be null.
+std::string path_plot(const Recording& recording, const Place* place,
+                      const PathPlotOptions& options);
+
+}  // namespace pedzone

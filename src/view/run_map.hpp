@@ -1,0 +1,67 @@
+// What maps of a recorded run have in common: what they show, the ground, waypoints, vehicles.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "view/map_panel.hpp"
+#include "view/place.hpp"
+#include "view/recording.hpp"
+
+namespace pedzone {
+
+/// The part of the world to show [m]: where the persons are, of those in the place's zones where
+/// any is in one, with some room around.
+Box shown_box(const Recording& recording, const Place* place);
+
+/// [s] who is not there for longer has a gap in its line: three times the usual step, at least 1 s.
+double line_gap(const Recording& recording);
+
+/// A track between two gaps: indices of its moments, both included.
+struct TrackPiece {
+  std::size_t first, last;
+};
+
+template <class Moment>
+std::vector<TrackPiece> pieces_of(const std::vector<Moment>& moments,
+                                  const std::vector<double>& times, double gap) {
+  std::vector<TrackPiece> pieces;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const bool joined = i > 0 && times[moments[i].step] - times[moments[i - 1].step] <= gap;
+    if (!joined) pieces.push_back({i, i});
+    pieces.back().last = i;
+  }
+  return pieces;
+}
+
+/// Where somebody is at a step: its moment there, or the one before it where the track goes on;
+/// null in a gap and outside.
+template <class Moment>
+const Moment* there_at(const std::vector<Moment>& moments, std::uint32_t step,
+                       const std::vector<double>& times, double gap) {
+  const Moment* at = moment_until(moments, step);
+  if (at == nullptr || at->step == step) return at;
+  const Moment* next = at + 1;
+  const bool goes_on = at != &moments.back() && times[next->step] - times[at->step] <= gap;
+  return goes_on ? at : nullptr;
+}
+
+/// Corners of a vehicle at a moment, counter-clockwise from its front left [m].
+Ring outline(const RecordedVehicle& vehicle, const VehicleMoment& moment);
+
+/// A five-pointed star with a point to the north [m].
+Ring star(const Vec2& centre, double radius);
+
+/// The ground: zones in grey, obstacles, roads, and waypoints as stars with their radii.
+void draw_ground(SvgPage& page, const Place* place);
+void draw_waypoints(SvgPage& page, const Place* place, double unit);
+
+/// Lines along which the vehicles' centres went.
+void draw_vehicle_ways(SvgPage& page, const Recording& recording, double unit);
+
+/// Entries of what draw_ground() and draw_waypoints() draw, where it is in the box.
+std::vector<LegendEntry> ground_legend(const Place* place, const Box& box);
+/// Of draw_vehicle_ways(), where there are vehicles.
+std::vector<LegendEntry> vehicle_legend(const Recording& recording);
+
+}  // namespace pedzone

@@ -1,0 +1,24 @@
+// Time-plots in the manner of Jan, Kleen and Berns (figures 6 to 8 and 11): where everybody is at
+// moments evenly apart, coloured by time.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "view/place.hpp"
+#include "view/recording.hpp"
+
+namespace pedzone {
+
+struct TimePlotOptions {
+  std::string title;
+  std::optional<double>
+      every;  ///< [s] > 0 between two moments; unset: a round step, 10 to 20 of them
+};
+
+/// The picture as an SVG file: persons as discs, vehicles as outlines in the colours of the
+/// moments, their ways, and the place (may be null) in grey with its waypoints as stars.
+std::string time_plot(const Recording& recording, const Place* place,
+                      const TimePlotOptions& options);
+
+}  // namespace pedzone
