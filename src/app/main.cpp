@@ -7,6 +7,7 @@
 #include "app/demand.hpp"
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
+#include "app/plot.hpp"
 #include "app/profile_tables.hpp"
 #include "app/run.hpp"
 #include "app/validate.hpp"
@@ -140,6 +141,7 @@ int command_line(int argc, char** argv) {
   add_conflicts(app, conflicts_options, code);
   add_parameters(app);
   add_profiles(app);
+  add_plot(app, code);
   add_validate(app, code);
   add_calibrate(app, code);
   try {

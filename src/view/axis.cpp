@@ -16,6 +16,14 @@ double round_step(double range, double parts) {
   return 10.0 * ten;
 }
 
+double round_length(double most) {
+  const double ten = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double length : {5.0, 2.0}) {
+    if (length * ten <= most) return length * ten;
+  }
+  return ten;
+}
+
 Axis Axis::over(double least, double most, double parts) {
   constexpr double kSlack = 1e-9;  // [steps] numerical: an end that is a tick stays one
   Axis axis;

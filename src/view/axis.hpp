@@ -10,6 +10,9 @@ namespace pedzone {
 /// the range is none.
 double round_step(double range, double parts);
 
+/// The longest of 1, 2 or 5 times a power of ten that is at most `most` (> 0).
+double round_length(double most);
+
 /// An axis with a tick at each multiple of its step. Both ends are ticks.
 struct Axis {
   double least = 0.0, most = 1.0;  ///< least < most

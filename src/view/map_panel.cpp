@@ -81,8 +81,7 @@ void MapPanel::draw(SvgPage& page) const {
 
 /// At most an eighth of the picture.
 void MapPanel::draw_scale_bar(SvgPage& page) const {
-  double length = round_step(map_.x() / 8.0, 1.0);
-  while (length > map_.x() / 8.0) length = round_step(0.5 * length, 1.0);
+  const double length = round_length(map_.x() / 8.0);
   const double down = height() - 1.2 * unit_;
   const Vec2 from = page.panel_point(2.0 * unit_, down);
   const Vec2 to = from + Vec2(length, 0.0);

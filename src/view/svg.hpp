@@ -38,8 +38,8 @@ class SvgPage {
   Vec2 panel_point(double right, double down) const;
   const Box& box() const { return box_; }
 
-  /// The whole file. `title` names the picture; it is escaped here. The attribute data-origin tells
-  /// where in the network its upper left corner lies.
+  /// The whole file. `title` names the picture; it is escaped here. The attribute data-box tells
+  /// what is shown: least x and y, greatest x and y.
   std::string finish(std::string_view title) const;
 
  private:

@@ -1,0 +1,117 @@
+#include "app/plot.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include "app/guarded.hpp"
+#include "app/png.hpp"
+#include "app/recording_options.hpp"
+#include "output/complete_file.hpp"
+#include "view/path_plot.hpp"
+#include "view/run_charts.hpp"
+#include "view/time_plot.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr int kLeastPixels = 100, kMostPixels = 10000;
+
+struct PlotOptions {
+  RecordingOptions recording;
+  std::string kind = "time", colour = "auto";
+  std::string out, title;
+  std::optional<double> every;  ///< [s]
+  int width = 1600;             ///< [pixels]
+};
+
+bool is_png(const std::string& out) {
+  const std::string ending = std::filesystem::path(out).extension().string();
+  if (ending == ".png") return true;
+  if (ending == ".svg") return false;
+  throw InputError(
+      "is no kind of picture",
+      {.element = "option --out", .value = out, .allowed = "a name that ends with .svg or .png"});
+}
+
+std::string title_of(const PlotOptions& options) {
+  if (!options.title.empty()) return options.title;
+  return std::filesystem::path(options.recording.source.file).filename().string();
+}
+
+std::string draw(const PlotOptions& options) {
+  const std::string title = title_of(options);
+  const bool map = options.kind == "time" || options.kind == "path";
+  const std::unique_ptr<Place> place = map ? read_place(options.recording) : nullptr;
+  const Recording recording = read_recording(options.recording);
+  if (options.kind == "time") return time_plot(recording, place.get(), {title, options.every});
+  if (options.kind == "speed") return speed_chart(recording, title);
+  if (options.kind == "clearance") {
+    if (recording.vehicles.empty()) {
+      throw InputError(
+          "has no vehicle to be clear of",
+          {options.recording.source.file, 0, "--kind clearance", "",
+           "a recording with vehicles in the time shown, or --fcd beside trajectories"});
+    }
+    return clearance_chart(recording, title);
+  }
+  PathColour colour = PathColour::kAuto;
+  if (options.colour == "person") colour = PathColour::kPerson;
+  if (options.colour == "group") colour = PathColour::kGroup;
+  if (options.colour == "none") colour = PathColour::kNone;
+  return path_plot(recording, place.get(), {title, colour});
+}
+
+void plot(const PlotOptions& options) {
+  const bool png = is_png(options.out);
+  CompleteFile out(options.out, "--out");
+  const std::string svg = draw(options);
+  out.write(png ? png_from_svg(svg, options.width) : svg);
+  out.finish();
+}
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  pedzone run town.sumocfg --trajectories run.csv -- --fcd-output run.fcd.xml\n"
+    "  pedzone plot run.csv --fcd run.fcd.xml --scenario town.sumocfg --out time.svg\n"
+    "  pedzone plot run.csv --scenario town.sumocfg --kind path --out paths.png\n"
+    "  pedzone plot run.csv --fcd run.fcd.xml --scenario town.sumocfg --kind clearance \\\n"
+    "               --persons p0 p1 --begin 30 --end 60 --out clearance.svg\n"
+    "  sumo -c town.sumocfg --fcd-output sumo.fcd.xml.gz          # SUMO's striping, drawn alike\n"
+    "  pedzone plot sumo.fcd.xml.gz --scenario town.sumocfg --begin 60 --end 90 --out sumo.png\n\n"
+    "Kinds:\n"
+    "  time       where persons and vehicles are at even moments, coloured by time; zones grey,\n"
+    "             waypoints as stars\n"
+    "  path       a line for each person\n"
+    "  speed      speed over time\n"
+    "  clearance  room between each person and the nearest moving vehicle over time\n"
+    "Up to 12 persons have a line and a name each; of more, charts show median and 5 to 95 %.\n"
+    "Maps show where the persons are in the zones. --persons comes after the recording.\n"
+    "Exit codes: 0 done, 2 input at fault.";
+
+}  // namespace
+
+void add_plot(CLI::App& app, int& code) {
+  auto options = std::make_shared<PlotOptions>();
+  CLI::App* command = app.add_subcommand(
+      "plot", "Draw a run: time-plot, paths, speeds or clearances, as SVG or PNG");
+  command->footer(kExamples);
+  add_recording_options(*command, options->recording);
+  command->add_option("--kind", options->kind, "What to draw")
+      ->check(CLI::IsMember({"time", "path", "speed", "clearance"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Picture to write: .svg or .png")->required();
+  command
+      ->add_option("--every", options->every,
+                   "Time-plot: seconds between two moments [default: 10 to 20 moments]")
+      ->check(CLI::Range(0.01, 1e6));
+  command->add_option("--colour-by", options->colour, "Path plot: what a line's colour tells")
+      ->check(CLI::IsMember({"auto", "person", "group", "none"}))
+      ->capture_default_str();
+  command->add_option("--title", options->title, "Title [default: the recording's name]");
+  command->add_option("--width", options->width, "Of a PNG in pixels")
+      ->check(CLI::Range(kLeastPixels, kMostPixels))
+      ->capture_default_str();
+  command->callback([options, &code] { code = guarded([&] { plot(*options); }); });
+}
+
+}  // namespace pedzone
