@@ -21,6 +21,7 @@ struct PlotOptions {
   std::string kind = "time", colour = "auto";
   std::string out, title;
   std::optional<double> every;  ///< [s]
+  std::vector<double> area;     ///< [m] left, bottom, right, top
   int width = 1600;             ///< [pixels]
 };
 
@@ -33,6 +34,17 @@ bool is_png(const std::string& out) {
       {.element = "option --out", .value = out, .allowed = "a name that ends with .svg or .png"});
 }
 
+Box area_of(const std::vector<double>& sides) {
+  if (sides.empty()) return {};
+  const Box box(Vec2(sides[0], sides[1]), Vec2(sides[2], sides[3]));
+  if (box.isEmpty() || !(box.sizes().minCoeff() > 0.0)) {
+    throw InputError("is no area", {.element = "option --area",
+                                    .allowed = "LEFT BOTTOM RIGHT TOP with LEFT < RIGHT and "
+                                               "BOTTOM < TOP, network metres"});
+  }
+  return box;
+}
+
 std::string title_of(const PlotOptions& options) {
   if (!options.title.empty()) return options.title;
   return std::filesystem::path(options.recording.source.file).filename().string();
@@ -40,10 +52,12 @@ std::string title_of(const PlotOptions& options) {
 
 std::string draw(const PlotOptions& options) {
   const std::string title = title_of(options);
+  const Box area = area_of(options.area);
   const bool map = options.kind == "time" || options.kind == "path";
   const std::unique_ptr<Place> place = map ? read_place(options.recording) : nullptr;
   const Recording recording = read_recording(options.recording);
-  if (options.kind == "time") return time_plot(recording, place.get(), {title, options.every});
+  if (options.kind == "time")
+    return time_plot(recording, place.get(), {title, area, options.every});
   if (options.kind == "speed") return speed_chart(recording, title);
   if (options.kind == "clearance") {
     if (recording.vehicles.empty()) {
@@ -58,7 +72,7 @@ std::string draw(const PlotOptions& options) {
   if (options.colour == "person") colour = PathColour::kPerson;
   if (options.colour == "group") colour = PathColour::kGroup;
   if (options.colour == "none") colour = PathColour::kNone;
-  return path_plot(recording, place.get(), {title, colour});
+  return path_plot(recording, place.get(), {title, area, colour});
 }
 
 void plot(const PlotOptions& options) {
@@ -85,7 +99,8 @@ constexpr const char* kExamples =
     "  speed      speed over time\n"
     "  clearance  room between each person and the nearest moving vehicle over time\n"
     "Up to 12 persons have a line and a name each; of more, charts show median and 5 to 95 %.\n"
-    "Maps show where the persons are in the zones. --persons comes after the recording.\n"
+    "Maps show where the persons are in the zones, or --area. --persons and --area come after\n"
+    "the recording.\n"
     "Exit codes: 0 done, 2 input at fault.";
 
 }  // namespace
@@ -104,6 +119,11 @@ void add_plot(CLI::App& app, int& code) {
       ->add_option("--every", options->every,
                    "Time-plot: seconds between two moments [default: 10 to 20 moments]")
       ->check(CLI::Range(0.01, 1e6));
+  command
+      ->add_option("--area", options->area,
+                   "Maps: show LEFT BOTTOM RIGHT TOP, network metres [default: where persons are]")
+      ->expected(4)
+      ->check(CLI::Range(-1e9, 1e9));
   command->add_option("--colour-by", options->colour, "Path plot: what a line's colour tells")
       ->check(CLI::IsMember({"auto", "person", "group", "none"}))
       ->capture_default_str();

@@ -100,7 +100,7 @@ void draw_person(SvgPage& page, const Recording& recording, const RecordedPerson
 
 std::string path_plot(const Recording& recording, const Place* place,
                       const PathPlotOptions& options) {
-  const Box box = shown_box(recording, place);
+  const Box box = shown_box(recording, place, options.area);
   const std::vector<LineSet> sets = line_sets(recording, options.colour);
   const MapPanel panel(box.sizes(), legend(recording, place, box, sets));
   SvgPage page(box, panel.height());

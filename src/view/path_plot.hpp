@@ -14,6 +14,7 @@ enum class PathColour { kAuto, kPerson, kGroup, kNone };
 
 struct PathPlotOptions {
   std::string title;
+  Box area;  ///< [m] to show; empty: where the persons are
   PathColour colour = PathColour::kAuto;
 };
 

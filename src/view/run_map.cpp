@@ -22,7 +22,7 @@ constexpr double kLeastGap = 1.0;   // [s]
 constexpr double kThinning = 0.02;  // [units] corners of lines are left out so far
 
 constexpr std::string_view kZoneColours[] = {"#e4e4e4", "#dadada"};
-constexpr MapLook kLook{kZoneColours, "#8a8a8a", "#9d9993", "#6f6b66",
+constexpr MapLook kLook{kZoneColours, "#8a8a8a", "#c4c0ba", "#8d8983",
                         "#f3f3f3",    "#f6f4f0", "#fafafa"};
 constexpr std::string_view kStarColour = "#c8102e";  // red, as in the paper: not on the time scale
 constexpr std::string_view kVehicleColour = "#444444";
@@ -64,7 +64,8 @@ double radius_of(const MapPoint& point, const Place& place) {
 
 }  // namespace
 
-Box shown_box(const Recording& recording, const Place* place) {
+Box shown_box(const Recording& recording, const Place* place, const Box& area) {
+  if (!area.isEmpty()) return with_sides(area);
   std::vector<Box> zones;
   if (place != nullptr) {
     for (const Zone& zone : place->zones) zones.push_back(grown(box_of(zone.walkable), kOutside));

@@ -11,8 +11,9 @@
 namespace pedzone {
 
 /// The part of the world to show [m]: where the persons are, of those in the place's zones where
-/// any is in one, with some room around.
-Box shown_box(const Recording& recording, const Place* place);
+/// any is in one, with some room around; or `area` where it is not empty. Its shorter side is grown
+/// where a page could not have it.
+Box shown_box(const Recording& recording, const Place* place, const Box& area);
 
 /// [s] who is not there for longer has a gap in its line: three times the usual step, at least 1 s.
 double line_gap(const Recording& recording);

@@ -21,7 +21,7 @@ constexpr std::size_t kNamedPersons = 12;  // more are not named in the map
 constexpr double kHead = 5.5;              // [units] of the panel, for the colour bar
 constexpr double kBarLeft = 2.0, kBarWidth = 44.0, kBarTop = 1.2, kBarHeight = 1.3;  // [units]
 constexpr int kBarPieces = 100;
-constexpr double kLeastDisc = 0.22;  // [units] radius: smaller ones would not be seen
+constexpr double kLeastDisc = 0.28;  // [units] radius: smaller ones would not be seen
 constexpr double kThinning = 0.02;   // [units] corners of lines are left out so far
 constexpr double kLetter = 0.62;     // width of a letter over its height
 
@@ -31,7 +31,7 @@ class TimePlot {
       : recording_(recording),
         place_(place),
         options_(options),
-        box_(shown_box(recording, place)),
+        box_(shown_box(recording, place, options.area)),
         panel_(box_.sizes(), legend(), kHead),
         page_(box_, panel_.height()),
         gap_(line_gap(recording)),

@@ -12,8 +12,8 @@ namespace pedzone {
 
 struct TimePlotOptions {
   std::string title;
-  std::optional<double>
-      every;  ///< [s] > 0 between two moments; unset: a round step, 10 to 20 of them
+  Box area;                     ///< [m] to show; empty: where the persons are
+  std::optional<double> every;  ///< [s] > 0 between two moments; unset: a round step, for 8 to 20
 };
 
 /// The picture as an SVG file: persons as discs, vehicles as outlines in the colours of the

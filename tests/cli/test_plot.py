@@ -80,7 +80,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return Picture(self.folder / out) if out.endswith(".svg") else self.folder / out
 
-    def check_time_plot(self, picture, recorded, times):
+    def check_time_plot(self, picture, recorded, times, least=5):
         """Exactly those who are in the picture, where the recording has them."""
         discs, outlines = picture.discs(), picture.outlines()
         map_box = box(*picture.box)
@@ -100,7 +100,7 @@ class Runs(unittest.TestCase):
         for who, time in outlines:
             self.assertIn(who, recorded.vehicles[time])
         self.assertEqual({time for _, time in discs}, set(times))
-        self.assertGreater(len(discs), 5 * len(times))
+        self.assertGreater(len(discs), least * len(times))
         self.assertGreater(len(outlines), 3)
 
     def test_time_plot_of_a_run_shows_everybody_at_even_moments(self):
@@ -165,6 +165,12 @@ class Runs(unittest.TestCase):
             width, height = float(picture.root.get("width")), float(picture.root.get("height"))
             self.assertAlmostEqual(picture.page[0] / width, picture.page[1] / height, delta=0.001)
             self.assertAlmostEqual(picture.page[0], picture.box[2] - picture.box[0], delta=ROUNDED)
+
+    def test_area_asked_for_is_shown(self):
+        picture = self.plot("run.fcd.xml.gz", "--begin", "80", "--end", "110", "--every", "2",
+                            "--area", "-20", "-18", "20", "17")
+        self.assertEqual(picture.box, [-20.0, -18.0, 20.0, 17.0])
+        self.check_time_plot(picture, self.run_fcd, [2.0 * k for k in range(40, 56)], least=2)
 
     def test_path_plot_follows_everybody(self):
         picture = self.plot("run.fcd.xml.gz", *SHOWN, "--kind", "path")
@@ -370,6 +376,8 @@ class SmallFiles(RefusalChecks, unittest.TestCase):
         self.check_refused(self.plot("fcd.xml", "--kind", "colourful"), "--kind", "clearance")
         self.check_refused(self.plot("fcd.xml", "--every", "0"), "--every")
         self.check_refused(self.plot("fcd.xml", "--width", "1"), "--width")
+        self.check_refused(self.plot("fcd.xml", "--area", "0", "0", "-5", "5"), "--area", "LEFT")
+        self.check_refused(self.plot("fcd.xml", "--area", "0", "0", "5"), "--area")
         self.check_refused(self.plot("fcd.xml", "--zone", "x.zone.xml"), "--scenario")
         self.check_refused(self.plot("fcd.xml", "--scenario", "gone.sumocfg"), "gone.sumocfg")
         self.check_refused(self.plot("fcd.xml", "--out", "out/plot.jpg"), "--out", "plot.jpg",
