@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/animate.hpp"
 #include "app/conflicts.hpp"
 #include "app/demand.hpp"
 #include "app/inspect.hpp"
@@ -139,6 +140,7 @@ int command_line(int argc, char** argv) {
   add_inspect(app, inspect_options, code);
   add_demand(app, demand_options, code);
   add_conflicts(app, conflicts_options, code);
+  add_animate(app, code);
   add_parameters(app);
   add_profiles(app);
   add_plot(app, code);

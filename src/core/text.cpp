@@ -44,4 +44,23 @@ std::string csv_field(std::string_view text) {
   return field + "\"";
 }
 
+std::string json_string(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string string = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      string += '\\';
+      string += c;
+    } else if (code < 0x20 || c == '<') {
+      string += "\\u00";
+      string += kDigits[code >> 4];
+      string += kDigits[code & 15];
+    } else {
+      string += c;
+    }
+  }
+  return string + "\"";
+}
+
 }  // namespace pedzone

@@ -12,4 +12,7 @@ std::string xml_value(std::string_view text);
 /// As a field of a CSV file: quoted as in RFC 4180 where it holds commas, quotes or line ends.
 std::string csv_field(std::string_view text);
 
+/// As a string of JSON, quotes included, that may stand inside <script> in HTML too: without '<'.
+std::string json_string(std::string_view text);
+
 }  // namespace pedzone

@@ -4,20 +4,22 @@
 
 #include <unordered_set>
 
+#include "view/road_look.hpp"
+
 namespace pedzone {
 namespace {
 
 void draw_road(SvgPage& page, const Network& network, const Lane& lane, const MapLook& look) {
-  const Edge& edge = network.edges[lane.edge];
-  const bool inner = edge.function != EdgeFunction::kNormal;
-  if (lane.outline) {
+  const RoadLook road = look_of(network, lane);
+  if (road == RoadLook::kHidden) return;
+  if (road == RoadLook::kFootArea) {
     page.region(repair(lane.shape), fmt::format("fill=\"{}\"", look.footway), lane.id);
     return;
   }
-  if (inner && edge.function != EdgeFunction::kCrossing) return;  // the junction shows them
-  const bool footway = lane.persons && !lane.vehicles;
-  const std::string_view colour = inner ? look.crossing : footway ? look.footway : look.road;
-  page.line(lane.shape, stroke(colour, lane.width), lane.id + " " + edge.type);
+  const std::string_view colour = road == RoadLook::kCrossing  ? look.crossing
+                                  : road == RoadLook::kFootway ? look.footway
+                                                               : look.road;
+  page.line(lane.shape, stroke(colour, lane.width), lane.id + " " + network.edges[lane.edge].type);
 }
 
 void draw_roads(SvgPage& page, const Network& network, std::span<const Zone> zones,

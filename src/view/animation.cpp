@@ -1,0 +1,72 @@
+#include "view/animation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "view/animation_parts.hpp"
+
+namespace pedzone {
+
+extern const std::string_view kAnimationPage;  // made from view/animation by the build
+
+namespace animation {
+
+namespace {
+
+constexpr double kFarthest = 2e7;  // [m] half the Earth's circumference; 32 bits hold it in cm
+
+}  // namespace
+
+std::int32_t centimetres(double metres) {
+  if (!(std::abs(metres) <= kFarthest)) {
+    throw InputError("is too far away to be shown",
+                     {.element = "a coordinate",
+                      .value = fmt::format("{}", metres),
+                      .allowed = fmt::format("-{0:g} to {0:g} m", kFarthest)});
+  }
+  return static_cast<std::int32_t>(std::lround(100.0 * metres));
+}
+
+Box extent(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place) {
+  Box box;
+  if (place != nullptr) {
+    for (const Zone& zone : *place->zones) box.extend(box_of(zone.walkable));
+  }
+  if (box.isEmpty()) {
+    for (const AnimatedRun& run : runs) {
+      for (const RecordedPerson& person : run.recording->persons) {
+        for (const PersonMoment& moment : person.moments) box.extend(moment.position);
+      }
+      for (const RecordedVehicle& vehicle : run.recording->vehicles) {
+        for (const VehicleMoment& moment : vehicle.moments) box.extend(moment.centre);
+      }
+    }
+  }
+  constexpr double kMargin = 3.0;  // [m] so that nobody is at the picture's edge
+  return grown(box, kMargin);
+}
+
+}  // namespace animation
+
+std::string animation_page(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place,
+                           const AnimationOptions& options) {
+  const Box box = animation::extent(runs, place);
+  std::string data = fmt::format(
+      R"({{"title":{},"box":[{:.2f},{:.2f},{:.2f},{:.2f}],"step":{:.6g},"scenery":{},"runs":[)",
+      json_string(options.title), box.min().x(), box.min().y(), box.max().x(), box.max().y(),
+      animation::least_step(runs, options.rate), animation::scenery(place, box));
+  for (const AnimatedRun& run : runs) {
+    if (&run != &runs.front()) data += ',';
+    data += animation::run(run, options.rate);
+  }
+  data += "]}";
+  constexpr std::string_view kPlace = "@data@";
+  std::string page(kAnimationPage);
+  page.replace(page.find(kPlace), kPlace.size(), data);
+  return page;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,37 @@
+// A run, or several side by side, as one HTML page that plays it and needs nothing else: no
+// network, no other file. Its sources are in view/animation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "view/recording.hpp"
+#include "zone/paths.hpp"
+#include "zone/zone.hpp"
+
+namespace pedzone {
+
+struct AnimatedRun {
+  std::string name;
+  const Recording* recording;
+};
+
+/// Where the runs took place.
+struct AnimatedPlace {
+  const Network* network;
+  const std::vector<Zone>* zones;
+  const std::vector<WaypointPath>* paths;
+};
+
+struct AnimationOptions {
+  std::string title;
+  double rate = 5.0;  ///< [1/s] > 0 at most so many steps are kept
+};
+
+/// The page. `place`: null where it is not known. In between the steps that are kept, the page
+/// moves everybody evenly. Places are kept to 1 cm, headings to half a degree, speeds to 1 cm/s.
+/// Throws InputError where something lies more than 20,000 km from the origin of the network.
+std::string animation_page(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place,
+                           const AnimationOptions& options);
+
+}  // namespace pedzone

@@ -1,0 +1,43 @@
+"use strict";
+// Light and dark: the colours stand in the style sheet; the canvas takes them from there.
+
+class Theme {
+  constructor(root, changed) {
+    this.root = root;
+    this.changed = changed;
+    const system = matchMedia("(prefers-color-scheme: dark)");
+    system.addEventListener("change", () => this.set(system.matches));
+    this.set(system.matches);
+  }
+
+  set(dark) {
+    this.dark = dark;
+    this.root.dataset.theme = dark ? "dark" : "light";
+    this.style = getComputedStyle(this.root);
+    this.known = new Map();
+    this.changed();
+  }
+
+  toggle() { this.set(!this.dark); }
+
+  colour(name) {
+    if (!this.known.has(name)) {
+      this.known.set(name, this.style.getPropertyValue("--" + name).trim());
+    }
+    return this.known.get(name);
+  }
+}
+
+// Okabe and Ito's colours, told apart by the colour-blind too; each with its letter.
+const kPastimes = {
+  none: {colour: "walker", letter: ""},
+  texting: {colour: "texting", letter: "T"},
+  phoning: {colour: "phoning", letter: "P"},
+  looking: {colour: "looking", letter: "L"},
+  chatting: {colour: "chatting", letter: "C"},
+  sitting: {colour: "sitting", letter: "S"},
+};
+
+const kGroupColours = 6;
+
+function pastime_look(pastime) { return kPastimes[pastime] || kPastimes.none; }

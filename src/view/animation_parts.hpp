@@ -1,0 +1,27 @@
+// The data inside the animation's page, as JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "view/animation.hpp"
+#include "zone/shapes.hpp"
+
+namespace pedzone::animation {
+
+/// [cm] as the page has lengths. Throws InputError where that is too far away.
+std::int32_t centimetres(double metres);
+
+/// What the page shows when everything is to be seen: the zones, else where everybody goes.
+Box extent(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place);
+
+/// Roads, zones, obstacles and waypoints near `box`.
+std::string scenery(const AnimatedPlace* place, const Box& box);
+
+/// One run, with at most `rate` [1/s] steps.
+std::string run(const AnimatedRun& run, double rate);
+
+/// [s] the least time between steps that are kept in any of the runs.
+double least_step(const std::vector<AnimatedRun>& runs, double rate);
+
+}  // namespace pedzone::animation
