@@ -21,6 +21,7 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
   python3 python3-shapely python3-numpy                         # independent checks
   librsvg2-bin                      # the picture as PNG
+  chromium chromium-driver          # tests of pages
 )
 
 missing=()

@@ -6,15 +6,14 @@ import xml.etree.ElementTree as ET
 
 
 class Recorded:
-    """`lengths`: [m] of vehicles by type."""
+    """`sizes`: length and width [m] of vehicles by type."""
 
-    def __init__(self, path, lengths):
+    def __init__(self, path, sizes):
         self.times, self.persons, self.vehicles = [], [], []
         for _, step in ET.iterparse(path):
             if step.tag != "timestep":
                 continue
-            self.times.append(float(step.get("time")))
-            persons, vehicles = {}, {}
+            time, persons, vehicles = float(step.get("time")), {}, {}
             for one in step:
                 x, y, angle = (float(one.get(name)) for name in ("x", "y", "angle"))
                 heading = math.radians(90 - angle)
@@ -22,12 +21,14 @@ class Recorded:
                     persons[one.get("id")] = (x, y, heading)
                 elif one.tag == "vehicle":
                     # SUMO has the middle of the front bumper.
-                    half = lengths[one.get("type")] / 2
+                    half = sizes[one.get("type")][0] / 2
                     vehicles[one.get("id")] = (x - half * math.cos(heading),
                                                y - half * math.sin(heading), heading)
-            self.persons.append(persons)
-            self.vehicles.append(vehicles)
             step.clear()
+            if persons or vehicles:  # pedzone leaves empty steps out
+                self.times.append(time)
+                self.persons.append(persons)
+                self.vehicles.append(vehicles)
 
     def at(self, kind, time, every=1):
         """id -> (x, y) at a time, by even motion between every so-manieth step."""

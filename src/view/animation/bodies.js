@@ -3,8 +3,9 @@
 // beside walking, filled or hollow whether it walks, its ring and the lines to others its group.
 
 const kLeastRadius = 3.2;   // [pixels] nobody is drawn smaller
-const kLetterRadius = 7;    // [pixels] from here on letters are drawn
-const kMostLink = 15;       // [m] members farther from their group's middle are not linked
+const kLetterRadius = 7;    // [pixels] from here on letters are drawn ...
+const kMarkRadius = 4.5;    // [pixels] ... and what else would only clutter a small figure
+const kMostLink = 8;        // [m] members farther from their group's middle are not linked
 
 function regular(corners, turn) {
   return Array.from({length: corners}, (_, i) => {
@@ -78,8 +79,8 @@ function trace(context, shape, x, y, heading, along, across) {
 // Draws figures {x, y, heading, along, across, shape, colour, hollow, waiting, ring, letter}: all of
 // one colour at once, which is many times faster than one by one.
 function draw_persons(context, theme, figures) {
-  draw_headings(context, theme, figures);
   draw_rings(context, theme, figures);
+  draw_headings(context, theme, figures);
   const looks = new Map();
   for (const figure of figures) {
     const look = figure.colour + (figure.hollow ? " hollow" : "");
@@ -94,7 +95,7 @@ function draw_persons(context, theme, figures) {
     const colour = theme.colour(alike[0].colour);
     context.fillStyle = alike[0].hollow ? theme.colour("hollow") : colour;
     context.fill("nonzero");
-    context.lineWidth = alike[0].hollow ? 2 : 1;
+    context.lineWidth = alike[0].hollow ? Math.min(2, 0.45 * alike[0].along) : 1;
     context.strokeStyle = alike[0].hollow ? colour : theme.colour("outline");
     context.stroke();
   }
@@ -104,9 +105,10 @@ function draw_persons(context, theme, figures) {
 function draw_headings(context, theme, figures) {
   context.beginPath();
   for (const {x, y, heading, along, across} of figures) {
-    const size = Math.max(along, across), c = Math.cos(heading), s = -Math.sin(heading);
+    const reach = along + 0.9 * Math.min(along, across);
+    const c = Math.cos(heading), s = -Math.sin(heading);
     context.moveTo(x + c * along, y + s * along);
-    context.lineTo(x + c * (along + 0.9 * size), y + s * (along + 0.9 * size));
+    context.lineTo(x + c * reach, y + s * reach);
   }
   context.lineWidth = 1.6;
   context.strokeStyle = theme.colour("ink");
@@ -116,13 +118,16 @@ function draw_headings(context, theme, figures) {
 function draw_rings(context, theme, figures) {
   for (let ring = 0; ring < kGroupColours; ++ring) {
     context.beginPath();
+    let small = false;
     for (const {x, y, along, across, ring: own} of figures) {
       if (own !== ring) continue;
-      const radius = Math.max(along, across) + 2.5;
+      const size = Math.sqrt(along * across);
+      small = size < kMarkRadius;
+      const radius = size + (small ? 1.5 : 3);
       context.moveTo(x + radius, y);
       context.arc(x, y, radius, 0, 2 * Math.PI);
     }
-    context.lineWidth = 2;
+    context.lineWidth = small ? 1.3 : 2;
     context.strokeStyle = theme.colour("group-" + ring);
     context.stroke();
   }
@@ -138,7 +143,7 @@ function draw_marks(context, theme, figures) {
     if (letter && Math.max(along, across) >= kLetterRadius) {
       context.font = `700 ${Math.round(1.25 * Math.max(size, kLetterRadius))}px system-ui, sans-serif`;
       context.fillText(letter, x, y + 0.5);
-    } else if (waiting) {
+    } else if (waiting && size >= kMarkRadius) {
       context.beginPath();
       context.arc(x, y, 0.4 * size, 0, 2 * Math.PI);
       context.fill();

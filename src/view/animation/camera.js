@@ -2,6 +2,7 @@
 // What part of the plane the panels show. All panels share one, so that they compare.
 
 const kLeastScale = 0.05, kMostScale = 400; // [pixels/m]
+const kCaption = 44; // [pixels] above and below what is shown, for the panel's name
 
 class Camera {
   constructor(box) {
@@ -18,7 +19,8 @@ class Camera {
     const [west, south, east, north] = this.box;
     this.x = (west + east) / 2;
     this.y = (south + north) / 2;
-    this.scale = Math.min(width / (east - west), height / (north - south));
+    this.scale = Math.min(width / (east - west),
+                          Math.max(height - 2 * kCaption, height / 2) / (north - south));
     this.scale = Math.min(Math.max(this.scale, kLeastScale), kMostScale);
     this.fitted = true;
     ++this.version;

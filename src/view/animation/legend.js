@@ -30,7 +30,7 @@ class Looks {
   ring(group) { return group ? this.rings.get(group) : -1; }
 }
 
-const kSwatch = {width: 40, height: 26};
+const kSwatch = {width: 40, height: 26, scale: 26}; // [pixels], [pixels/m]
 
 class Legend {
   constructor(place, theme, looks, scenery, has_vehicles) {
@@ -40,8 +40,8 @@ class Legend {
     this.section("Who", looks.profiles.length < 2 && !looks.profiles[0] ? [] : looks.profiles.map(
       (profile) => {
         const shape = looks.shape(profile);
-        const size = extent(looks.bodies.get(profile), shape, 16);
-        const fit = Math.min(1, 15 / size[0], 9 / size[1]);
+        const size = extent(looks.bodies.get(profile), shape, kSwatch.scale);
+        const fit = Math.min(1, 14 / size[0], 11 / size[1]);
         return [profile || "no profile",
                 {...person, shape, along: fit * size[0], across: fit * size[1]}];
       }));
@@ -54,7 +54,8 @@ class Legend {
       ...(looks.rings.size ? [["group", {...person, ring: 0, along: 6, across: 6}]] : []),
       ...(has_vehicles ? [["vehicle", (context) => draw_vehicle(context, theme, 20, 13, 0, 32, 15)]]
         : []),
-      ["shared space", (context) => this.box(context, "zone", "wall")],
+      ...(scenery.zone.length ? [["shared space",
+        (context) => this.box(context, "zone", "wall")]] : []),
       ...(scenery.obstacles.length ? [["obstacle",
         (context) => this.box(context, "obstacle", "obstacle-edge")]] : []),
       ...(scenery.roads.length ? [["road", (context) => this.box(context, "road", "road")]] : []),

@@ -168,7 +168,7 @@ class Animation {
     find("time").setAttribute("aria-valuetext", `${clock.time.toFixed(1)} seconds`);
     find("clock").textContent = `${clock.time.toFixed(1)} s`;
     const play = find("play");
-    play.textContent = clock.playing ? "⏸︎" : "▶︎";
+    play.classList.toggle("playing", clock.playing);
     play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
   }
 
