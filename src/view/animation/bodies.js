@@ -76,79 +76,64 @@ function trace(context, shape, x, y, heading, along, across) {
   }
 }
 
-// Draws figures {x, y, heading, along, across, shape, colour, hollow, waiting, ring, letter}: all of
-// one colour at once, which is many times faster than one by one.
-function draw_persons(context, theme, figures) {
-  draw_rings(context, theme, figures);
-  draw_headings(context, theme, figures);
-  const looks = new Map();
-  for (const figure of figures) {
-    const look = figure.colour + (figure.hollow ? " hollow" : "");
-    if (!looks.has(look)) looks.set(look, []);
-    looks.get(look).push(figure);
-  }
-  for (const alike of looks.values()) {
+// A figure is {x, y, heading, along, across, shape, colour, hollow, waiting, ring, letter}. Areas are
+// filled one upon the other, outlines too: strokes take many times as long.
+function draw_person(context, theme, figure) {
+  const {x, y, heading, along, across, shape, colour, hollow, waiting, ring} = figure;
+  const least = Math.min(along, across), small = least < kMarkRadius;
+  const disc = (radius, name) => {
     context.beginPath();
-    for (const {shape, x, y, heading, along, across} of alike) {
-      trace(context, shape, x, y, heading, along, across);
-    }
-    const colour = theme.colour(alike[0].colour);
-    context.fillStyle = alike[0].hollow ? theme.colour("hollow") : colour;
-    context.fill("nonzero");
-    context.lineWidth = alike[0].hollow ? Math.min(2, 0.45 * alike[0].along) : 1;
-    context.strokeStyle = alike[0].hollow ? colour : theme.colour("outline");
-    context.stroke();
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    context.fillStyle = theme.colour(name);
+    context.fill();
+  };
+  const body = (grown, name) => {
+    context.beginPath();
+    trace(context, shape, x, y, heading, along + grown, across + grown);
+    context.fillStyle = theme.colour(name);
+    context.fill();
+  };
+  if (ring >= 0) {
+    const radius = Math.sqrt(along * across);
+    disc(radius + (small ? 2.4 : 4), "group-" + ring);
+    disc(radius + (small ? 1.1 : 2), "outline");
   }
-  draw_marks(context, theme, figures);
+  draw_nose(context, theme, figure);
+  if (!hollow) {
+    if (!small && !shape.stretch) body(0.8, "outline");
+    body(0, colour);
+  } else if (shape.stretch) {
+    body(0, "hollow");
+    context.lineWidth = Math.min(2, 0.4 * least);
+    context.strokeStyle = theme.colour(colour);
+    context.stroke();
+  } else {
+    body(0, colour);
+    body(-Math.min(2, 0.4 * least), "hollow");
+  }
+  if (waiting && !small) disc(0.4 * least, "ink");
 }
 
-function draw_headings(context, theme, figures) {
+function draw_nose(context, theme, {x, y, heading, along, across}) {
+  const least = Math.min(along, across), c = Math.cos(heading), s = -Math.sin(heading);
+  const place = (ahead, left) => [x + c * ahead + s * left, y + s * ahead - c * left];
   context.beginPath();
-  for (const {x, y, heading, along, across} of figures) {
-    const reach = along + 0.9 * Math.min(along, across);
-    const c = Math.cos(heading), s = -Math.sin(heading);
-    context.moveTo(x + c * along, y + s * along);
-    context.lineTo(x + c * reach, y + s * reach);
-  }
-  context.lineWidth = 1.6;
-  context.strokeStyle = theme.colour("ink");
-  context.stroke();
+  context.moveTo(...place(along + 1.1 * least, 0));
+  context.lineTo(...place(0.6 * along, 0.55 * least));
+  context.lineTo(...place(0.6 * along, -0.55 * least));
+  context.fillStyle = theme.colour("nose");
+  context.fill();
 }
 
-function draw_rings(context, theme, figures) {
-  for (let ring = 0; ring < kGroupColours; ++ring) {
-    context.beginPath();
-    let small = false;
-    for (const {x, y, along, across, ring: own} of figures) {
-      if (own !== ring) continue;
-      const size = Math.sqrt(along * across);
-      small = size < kMarkRadius;
-      const radius = size + (small ? 1.5 : 3);
-      context.moveTo(x + radius, y);
-      context.arc(x, y, radius, 0, 2 * Math.PI);
-    }
-    context.lineWidth = small ? 1.3 : 2;
-    context.strokeStyle = theme.colour("group-" + ring);
-    context.stroke();
-  }
-}
-
-// A dot in whoever waits; the pastime's letter where there is room for it.
-function draw_marks(context, theme, figures) {
+// The letter of what a person does, where there is room for it.
+function draw_letter(context, theme, {x, y, along, across, colour, hollow, letter}) {
+  if (!letter || Math.max(along, across) < kLetterRadius) return;
   context.textAlign = "center";
   context.textBaseline = "middle";
-  for (const {x, y, along, across, colour, hollow, waiting, letter} of figures) {
-    const size = Math.min(along, across);
-    context.fillStyle = theme.colour(hollow ? "ink" : "on-" + colour);
-    if (letter && Math.max(along, across) >= kLetterRadius) {
-      context.font = `700 ${Math.round(1.25 * Math.max(size, kLetterRadius))}px system-ui, sans-serif`;
-      context.fillText(letter, x, y + 0.5);
-    } else if (waiting && size >= kMarkRadius) {
-      context.beginPath();
-      context.arc(x, y, 0.4 * size, 0, 2 * Math.PI);
-      context.fill();
-    }
-  }
+  const size = Math.round(1.25 * Math.max(Math.min(along, across), kLetterRadius));
+  context.font = `700 ${size}px system-ui, sans-serif`;
+  context.fillStyle = theme.colour(hollow ? "ink" : "on-" + colour);
+  context.fillText(letter, x, y + 0.5);
 }
 
 // Straight lines from the members of a group that are near each other to their middle.

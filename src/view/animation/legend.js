@@ -89,9 +89,13 @@ class Legend {
       context.scale(ratio, ratio);
       context.lineJoin = context.lineCap = "round";
       if (typeof drawn === "function") drawn(context);
-      else draw_persons(context, this.theme, [{...drawn, x: kSwatch.width / 2 - 3,
-                                               y: kSwatch.height / 2}]);
+      else this.person(context, {...drawn, x: kSwatch.width / 2 - 3, y: kSwatch.height / 2});
     }
+  }
+
+  person(context, figure) {
+    draw_person(context, this.theme, figure);
+    draw_letter(context, this.theme, figure);
   }
 
   box(context, fill, line) {

@@ -57,7 +57,8 @@ class Panel {
       draw_vehicle(context, this.theme, x, y, pose.heading, pose.track.length * this.camera.scale,
                    pose.track.width * this.camera.scale);
     }
-    draw_persons(context, this.theme, figures);
+    for (const figure of figures) draw_person(context, this.theme, figure);
+    for (const figure of figures) draw_letter(context, this.theme, figure);
     this.draw_selection(selected);
     this.draw_scale_bar();
     this.tell();
