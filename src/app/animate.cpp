@@ -46,9 +46,7 @@ void animate(AnimateOptions options) {
                              ? runs.front().name
                              : name_of("", options.recording.scenario);
   }
-  AnimatedPlace where{};
-  if (place) where = {&place->network, &place->zones, &place->paths};
-  file.write(animation_page(runs, place ? &where : nullptr, options.page));
+  file.write(animation_page(runs, place.get(), options.page));
   file.finish();
   fmt::print("{}: {:.1f} MB\n", options.out,
              static_cast<double>(std::filesystem::file_size(options.out)) / 1e6);

@@ -30,10 +30,10 @@ std::int32_t centimetres(double metres) {
   return static_cast<std::int32_t>(std::lround(100.0 * metres));
 }
 
-Box extent(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place) {
+Box extent(const std::vector<AnimatedRun>& runs, const Place* place) {
   Box box;
   if (place != nullptr) {
-    for (const Zone& zone : *place->zones) box.extend(box_of(zone.walkable));
+    for (const Zone& zone : place->zones) box.extend(box_of(zone.walkable));
   }
   if (box.isEmpty()) {
     for (const AnimatedRun& run : runs) {
@@ -51,7 +51,7 @@ Box extent(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place) {
 
 }  // namespace animation
 
-std::string animation_page(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place,
+std::string animation_page(const std::vector<AnimatedRun>& runs, const Place* place,
                            const AnimationOptions& options) {
   const Box box = animation::extent(runs, place);
   std::string data = fmt::format(

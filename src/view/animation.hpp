@@ -5,22 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "view/place.hpp"
 #include "view/recording.hpp"
-#include "zone/paths.hpp"
-#include "zone/zone.hpp"
 
 namespace pedzone {
 
 struct AnimatedRun {
   std::string name;
   const Recording* recording;
-};
-
-/// Where the runs took place.
-struct AnimatedPlace {
-  const Network* network;
-  const std::vector<Zone>* zones;
-  const std::vector<WaypointPath>* paths;
 };
 
 struct AnimationOptions {
@@ -31,7 +23,7 @@ struct AnimationOptions {
 /// The page. `place`: null where it is not known. In between the steps that are kept, the page
 /// moves everybody evenly. Places are kept to 1 cm, headings to half a degree, speeds to 1 cm/s.
 /// Throws InputError where something lies more than 20,000 km from the origin of the network.
-std::string animation_page(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place,
+std::string animation_page(const std::vector<AnimatedRun>& runs, const Place* place,
                            const AnimationOptions& options);
 
 }  // namespace pedzone

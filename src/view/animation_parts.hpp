@@ -13,10 +13,10 @@ namespace pedzone::animation {
 std::int32_t centimetres(double metres);
 
 /// What the page shows when everything is to be seen: the zones, else where everybody goes.
-Box extent(const std::vector<AnimatedRun>& runs, const AnimatedPlace* place);
+Box extent(const std::vector<AnimatedRun>& runs, const Place* place);
 
 /// Roads, zones, obstacles and waypoints near `box`.
-std::string scenery(const AnimatedPlace* place, const Box& box);
+std::string scenery(const Place* place, const Box& box);
 
 /// One run, with at most `rate` [1/s] steps.
 std::string run(const AnimatedRun& run, double rate);

@@ -47,10 +47,10 @@ struct Roads {
   List junctions, roads, footways, footareas;
 };
 
-Roads roads_near(const AnimatedPlace& place, const Box& box) {
+Roads roads_near(const Place& place, const Box& box) {
   std::unordered_set<int> inside;
-  for (const Zone& zone : *place.zones) inside.insert(zone.lanes.begin(), zone.lanes.end());
-  const Network& network = *place.network;
+  for (const Zone& zone : place.zones) inside.insert(zone.lanes.begin(), zone.lanes.end());
+  const Network& network = place.network;
   Roads roads;
   for (int index = 0; index < static_cast<int>(network.lanes.size()); ++index) {
     const Lane& lane = network.lanes[index];
@@ -89,17 +89,17 @@ std::string waypoints(const std::vector<WaypointPath>& paths) {
 
 }  // namespace
 
-std::string scenery(const AnimatedPlace* place, const Box& box) {
+std::string scenery(const Place* place, const Box& box) {
   Roads roads;
   List zone, obstacles;
   std::string stops = "[]";
   if (place != nullptr) {
     roads = roads_near(*place, grown(box, kSurroundings));
-    for (const Zone& one : *place->zones) {
+    for (const Zone& one : place->zones) {
       add_region(zone, one.walkable);
       add_region(obstacles, one.obstacles);
     }
-    stops = waypoints(*place->paths);
+    stops = waypoints(place->paths);
   }
   return fmt::format(
       R"({{"junctions":{},"roads":{},"footways":{},"footareas":{},"zone":{},"obstacles":{},)"

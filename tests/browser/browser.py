@@ -131,7 +131,8 @@ class Browser:
         return answer.get("value")
 
     def element(self, selector):
-        return self._call("POST", "/element", {"using": "css selector", "value": selector})[_ELEMENT]
+        found = self._call("POST", "/element", {"using": "css selector", "value": selector})
+        return found[_ELEMENT]
 
     def click(self, selector):
         self._call("POST", f"/element/{self.element(selector)}/click", {})
@@ -168,7 +169,7 @@ class Browser:
                 for entry in self._call("POST", "/se/log", {"type": "browser"})]
 
     def requests(self):
-        """Addresses of everything that the page has asked for since the last call, itself included."""
+        """Addresses of all that the page has asked for since the last call, itself included."""
         found = []
         for entry in self._call("POST", "/se/log", {"type": "performance"}):
             event = json.loads(entry["message"])["message"]

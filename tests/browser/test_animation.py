@@ -75,8 +75,8 @@ class Animation(unittest.TestCase):
 
     @classmethod
     def animate(cls, recording, page, *words):
-        call(PEDZONE, "animate", recording, "--scenario", cls.scenario, "--rate", RATE, "--out", page,
-             *words, folder=cls.folder)
+        call(PEDZONE, "animate", recording, "--scenario", cls.scenario, "--rate", RATE,
+             "--out", page, *words, folder=cls.folder)
 
     @classmethod
     def enterClassContext(cls, context):  # unittest has it from Python 3.12 on
@@ -214,8 +214,9 @@ class Animation(unittest.TestCase):
         self.browser.pointer(("move", x, y), ("down",), ("move", x + 60, y + 30),
                              ("move", x + 100, y + 50), ("up",))
         moved = self.browser.run(STATE)
-        self.assertAlmostEqual(moved["centre"][0], near["centre"][0] - 100 / near["scale"], places=6)
-        self.assertAlmostEqual(moved["centre"][1], near["centre"][1] + 50 / near["scale"], places=6)
+        metres = 1 / near["scale"]
+        for now, before, pixels in zip(moved["centre"], near["centre"], (-100, 50)):
+            self.assertAlmostEqual(now, before + pixels * metres, places=6)
         self.assertIsNone(moved["selected"], "a drag is no click")
         self.browser.click("#fit")
         again = self.browser.run(STATE)
@@ -242,6 +243,17 @@ class Animation(unittest.TestCase):
             self.assertEqual(rows["Speed"], f"{pose['speed']:.2f} m/s")
             room = min(self.clearance((x, y), one) for one in state["panels"][0]["vehicles"])
             self.assertAlmostEqual(float(rows["Clearance"].split()[0]), room, delta=0.03)
+
+    def test_find(self):
+        self.open("one.html")
+        name = next(iter(self.recorded["walked"].at("persons", 40)))
+        self.browser.click("#find")
+        self.browser.press(*name, "\ue007")  # Enter
+        state = self.browser.run(STATE)
+        self.assertEqual(state["selected"], {"kind": "person", "id": name})
+        shown = {one["id"]: (one["x"], one["y"]) for one in state["panels"][0]["persons"]}
+        self.assertLess(math.dist(shown[name], state["centre"]), 1e-6, "it is in the middle")
+        self.browser.press("\ue00c")  # Escape
 
     def clearance(self, person, vehicle):
         """Room between the disc of SUMO's default person and a vehicle."""
@@ -270,15 +282,13 @@ class Animation(unittest.TestCase):
 
     def test_a_hostile_id_is_text(self):
         self.open("hostile.html")
-        hostile = HOSTILE
         state = self.browser.run(SET_TIME, 30.0)
-        self.assertIn(hostile, [one["id"] for one in state["panels"][0]["persons"]])
-        self.browser.click_at(*self.browser.run(ON_SCREEN, "persons", hostile, 0))
+        self.assertIn(HOSTILE, [one["id"] for one in state["panels"][0]["persons"]])
+        self.browser.click_at(*self.browser.run(ON_SCREEN, "persons", HOSTILE, 0))
         self.browser.run(SETTLED)
-        for selector, text in (("#details-id", hostile), ("h1", HOSTILE), ("figcaption b", HOSTILE)):
-            self.assertEqual(
-                self.browser.run("return document.querySelector(arguments[0]).textContent", selector),
-                text)
+        for selector in ("#details-id", "h1", "figcaption b"):
+            text = "return document.querySelector(arguments[0]).textContent"
+            self.assertEqual(self.browser.run(text, selector), HOSTILE)
         scripts = (self.folder / "one.html").read_text().count("<script")
         self.assertEqual(self.browser.run("""return [
             window.injected, document.images.length, document.scripts.length,
@@ -313,6 +323,7 @@ class Animation(unittest.TestCase):
     def test_on_a_phone(self):
         self.check_layout("one.html", 390, 844, True)
         self.check_layout("both.html", 390, 844, True)
+        self.check_layout("both.html", 844, 390, True)
 
     def test_on_a_projector(self):
         self.check_layout("one.html", 1920, 1080, False)

@@ -85,7 +85,7 @@ class Animate(RefusalChecks, unittest.TestCase):
 
     def data(self, *words, file="fcd.xml"):
         page = self.page(*words, file=file)
-        (text,) = re.findall(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)
+        (text,) = re.findall(r'type="application/json" id="data">(.*?)</script>', page, re.S)
         return json.loads(text)
 
     # What is written

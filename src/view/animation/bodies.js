@@ -1,6 +1,7 @@
 "use strict";
-// Persons and vehicles as drawn. A person's shape says who it is, its colour and letter what it does
-// beside walking, filled or hollow whether it walks, its ring and the lines to others its group.
+// Persons and vehicles as drawn. A person's shape says who it is, its colour and letter what it
+// does beside walking, filled or hollow whether it walks, its ring and the lines to others its
+// group.
 
 const kLeastRadius = 3.2;   // [pixels] nobody is drawn smaller
 const kLetterRadius = 7;    // [pixels] from here on letters are drawn ...
@@ -29,8 +30,8 @@ const kShapes = {
                                   [-0.8, 0.62]],
                                  [[-1, -1], [0.35, -1], [0.35, -0.75], [-1, -0.75]],
                                  [[-1, 1], [-1, 0.75], [0.35, 0.75], [0.35, 1]]]},
-  pram: {stretch: true, parts: [[[-1, -0.5], [-0.75, -0.85], [-0.4, -0.85], [-0.2, -0.5], [-0.2, 0.5],
-                                 [-0.4, 0.85], [-0.75, 0.85], [-1, 0.5]],
+  pram: {stretch: true, parts: [[[-1, -0.5], [-0.75, -0.85], [-0.4, -0.85], [-0.2, -0.5],
+                                 [-0.2, 0.5], [-0.4, 0.85], [-0.75, 0.85], [-1, 0.5]],
                                 [[0.05, -1], [1, -1], [1, 1], [0.05, 1]]]},
   bicycle: {stretch: true, parts: [[[-0.3, -0.2], [-0.15, -0.4], [0.1, -0.4], [0.25, -0.2],
                                     [0.25, 0.85], [0.1, 1], [-0.15, 1], [-0.3, 0.85]],
@@ -76,8 +77,8 @@ function trace(context, shape, x, y, heading, along, across) {
   }
 }
 
-// A figure is {x, y, heading, along, across, shape, colour, hollow, waiting, ring, letter}. Areas are
-// filled one upon the other, outlines too: strokes take many times as long.
+// A figure is {x, y, heading, along, across, shape, colour, hollow, waiting, ring, letter}. Areas
+// are filled one upon the other, outlines too: strokes take many times as long.
 function draw_person(context, theme, figure) {
   const {x, y, heading, along, across, shape, colour, hollow, waiting, ring} = figure;
   const least = Math.min(along, across), small = least < kMarkRadius;
@@ -114,8 +115,9 @@ function draw_person(context, theme, figure) {
   if (waiting && !small) disc(0.4 * least, "ink");
 }
 
-function draw_nose(context, theme, {x, y, heading, along, across}) {
-  const least = Math.min(along, across), c = Math.cos(heading), s = -Math.sin(heading);
+function draw_nose(context, theme, {x, y, heading, along, across, shape}) {
+  const least = (shape.stretch ? 0.6 : 1) * Math.min(along, across);
+  const c = Math.cos(heading), s = -Math.sin(heading);
   const place = (ahead, left) => [x + c * ahead + s * left, y + s * ahead - c * left];
   context.beginPath();
   context.moveTo(...place(along + 1.1 * least, 0));
@@ -157,7 +159,7 @@ function draw_links(context, theme, members_by_group) {
 
 // A vehicle's rectangle with a windscreen and bevelled front, (x, y) its middle in pixels.
 function draw_vehicle(context, theme, x, y, heading, length, width) {
-  const grown = Math.max(1, 2 * kLeastRadius / (width / 2) / 2);
+  const grown = Math.max(1, 2 * kLeastRadius / width);
   const a = length / 2 * grown, b = width / 2 * grown, bevel = Math.min(0.35 * b, 0.25 * a);
   const part = (points) => {
     context.beginPath();

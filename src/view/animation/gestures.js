@@ -63,7 +63,8 @@ class Gestures {
   wheel(event) {
     event.preventDefault();
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 30 : 1;
-    this.camera.zoom(Math.exp(-0.0015 * lines * event.deltaY), ...this.off_middle(this.place(event)));
+    const factor = Math.exp(-0.0015 * lines * event.deltaY);
+    this.camera.zoom(factor, ...this.off_middle(this.place(event)));
     this.changed();
   }
 }

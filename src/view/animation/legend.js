@@ -35,8 +35,8 @@ const kSwatch = {width: 40, height: 26, scale: 26}; // [pixels], [pixels/m]
 class Legend {
   constructor(place, theme, looks, scenery, has_vehicles) {
     Object.assign(this, {place, theme, looks, swatches: []});
-    const person = {heading: 0, shape: kShapes.circle, along: 7, across: 7, colour: "walker", ring: -1,
-                    hollow: false, waiting: false, letter: ""};
+    const person = {heading: 0, shape: kShapes.circle, along: 7, across: 7, colour: "walker",
+                    ring: -1, hollow: false, waiting: false, letter: ""};
     this.section("Who", looks.profiles.length < 2 && !looks.profiles[0] ? [] : looks.profiles.map(
       (profile) => {
         const shape = looks.shape(profile);
@@ -48,7 +48,8 @@ class Legend {
     this.section("Does", [
       ...looks.activities.map((name) => [
         name, {...person, hollow: name !== "walking", waiting: name === "waiting"}]),
-      ...looks.pastimes.map((name) => [name, {...person, ...pastime_look(name), along: 9, across: 9}]),
+      ...looks.pastimes.map((name) => [
+        name, {...person, ...pastime_look(name), along: 9, across: 9}]),
     ]);
     this.section("Where", [
       ...(looks.rings.size ? [["group", {...person, ring: 0, along: 6, across: 6}]] : []),

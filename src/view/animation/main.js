@@ -1,6 +1,8 @@
 "use strict";
 // Puts the parts together.
 
+const kLongestPause = 0.25; // [s] whoever comes back to the page has missed nothing
+
 class Animation {
   constructor(data, recordings) {
     const find = (id) => document.getElementById(id);
@@ -45,7 +47,7 @@ class Animation {
       follow: () => this.follow(!this.following), "zoom-in": () => this.zoom(1.5),
       "zoom-out": () => this.zoom(1 / 1.5)};
     for (const [id, action] of Object.entries(actions)) find(id).addEventListener("click", action);
-    find("key").open = matchMedia("(min-width: 900px)").matches;
+    find("key").open = matchMedia("(min-width: 700px)").matches;
     find("find").addEventListener("change", (event) => this.find_id(event.target.value));
     const ids = new Set(this.panels.flatMap((panel) => [
       ...panel.recording.vehicles, ...panel.recording.persons]).map((track) => track.id));
@@ -140,7 +142,8 @@ class Animation {
     this.asked = false;
     const {clock} = this;
     const playing = clock.playing;
-    if (playing && this.before !== undefined) clock.advance(Math.min((now - this.before) / 1000, 0.25));
+    const passed = playing && this.before !== undefined ? (now - this.before) / 1000 : 0;
+    clock.advance(Math.min(passed, kLongestPause));
     this.before = playing ? now : undefined;
     const resized = this.panels.filter((panel) => panel.resize()).length > 0;
     if (resized && this.camera.fitted) this.fit();

@@ -161,7 +161,8 @@ class Panel {
 
   // 1, 2 or 5 times a power of ten metres.
   draw_scale_bar() {
-    const context = this.scene, most = Math.min(140, this.canvas.clientWidth / 4) / this.camera.scale;
+    const context = this.scene;
+    const most = Math.min(140, this.canvas.clientWidth / 4) / this.camera.scale;
     const ten = 10 ** Math.floor(Math.log10(most));
     const length = [5, 2, 1].find((step) => step * ten <= most) * ten;
     const right = this.canvas.clientWidth - 14, left = right - length * this.camera.scale;
