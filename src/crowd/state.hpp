@@ -138,7 +138,7 @@ void go_to_seats(CrowdState& crowd);                  // pastimes.cpp
 void dash(CrowdState& crowd);                         // pastimes.cpp
 void set_goal(CrowdState& crowd, std::size_t i);      // goals.cpp: of one, as it varies now
 void leave_claims(CrowdState& crowd);                 // claims.cpp
-void decide(CrowdState& crowd);                       // step.cpp
+void decide(CrowdState& crowd, double dt);            // step.cpp
 void stand_still(CrowdState& crowd);                  // pastimes.cpp
 void wait_beside_claims(CrowdState& crowd);           // claims.cpp
 void wait_for_groups(CrowdState& crowd);              // groups.cpp

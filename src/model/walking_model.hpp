@@ -35,12 +35,16 @@ class WalkingModel {
   virtual void prepare(const Snapshot& snapshot) = 0;
   /// Decides for persons [first, last) of those pedzone walks, into decisions[first .. last).
   virtual void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const = 0;
+  /// Whether a decision is the velocity that the person has at once, its inertia included. Else the
+  /// crowd lets velocities relax towards decisions (relaxationTime).
+  virtual bool sets_velocity() const { return false; }
   /// For pictures, and slow: the candidate directions of one person, once round. After prepare();
   /// none where the model does not compare directions.
   virtual void rays(std::size_t /*person*/, std::vector<Ray>& out) const { out.clear(); }
 };
 
-/// The model of that name ("heuristic"). Throws std::invalid_argument naming the known ones.
+/// The model of that name (world/model_names.hpp). Throws std::invalid_argument naming the known
+/// ones.
 std::unique_ptr<WalkingModel> make_model(const std::string& name);
 
 }  // namespace pedzone

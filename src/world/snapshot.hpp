@@ -51,6 +51,7 @@ struct Snapshot {
   const Parameters* parameters = nullptr;
   const Attention* attention = nullptr;  ///< null: everybody perceives as the parameters say
   std::uint64_t seed = 0;                ///< of what differs from person to person
+  double step = 0.1;                     ///< [s] > 0 for which decisions hold
 };
 
 }  // namespace pedzone
