@@ -117,6 +117,7 @@ struct CrowdState {
   std::vector<VehicleHit> hits;
 
   std::uint64_t substep = 0;  ///< number of substeps so far: a key of random numbers
+  double time = 0.0;          ///< [s] of all substeps so far
   std::uint64_t person_steps = 0;
 
   Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }

@@ -38,6 +38,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   move_others_on(crowd, dt);
   crowd.person_steps += crowd.persons.walking;
   ++crowd.substep;
+  crowd.time += dt;
 }
 
 }  // namespace
@@ -76,7 +77,8 @@ void decide(CrowdState& crowd, double dt) {
                           &crowd.zone.parameters,
                           crowd.differs ? &crowd.attention : nullptr,
                           crowd.seed,
-                          dt};
+                          dt,
+                          crowd.time};
   crowd.decisions.resize(crowd.persons.size());
   crowd.model->prepare(snapshot);
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {

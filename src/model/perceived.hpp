@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/vec.hpp"
@@ -44,16 +45,17 @@ struct SeenVehicle {
 /// distance, the nearest first, and hold the same bits whatever the order of persons and vehicles.
 /// What stands farther away than the person's goal is left out: nobody avoids it.
 struct Perceived {
-  Vec2 velocity;         ///< [m/s]
-  Vec2 heading;          ///< unit vector
-  Vec2 goal_direction;   ///< unit vector towards the current waypoint
-  double goal_distance;  ///< [m]
-  double radius;         ///< [m]
-  double speed;          ///< [m/s] > 0 preferred
-  double caution;        ///< > 0 factor of the room wanted to vehicles (profiles)
-  double step;           ///< [s] for which the decision holds
-  std::uint64_t key;     ///< of the person, for random numbers that belong to it
-  std::uint64_t seed;    ///< for the same
+  Vec2 velocity;               ///< [m/s]
+  Vec2 heading;                ///< unit vector
+  Vec2 goal_direction;         ///< unit vector towards the current waypoint
+  double goal_distance;        ///< [m]
+  double radius;               ///< [m]
+  double speed;                ///< [m/s] > 0 preferred
+  double caution;              ///< > 0 factor of the room wanted to vehicles (profiles)
+  double step;                 ///< [s] for which the decision holds
+  std::optional<double> time;  ///< [s] of the snapshot
+  std::uint64_t key;           ///< of the person, for random numbers that belong to it
+  std::uint64_t seed;          ///< for the same
   const Parameters* parameters;
 
   std::vector<Neighbour> neighbours;

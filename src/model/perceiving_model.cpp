@@ -108,6 +108,7 @@ void PerceivingModel::perceive(std::size_t i, Perceived& who) const {
   who.speed = persons.preferred_speed[i];
   who.caution = snapshot_.attention ? snapshot_.attention->persons[i].caution : 1.0;
   who.step = snapshot_.step;
+  who.time = snapshot_.time;
   who.key = persons.key[i];
   who.seed = snapshot_.seed;
   who.parameters = snapshot_.parameters;

@@ -4,7 +4,10 @@
 #include <stdexcept>
 
 #include "model/constant_velocity.hpp"
+#include "model/gradient_navigation.hpp"
 #include "model/heuristic_model.hpp"
+#include "model/optimal_steps.hpp"
+#include "model/social_force.hpp"
 #include "world/model_names.hpp"
 
 namespace pedzone {
@@ -24,6 +27,9 @@ constexpr ModelEntry kModels[] = {
     {"heuristic", make<HeuristicModel>},
     {"heuristic-original", make<OriginalHeuristicModel>},
     {"plain", make<PlainHeuristicModel>},
+    {"social-force", make<SocialForceModel>},
+    {"gradient-navigation", make<GradientNavigationModel>},
+    {"optimal-steps", make<OptimalStepsModel>},
     {"constant-velocity", make<ConstantVelocityModel>},
 };
 
