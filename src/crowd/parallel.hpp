@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #if defined(__SANITIZE_THREAD__)
+#include <exception>
 #include <thread>
 #include <vector>
 #else
@@ -27,7 +28,8 @@ inline std::size_t block_count(std::size_t persons) { return (persons + kBlock -
 
 /// Calls work(block, first, last) for the blocks of `persons`, which together cover
 /// [0, persons). Blocks may run at once and in any order: `work` writes only what belongs to its
-/// own persons. A crowd of one block runs in the calling thread. `work` must not throw.
+/// own persons. A crowd of one block runs in the calling thread. Of what `work` throws in several
+/// blocks, one is thrown on.
 template <class Work>
 void for_each_block(std::size_t persons, const Work& work) {
   const std::size_t blocks = block_count(persons);
@@ -43,13 +45,21 @@ void for_each_block(std::size_t persons, const Work& work) {
   // and report races where none are. Plain threads with fixed shares instead: nothing orders one
   // share before another, so a race between two is seen however the threads are scheduled.
   constexpr std::size_t kThreads = 4;
+  std::exception_ptr thrown[kThreads];
   const auto share = [&](std::size_t thread) {
-    for (std::size_t block = thread; block < blocks; block += kThreads) run(block);
+    try {
+      for (std::size_t block = thread; block < blocks; block += kThreads) run(block);
+    } catch (...) {
+      thrown[thread] = std::current_exception();
+    }
   };
   std::vector<std::thread> threads;
   for (std::size_t i = 1; i < kThreads; ++i) threads.emplace_back(share, i);
   share(0);
   for (std::thread& thread : threads) thread.join();
+  for (const std::exception_ptr& exception : thrown) {
+    if (exception) std::rethrow_exception(exception);
+  }
 #else
   using Range = oneapi::tbb::blocked_range<std::size_t>;
   oneapi::tbb::parallel_for(Range(0, blocks), [&](const Range& range) {

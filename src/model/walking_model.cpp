@@ -1,12 +1,13 @@
 #include "model/walking_model.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "model/constant_velocity.hpp"
 #include "model/gradient_navigation.hpp"
 #include "model/heuristic_model.hpp"
 #include "model/optimal_steps.hpp"
+#include "model/orca.hpp"
+#include "model/plugin.hpp"
 #include "model/social_force.hpp"
 #include "world/model_names.hpp"
 
@@ -30,15 +31,17 @@ constexpr ModelEntry kModels[] = {
     {"social-force", make<SocialForceModel>},
     {"gradient-navigation", make<GradientNavigationModel>},
     {"optimal-steps", make<OptimalStepsModel>},
+    {"orca", make<OrcaModel>},
     {"constant-velocity", make<ConstantVelocityModel>},
 };
 
 }  // namespace
 
 std::unique_ptr<WalkingModel> make_model(const std::string& name) {
+  if (names_plugin(name)) return load_plugin(name);
   const auto found = std::ranges::find(kModels, name, &ModelEntry::name);
   if (found != std::end(kModels)) return found->make();
-  throw std::invalid_argument("unknown walking model \"" + name + "\"; known: " + allowed_models());
+  throw ModelError(name, "is not known", allowed_models());
 }
 
 }  // namespace pedzone

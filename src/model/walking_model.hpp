@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,18 @@ class WalkingModel {
   virtual void rays(std::size_t /*person*/, std::vector<Ray>& out) const { out.clear(); }
 };
 
-/// The model of that name (world/model_names.hpp). Throws std::invalid_argument naming the known
-/// ones.
+/// A model that cannot be had: its name, what is wrong with it (a clause), what is allowed.
+struct ModelError : std::invalid_argument {
+  ModelError(const std::string& model, const std::string& its_problem, const std::string& what_is)
+      : invalid_argument("walking model \"" + model + "\" " + its_problem +
+                         "; allowed: " + what_is),
+        problem(its_problem),
+        allowed(what_is) {}
+  std::string problem, allowed;
+};
+
+/// The model of that name (world/model_names.hpp), which may be a plug-in's path (plugin.hpp).
+/// Throws ModelError.
 std::unique_ptr<WalkingModel> make_model(const std::string& name);
 
 }  // namespace pedzone
