@@ -116,8 +116,10 @@ TEST(VelocityObstacle, the_way_out_ends_on_its_border_and_no_shorter_one_does) {
                             centre - along - across, centre + along - across};
     const ConvexBody body{k % 2 == 0 ? std::span<const Vec2>(corners) : std::span(&centre, 1),
                           random.number(0.2, 0.8)};
-    const Vec2 velocity = random.in_disc(4.0);
     const double time = 5.0;
+    const Vec2 velocity = k % 3 == 0
+                              ? random.in_disc(4.0)
+                              : Vec2(random.number(0.2, 1.5) * centre / time + random.in_disc(0.4));
     const WayOut out = way_out(body, velocity, time, 0.1);
     const bool hit = hits(body, velocity, time);
     if (std::abs(out.depth) > 0.01) {
@@ -132,7 +134,7 @@ TEST(VelocityObstacle, the_way_out_ends_on_its_border_and_no_shorter_one_does) {
       EXPECT_TRUE(hits(body, velocity + shorter, time)) << "case " << k << " turn " << turn;
     }
   }
-  EXPECT_GT(inside, 40);
+  EXPECT_GT(inside, 60);
 }
 
 TEST(VelocityObstacle, who_is_in_the_body_gets_out_within_the_step) {
@@ -180,7 +182,11 @@ TEST(Orca, before_a_vehicle_the_person_takes_all_of_the_effort) {
   }
 }
 
-/// Positions that ORCA's people go through: their velocities are taken at once.
+constexpr double kStep = 0.1;  // [s]
+/// [rad] nobody aims quite at its goal: in perfect symmetry people stand for ever.
+constexpr double kAskew = 0.02;
+
+/// The least gap [m] between two bodies while people change places across a circle.
 double least_gap_on_circle(int people, double radius, double& slowest) {
   Scene scene;
   scene.model_name = "orca";
@@ -188,7 +194,7 @@ double least_gap_on_circle(int people, double radius, double& slowest) {
   std::vector<Vec2> goals;
   for (int k = 0; k < people; ++k) {
     const double angle = 2.0 * kPi * k / people;
-    PersonSpec p = walking_to(radius * unit(angle), angle + kPi + 0.003 * (k % 3));
+    PersonSpec p = walking_to(radius * unit(angle), angle + kPi);
     p.velocity = Vec2::Zero();
     scene.people.push_back(p);
     goals.emplace_back(-radius * unit(angle));
@@ -196,12 +202,12 @@ double least_gap_on_circle(int people, double radius, double& slowest) {
   const auto model = make_model(scene.model_name);
   double least = 1e9;
   slowest = 0.0;
-  for (int step = 0; step < 1200; ++step) {
+  for (int step = 0; step < 120.0 / kStep; ++step) {
     double left = 0.0;
     for (int k = 0; k < people; ++k) {
       PersonSpec& p = scene.people[k];
       const Vec2 way = goals[k] - p.at;
-      p.goal = angle_of(way);
+      p.goal = angle_of(way) + kAskew * (k % 3 - 1);
       p.goal_distance = way.norm();
       left = std::max(left, way.norm());
       for (int j = 0; j < k; ++j) {
@@ -209,12 +215,12 @@ double least_gap_on_circle(int people, double radius, double& slowest) {
       }
     }
     if (left < 1.0) return least;
-    slowest = 0.1 * step;
+    slowest = kStep * step;
     const std::vector<Decision> decisions = scene.decide(*model);
     for (int k = 0; k < people; ++k) {
       PersonSpec& p = scene.people[k];
       p.velocity = decisions[k].speed * unit(decisions[k].direction);
-      p.at += 0.1 * p.velocity;
+      p.at += kStep * p.velocity;
       p.heading = decisions[k].direction;
     }
   }
@@ -226,7 +232,9 @@ TEST(Orca, people_on_a_circle_reach_the_opposite_side_without_overlap) {
   for (const int people : {2, 5, 12, 30}) {
     double time = 0.0;
     const double gap = least_gap_on_circle(people, 10.0, time);
-    EXPECT_GT(gap, -0.005) << people << " people";  // half-planes hold for a step of 0.1 s
+    // Where they meet in the middle there may be no velocity in all half-planes (section 5.3), and
+    // velocities hold for a whole step: a tenth of two radii at most.
+    EXPECT_GT(gap, -0.05) << people << " people";
     EXPECT_LT(time, 3.0 * 20.0 / 1.34) << people << " people";
   }
 }
