@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/border_points.hpp"
 #include "model/velocity_obstacle.hpp"
 
 namespace pedzone {
@@ -20,7 +21,7 @@ constexpr double kShare = 0.5, kWholeWay = 1.0;
 
 /// What stands: for velocity 0 the way out leads straight from its nearest point, so that standing
 /// is always allowed. A body that touches it must only not get nearer.
-HalfPlane away_from(const Vec2& normal, double distance, const Perceived& who) {
+HalfPlane still(const Vec2& normal, double distance, const Perceived& who) {
   return {normal, -std::max(distance - who.radius, 0.0) / kStillHorizon};
 }
 
@@ -51,13 +52,10 @@ Decision OrcaModel::decide_from(const Perceived& who) const {
   std::vector<HalfPlane>& planes = scratch.planes;
   planes.clear();
   for (const Border& wall : who.borders) {
-    if (wall.repeated) continue;
-    const bool on_it = wall.distance == 0.0;
-    planes.push_back(
-        away_from(on_it ? wall.normal : Vec2(-wall.nearest / wall.distance), wall.distance, who));
+    if (!wall.repeated) planes.push_back(still(away_from(wall), wall.distance, who));
   }
   for (const SeenVehicle& vehicle : who.vehicles) {
-    if (!vehicle.moving) planes.push_back(away_from(vehicle.away, vehicle.distance, who));
+    if (!vehicle.moving) planes.push_back(still(vehicle.away, vehicle.distance, who));
   }
   const std::size_t hard = planes.size();
   for (const SeenVehicle& vehicle : who.vehicles) {

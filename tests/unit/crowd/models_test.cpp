@@ -22,6 +22,7 @@ TEST_P(CrowdModels, groups_and_people_with_waypoints_arrive_inside_the_walls) {
   NewPerson detour = member({4.0, 3.0}, east, 0);
   detour.path = {{{20.0, 17.0}, 1.0}, {{20.0, 3.0}, 1.0}};
   const std::size_t last = scene.add(detour);
+  scene.vehicles = {vehicle_at({30.0, 9.0}, 0.4, 0.0)};
   bool waited = false;
   while (scene.time < 200.0 && scene.arrived() < scene.people.size()) {
     scene.step();
@@ -29,6 +30,7 @@ TEST_P(CrowdModels, groups_and_people_with_waypoints_arrive_inside_the_walls) {
   }
   EXPECT_EQ(scene.arrived(), scene.people.size());
   EXPECT_GE(scene.least_wall_gap(), -0.24) << "a body's centre left the walkable area";
+  EXPECT_GE(scene.least_vehicle_gap(), -0.01);
   EXPECT_TRUE(waited);
   for (const Waypoint& waypoint : detour.path) {
     const auto& path = scene.people[last].path;
