@@ -16,7 +16,7 @@ TEST_P(CrowdModels, groups_and_people_with_waypoints_arrive_inside_the_walls) {
   zone.model = std::string(GetParam());
   Scene scene(zone);
   const Destination east = line_at_x(39, 1, 19), west = line_at_x(1, 1, 19);
-  for (const double y : {8.0, 10.0, 12.0}) scene.add(member({4.0, y}, east, 1));
+  for (const double y : {8.0, 10.0, 12.0}) scene.add(member({8.0, y}, east, 1));
   scene.add(member({1.5, 10.0}, east, 1));  // far behind: the others wait for it
   for (const double y : {9.0, 11.0}) scene.add(member({36.0, y}, west, 2));
   NewPerson detour = member({4.0, 3.0}, east, 0);
