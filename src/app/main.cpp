@@ -13,6 +13,7 @@
 #include "app/run.hpp"
 #include "app/validate.hpp"
 #include "core/error.hpp"
+#include "world/model_names.hpp"
 
 namespace pedzone {
 namespace {
@@ -38,6 +39,9 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
       "Exit codes: 0 done, 2 input at fault, 3 SUMO failed.");
   run_command->add_option("scenario", options.config, "SUMO configuration (.sumocfg)")->required();
   run_command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");
+  run_command->add_option("--model", options.model,
+                          "Walking model of every zone: " + allowed_models() +
+                              " [default: the zone's, else heuristic]");
   run_command->add_option("--seed", options.seed, "Seed of SUMO and pedzone [default: SUMO's]");
   run_command->add_option("--end", options.end, "End time in s [default: the scenario's]")
       ->check(CLI::Range(0.0, 1e9));
@@ -45,8 +49,9 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   run_command->add_option("--summary", options.summary, "Write the summary as JSON");
-  run_command->add_option("--trajectories", options.trajectories,
-                          "Write time,id,x,y,vx,vy,heading,activity,pastime of each person and step");
+  run_command->add_option(
+      "--trajectories", options.trajectories,
+      "Write time,id,x,y,vx,vy,heading,activity,pastime of each person and step");
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
   auto* shapes = run_command->add_option(
       "--debug-shapes", options.debug_shapes,

@@ -14,6 +14,7 @@
 #include "app/supervise.hpp"
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
+#include "model/walking_model.hpp"
 #include "output/complete_file.hpp"
 #include "output/trajectory_writer.hpp"
 #include "sumo/simulation.hpp"
@@ -22,11 +23,23 @@
 namespace pedzone {
 namespace {
 
+/// Has every zone walked by the model; the zone that is found by itself, too.
+void set_model(const std::string& model, std::vector<ZoneSpec>& zones) {
+  try {
+    (void)make_model(model);
+  } catch (const ModelError& error) {
+    throw InputError(error.problem, {"", 0, "option --model", model, error.allowed});
+  }
+  if (zones.empty()) zones.emplace_back();
+  for (ZoneSpec& zone : zones) zone.model = model;
+}
+
 SimulationOptions prepare(const RunOptions& options) {
   SimulationOptions prepared;
   prepared.scenario = read_scenario(options.config, options.sumo_options);
   ZoneFile file = read_zone_file(options.zone_file, options.panel);
   if (file.panels.empty()) require_persons(prepared.scenario);
+  if (options.model) set_model(*options.model, file.zones);
   prepared.zones = std::move(file.zones);
   prepared.profiles = std::move(file.profiles);
   prepared.paths = std::move(file.paths);

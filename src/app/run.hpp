@@ -14,6 +14,7 @@ namespace pedzone {
 struct RunOptions {
   std::string config;     ///< .sumocfg
   std::string zone_file;  ///< empty: the zone is found by itself
+  std::optional<std::string> model;  ///< of every zone; unset: as the zone file says
   std::optional<std::uint64_t> seed;
   std::optional<double> end;                   ///< [s]
   int threads = 0;                             ///< 0: all cores

@@ -46,8 +46,8 @@ std::vector<ReplayModel> models_of(const ValidateOptions& options) {
     if (name == "plain") continue;  // among the reference rows
     try {
       make_model(name);
-    } catch (const std::invalid_argument& error) {
-      throw InputError(error.what(), {"", 0, "option --model", name, ""});
+    } catch (const ModelError& error) {
+      throw InputError(error.problem, {"", 0, "option --model", name, error.allowed});
     }
     ReplayModel model;
     model.name = model.model = name;

@@ -18,7 +18,8 @@ enum class Purpose : std::uint32_t {
   kAwareness,
   kPastime,
   kImpulse,
-  kDemand
+  kDemand,
+  kStepPhase
 };
 
 /// 64-bit key of a person's id (FNV-1a): independent of insertion order.

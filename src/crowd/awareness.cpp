@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "model/heuristic_model.hpp"
+#include "model/senses.hpp"
+#include "model/vehicle_view.hpp"
 
 namespace pedzone {
 

@@ -32,7 +32,7 @@ std::vector<Insight> look_into(CrowdState& crowd, std::span<const std::size_t> r
   append_seen(crowd);
   perceive(crowd, 0.0);
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) set_goal(crowd, i);
-  decide(crowd);
+  decide(crowd, kLongestSubstep);
   std::vector<Insight> insights;
   for (const std::size_t i : rows) insights.push_back(insight_of(crowd, i));
   resize_rows(crowd.persons, crowd.persons.walking);

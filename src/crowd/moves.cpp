@@ -17,6 +17,10 @@ struct Relaxation {
   double glide;  ///< [s] distance by which the old velocity still carries, per m/s
 
   Relaxation(double time, double dt) : keep(std::exp(-dt / time)), glide(time * (1.0 - keep)) {}
+  static Relaxation none() { return {}; }
+
+ private:
+  Relaxation() : keep(0.0), glide(0.0) {}
 };
 
 /// Takes from `v` what exceeds `most` along the unit vector `e`.
@@ -36,11 +40,13 @@ double turned(double heading, const Vec2& velocity, const Decision& decision, do
 
 /// The velocity relaxes towards the decision. Since it lags, it could carry a person farther than
 /// the free distance that the decision rests on (Eq. 3 alone with t_coll = τ overshoots): the
-/// move is cut there. Seen persons and vehicles simply move on.
+/// move is cut there. A model that gives velocities has seen to inertia itself. Seen persons and
+/// vehicles simply move on.
 void set_moves(CrowdState& crowd, double dt) {
   Persons& persons = crowd.persons;
   Motion& motion = crowd.motion;
-  const Relaxation relaxation(crowd.zone.parameters.relaxation_time, dt);
+  const Relaxation turning(crowd.zone.parameters.relaxation_time, dt);
+  const Relaxation relaxation = crowd.model->sets_velocity() ? Relaxation::none() : turning;
   for (auto* list :
        {&motion.dx, &motion.dy, &motion.x, &motion.y, &motion.next_x, &motion.next_y}) {
     list->resize(persons.size());
@@ -59,7 +65,7 @@ void set_moves(CrowdState& crowd, double dt) {
         velocity = limited(wanted + lag * relaxation.keep, direction, decision.free_distance / dt);
         const double speed = velocity.norm();
         if (speed > persons.preferred_speed[i]) velocity *= persons.preferred_speed[i] / speed;
-        persons.heading[i] = turned(persons.heading[i], velocity, decision, relaxation.keep);
+        persons.heading[i] = turned(persons.heading[i], velocity, decision, turning.keep);
       }
       persons.vx[i] = velocity.x();
       persons.vy[i] = velocity.y();

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #if defined(__SANITIZE_THREAD__)
+#include <exception>
 #include <thread>
 #include <vector>
 #else
@@ -25,7 +26,8 @@ constexpr std::size_t kBlock = 128;
 inline std::size_t block_count(std::size_t persons) { return (persons + kBlock - 1) / kBlock; }
 
 /// Calls work(k) for each k of [0, count), at once and in any order: `work` writes only what
-/// belongs to its own k. A single one runs in the calling thread. `work` must not throw.
+/// belongs to its own k. A single one runs in the calling thread. Of what `work` throws for several
+/// k, one is thrown on.
 template <class Work>
 void for_each_parallel(std::size_t count, const Work& work) {
   if (count <= 1) {
@@ -37,13 +39,21 @@ void for_each_parallel(std::size_t count, const Work& work) {
   // and report races where none are. Plain threads with fixed shares instead: nothing orders one
   // share before another, so a race between two is seen however the threads are scheduled.
   constexpr std::size_t kThreads = 4;
+  std::exception_ptr thrown[kThreads];
   const auto share = [&](std::size_t thread) {
-    for (std::size_t k = thread; k < count; k += kThreads) work(k);
+    try {
+      for (std::size_t k = thread; k < count; k += kThreads) work(k);
+    } catch (...) {
+      thrown[thread] = std::current_exception();
+    }
   };
   std::vector<std::thread> threads;
   for (std::size_t i = 1; i < kThreads; ++i) threads.emplace_back(share, i);
   share(0);
   for (std::thread& thread : threads) thread.join();
+  for (const std::exception_ptr& exception : thrown) {
+    if (exception) std::rethrow_exception(exception);
+  }
 #else
   oneapi::tbb::parallel_for(std::size_t{0}, count, work);
 #endif

@@ -6,7 +6,8 @@
 
 #include "crowd/parallel.hpp"
 #include "crowd/state.hpp"
-#include "model/heuristic_model.hpp"
+#include "model/senses.hpp"
+#include "model/vehicle_view.hpp"
 
 namespace pedzone {
 namespace {

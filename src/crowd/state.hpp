@@ -118,6 +118,7 @@ struct CrowdState {
   std::vector<VehicleHit> hits;
 
   std::uint64_t substep = 0;  ///< number of substeps so far: a key of random numbers
+  double time = 0.0;          ///< [s] of all substeps so far
   std::uint64_t person_steps = 0;
 
   Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
@@ -139,7 +140,7 @@ void go_to_seats(CrowdState& crowd);                  // pastimes.cpp
 void dash(CrowdState& crowd);                         // pastimes.cpp
 void set_goal(CrowdState& crowd, std::size_t i);      // goals.cpp: of one, as it varies now
 void leave_claims(CrowdState& crowd);                 // claims.cpp
-void decide(CrowdState& crowd);                       // step.cpp
+void decide(CrowdState& crowd, double dt);            // step.cpp
 void stand_still(CrowdState& crowd);                  // pastimes.cpp
 void wait_beside_claims(CrowdState& crowd);           // claims.cpp
 void wait_for_groups(CrowdState& crowd);              // groups.cpp

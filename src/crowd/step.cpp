@@ -28,7 +28,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   go_to_seats(crowd);
   dash(crowd);
   leave_claims(crowd);
-  decide(crowd);
+  decide(crowd, dt);
   stand_still(crowd);
   wait_beside_claims(crowd);
   wait_for_groups(crowd);
@@ -38,6 +38,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   move_others_on(crowd, dt);
   crowd.person_steps += crowd.persons.walking;
   ++crowd.substep;
+  crowd.time += dt;
 }
 
 }  // namespace
@@ -69,13 +70,15 @@ void resize_rows(Persons& persons, std::size_t rows) {
   persons.key.resize(rows);
 }
 
-void decide(CrowdState& crowd) {
+void decide(CrowdState& crowd, double dt) {
   const Snapshot snapshot{&crowd.persons,
                           crowd.vehicles,
                           &crowd.zone.walls,
                           &crowd.zone.parameters,
                           crowd.differs ? &crowd.attention : nullptr,
-                          crowd.seed};
+                          crowd.seed,
+                          dt,
+                          crowd.time};
   crowd.decisions.resize(crowd.persons.size());
   crowd.model->prepare(snapshot);
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {

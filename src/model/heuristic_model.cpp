@@ -15,20 +15,9 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-/// [m] side of the tiles that list vehicles, and at most so many tiles. Numerical, by timing.
-constexpr double kVehicleTile = 8.0;
-constexpr double kTilesPerPerson = 8.0, kTilesAtLeast = 4096.0;
-
 /// [s] assumed: a person whom a vehicle would reach so soon minds nothing but to get out of its way
 /// (the last-metre guard of those who give way by discomfort).
 constexpr double kLastMoment = 1.0;
-
-/// [m/s] nobody is taken to be slower, so that the time to walk as far as one sees is a number.
-constexpr double kLeastSpeed = 0.01;
-
-bool minds_discomfort(const Parameters& parameters, VehicleForm form) {
-  return form == VehicleForm::kDiscomfort && parameters.discomfort > 0.0;
-}
 
 /// Unit vector.
 struct Heading {
@@ -42,24 +31,6 @@ Heading heading_of(const DirectionTask& task, const DirectionChoice& choice) {
 
 }  // namespace
 
-Senses senses_of(const Parameters& parameters, VehicleForm form) {
-  const double vehicle_sight = minds_discomfort(parameters, form)
-                                   ? std::max(parameters.sight, parameters.vehicle_sight)
-                                   : parameters.sight;
-  Senses senses;
-  senses.sight = static_cast<float>(parameters.sight);
-  senses.vehicle_sight = static_cast<float>(vehicle_sight);
-  return with(senses, {parameters.field_of_view, parameters.hearing, 1.0});
-}
-
-Senses with(Senses senses, const Perception& perception) {
-  const double half_field = perception.field_of_view * kDegree;
-  senses.hearing = static_cast<float>(perception.hearing);
-  senses.field_cos = static_cast<float>(std::cos(half_field));
-  senses.field_sin = static_cast<float>(std::sin(half_field));
-  return senses;
-}
-
 /// What one thread needs while it decides; reused from person to person and step to step.
 struct HeuristicModel::Scratch {
   Surroundings surroundings;
@@ -67,61 +38,16 @@ struct HeuristicModel::Scratch {
   GivingWay giving_way;
 };
 
-HeuristicModel::HeuristicModel(VehicleForm form, const DirectionKernel& kernel)
-    : form_(form), kernel_(kernel) {}
+HeuristicModel::HeuristicModel(VehicleForm form, const DirectionKernel& kernel, bool original)
+    : form_(form), kernel_(kernel), original_(original) {}
 
 void HeuristicModel::prepare(const Snapshot& snapshot) {
   snapshot_ = snapshot;
   const Parameters& parameters = *snapshot.parameters;
-  senses_ = senses_of(parameters, form_);
+  scenery_.prepare(snapshot, form_);
   if (candidates_.field() != parameters.candidate_field) {
     candidates_ = Candidates(parameters.candidate_field);
   }
-  prepare_walls();
-  const double field =
-      snapshot.attention ? snapshot.attention->widest_field : parameters.field_of_view;
-  grid_.build(*snapshot.persons, origin_, parameters.sight, field * kDegree);
-  prepare_vehicles();
-}
-
-void HeuristicModel::prepare_walls() {
-  const std::span<const Wall> walls =
-      snapshot_.walls != nullptr ? snapshot_.walls->walls() : std::span<const Wall>();
-  const double reach = snapshot_.parameters->sight;
-  const Persons& persons = *snapshot_.persons;
-  const std::uint64_t identity = walls.empty() ? 0 : snapshot_.walls->identity();
-  if (known_reach_ == reach && identity != 0 && identity == known_walls_) return;
-  // Any lattice point near the scene serves as origin.
-  const Vec2 near = !walls.empty()       ? walls.front().a
-                    : persons.size() > 0 ? Vec2(persons.x[0], persons.y[0])
-                                         : Vec2::Zero();
-  origin_ = {to_lattice(near.x()), to_lattice(near.y())};
-  walls_.build(walls, reach, origin_);
-  known_walls_ = identity;
-  known_reach_ = reach;
-}
-
-void HeuristicModel::prepare_vehicles() {
-  vehicles_.clear();
-  for (const VehicleState& vehicle : snapshot_.vehicles) {
-    vehicles_.push_back(shape_of(vehicle, origin_));
-  }
-  const double hearing =
-      snapshot_.attention ? snapshot_.attention->farthest_hearing : snapshot_.parameters->hearing;
-  const std::int64_t tile =
-      tile_size_for(grid_.bounds(), to_lattice(kVehicleTile),
-                    kTilesPerPerson * static_cast<double>(grid_.size()) + kTilesAtLeast);
-  vehicle_tiles_.build(
-      grid_.bounds(), tile, vehicles_.size(),
-      [&](std::size_t i) {
-        const VehicleShape& vehicle = vehicles_[i];
-        const double heard = vehicle.horn ? kHornReach : hearing * vehicle.loudness;
-        const double range = std::max<double>(senses_.vehicle_sight, heard);
-        const std::int64_t reach = to_lattice(range + vehicle.reach);
-        const LatticePoint& c = vehicles_[i].centre;
-        return LatticeBox{c.x - reach, c.y - reach, c.x + reach, c.y + reach};
-      },
-      [](std::size_t, const LatticeBox&) { return true; });
 }
 
 void HeuristicModel::decide(std::size_t first, std::size_t last,
@@ -130,57 +56,29 @@ void HeuristicModel::decide(std::size_t first, std::size_t last,
   for (std::size_t i = first; i < last; ++i) decisions[i] = decide_one(i, scratch);
 }
 
-Walker HeuristicModel::walker(std::size_t i) const {
-  const Persons& persons = *snapshot_.persons;
-  const Parameters& parameters = *snapshot_.parameters;
-  Walker w;
-  w.at = to_lattice(persons.x[i], persons.y[i], origin_);
-  w.heading = wrapped(persons.heading[i]);
-  const SineCosine heading = sine_cosine(w.heading);
-  w.heading_cos = static_cast<float>(heading.cos);
-  w.heading_sin = static_cast<float>(heading.sin);
-  w.vx = static_cast<float>(persons.vx[i]);
-  w.vy = static_cast<float>(persons.vy[i]);
-  w.radius = static_cast<float>(persons.radius[i]);
-  w.speed = static_cast<float>(std::max(persons.preferred_speed[i], kLeastSpeed));
-  // Nobody avoids what stands behind its goal. Not nearer than what Eq. 3 brakes for, so that the
-  // speed never depends on the goal. The paper is silent; without this a person turns away from
-  // the wall behind a waypoint at a corner, and circles a goal at a wall.
-  const double counts =
-      std::max(persons.goal_distance[i], persons.preferred_speed[i] * parameters.collision_time);
-  w.static_reach = static_cast<float>(std::min(counts, parameters.sight));
-  return w;
-}
-
-Senses HeuristicModel::senses_for(std::size_t i) const {
-  if (snapshot_.attention == nullptr) return senses_;
-  return with(senses_, snapshot_.attention->persons[i]);
-}
-
 DirectionTask HeuristicModel::look_around(std::size_t i, const Walker& self,
                                           Surroundings& around) const {
   const Parameters& parameters = *snapshot_.parameters;
-  const Attention* attention = snapshot_.attention;
-  const Senses senses = senses_for(i);
-  around.see_persons(self, senses, grid_, kernel_);
-  around.see_walls(self, walls_);
+  const Senses senses = scenery_.senses_of(i);
+  around.see_persons(self, senses, scenery_.persons(), kernel_);
+  around.see_walls(self, scenery_.walls());
   const double soon = gives_way() ? kLastMoment : parameters.wait_time;
-  around.notice_vehicles(
-      self, senses, vehicles_, vehicle_tiles_.at(self.at), static_cast<float>(soon),
-      [&](std::size_t v) { return attention == nullptr || attention->minds(i, v); });
+  around.notice_vehicles(self, senses, scenery_.vehicles(), scenery_.vehicles_near(self.at),
+                         static_cast<float>(soon),
+                         [&](std::size_t v) { return scenery_.minds(i, v); });
 
   DirectionTask task;
   task.candidates = candidates_.view();
   task.cost = candidates_.excluded();
   task.heading_cos = self.heading_cos;
   task.heading_sin = self.heading_sin;
-  task.half_angle = parameters.equation >= 1.5;
+  task.half_angle = !original_ && parameters.equation >= 1.5;
   const double to_goal = wrapped(snapshot_.persons->goal_direction[i] - self.heading);
   const SineCosine goal = sine_cosine(task.half_angle ? to_goal / 2.0 : to_goal);
   task.goal_cos = static_cast<float>(goal.cos);
   task.goal_sin = static_cast<float>(goal.sin);
   task.speed = self.speed;
-  task.horizon = senses_.sight / self.speed;
+  task.horizon = scenery_.senses().sight / self.speed;
   task.static_horizon = self.static_reach / self.speed;
   around.fill(task);
   return task;
@@ -188,7 +86,7 @@ DirectionTask HeuristicModel::look_around(std::size_t i, const Walker& self,
 
 Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   const Parameters& parameters = *snapshot_.parameters;
-  const Walker self = walker(i);
+  const Walker self = scenery_.walker(i);
   const DirectionTask task = look_around(i, self, scratch.surroundings);
   const double to_goal = wrapped(snapshot_.persons->goal_direction[i] - self.heading);
   const PacedChoice chosen =

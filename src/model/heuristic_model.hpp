@@ -2,41 +2,23 @@
 // waiting for crossing vehicles. After Moussaid, Helbing and Theraulaz 2011.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "model/candidates.hpp"
 #include "model/direction_kernel.hpp"
-#include "model/person_grid.hpp"
-#include "model/vehicle_view.hpp"
+#include "model/scenery.hpp"
 #include "model/walking_model.hpp"
-#include "model/wall_tiles.hpp"
 
 namespace pedzone {
 
 class Surroundings;
 
-/// How vehicles are minded: as in the paper (obstacles that move, and the waiting rule), or with a
-/// discomfort that grows before contact (giving_way.hpp; none: as in the paper).
-enum class VehicleForm { kPlain, kDiscomfort };
-
-/// Of a walking model by its name.
-inline VehicleForm vehicle_form(std::string_view model) {
-  return model == "plain" ? VehicleForm::kPlain : VehicleForm::kDiscomfort;
-}
-
-/// How far and wide people perceive by that form: those who mind discomfort see moving vehicles
-/// farther than people.
-Senses senses_of(const Parameters& parameters, VehicleForm form);
-
-/// The same for one who perceives differently.
-Senses with(Senses senses, const Perception& perception);
-
 class HeuristicModel : public WalkingModel {
  public:
-  /// With the fastest kernel for this processor, or a given one.
+  /// With the fastest kernel for this processor, or a given one. `original`: directions by Eq. 1,
+  /// else by the equation that the parameters say.
   explicit HeuristicModel(VehicleForm form = VehicleForm::kDiscomfort,
-                          const DirectionKernel& kernel = fastest_kernel());
+                          const DirectionKernel& kernel = fastest_kernel(), bool original = false);
 
   void prepare(const Snapshot& snapshot) override;
   void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override;
@@ -45,10 +27,6 @@ class HeuristicModel : public WalkingModel {
  private:
   struct Scratch;
 
-  void prepare_walls();
-  void prepare_vehicles();
-  Walker walker(std::size_t person) const;
-  Senses senses_for(std::size_t person) const;
   /// What the person is aware of, ready for the kernel, which reads it from `around`.
   DirectionTask look_around(std::size_t person, const Walker& walker, Surroundings& around) const;
   Decision decide_one(std::size_t person, Scratch& scratch) const;
@@ -63,16 +41,24 @@ class HeuristicModel : public WalkingModel {
 
   VehicleForm form_;
   const DirectionKernel& kernel_;
+  bool original_;
   Snapshot snapshot_;
-  Senses senses_;
+  Scenery scenery_;
   Candidates candidates_;
-  LatticeOrigin origin_;
-  PersonGrid grid_;
-  std::vector<VehicleShape> vehicles_;
-  TileLists vehicle_tiles_;  ///< vehicles that somebody on a tile may be aware of
-  WallTiles walls_;
-  std::uint64_t known_walls_ = 0;  ///< identity of what walls_ was built from
-  double known_reach_ = 0.0;       ///< [m]
+};
+
+/// The paper's model with vehicles as in the paper: directions by Eq. 2 (or parameter `equation`),
+/// speeds by Eq. 3, waiting for a vehicle that is about to cross.
+class PlainHeuristicModel : public HeuristicModel {
+ public:
+  PlainHeuristicModel() : HeuristicModel(VehicleForm::kPlain) {}
+};
+
+/// The same with the direction rule that the paper starts from, Eq. 1 (Moussaid 2011), whatever
+/// parameter `equation` says.
+class OriginalHeuristicModel : public HeuristicModel {
+ public:
+  OriginalHeuristicModel() : HeuristicModel(VehicleForm::kPlain, fastest_kernel(), true) {}
 };
 
 }  // namespace pedzone

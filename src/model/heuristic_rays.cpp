@@ -11,7 +11,7 @@ namespace pedzone {
 
 void HeuristicModel::rays(std::size_t person, std::vector<Ray>& out) const {
   out.clear();
-  const Walker self = walker(person);
+  const Walker self = scenery_.walker(person);
   Surroundings around;
   DirectionTask task = look_around(person, self, around);
   // The kernel tells the time until contact of the best direction only: let there be just one.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,12 +36,26 @@ class WalkingModel {
   virtual void prepare(const Snapshot& snapshot) = 0;
   /// Decides for persons [first, last) of those pedzone walks, into decisions[first .. last).
   virtual void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const = 0;
+  /// Whether a decision is the velocity that the person has at once, its inertia included. Else the
+  /// crowd lets velocities relax towards decisions (relaxationTime).
+  virtual bool sets_velocity() const { return false; }
   /// For pictures, and slow: the candidate directions of one person, once round. After prepare();
   /// none where the model does not compare directions.
   virtual void rays(std::size_t /*person*/, std::vector<Ray>& out) const { out.clear(); }
 };
 
-/// The model of that name ("heuristic"). Throws std::invalid_argument naming the known ones.
+/// A model that cannot be had: its name, what is wrong with it (a clause), what is allowed.
+struct ModelError : std::invalid_argument {
+  ModelError(const std::string& model, const std::string& its_problem, const std::string& what_is)
+      : invalid_argument("walking model \"" + model + "\" " + its_problem +
+                         "; allowed: " + what_is),
+        problem(its_problem),
+        allowed(what_is) {}
+  std::string problem, allowed;
+};
+
+/// The model of that name (world/model_names.hpp), which may be a plug-in's path (plugin.hpp).
+/// Throws ModelError.
 std::unique_ptr<WalkingModel> make_model(const std::string& name);
 
 }  // namespace pedzone

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/error.hpp"
+#include "model/walking_model.hpp"
 #include "sumo/hint_values.hpp"
 #include "sumo/people_file.hpp"
 #include "sumo/stand_off.hpp"
@@ -76,10 +77,26 @@ class MadePeople {
 
 }  // namespace
 
+namespace {
+
+/// The specs themselves, once their models are known to be there.
+const std::vector<ZoneSpec>& with_models(const std::vector<ZoneSpec>& specs) {
+  for (const ZoneSpec& spec : specs) {
+    try {
+      (void)make_model(spec.model);
+    } catch (const ModelError& error) {
+      throw zone_error(spec, error.problem, "model", spec.model, error.allowed);
+    }
+  }
+  return specs;
+}
+
+}  // namespace
+
 struct Simulation::Parts {
   explicit Parts(const SimulationOptions& options)
       : network(read_scenario_network(options.scenario)),
-        zones(build_zones(network, options.zones)),
+        zones(build_zones(network, with_models(options.zones))),
         paths(read_paths(options)),
         made_people(options, network, zones),
         session(made_people.scenario(), options_for(options)),

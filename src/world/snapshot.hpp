@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,8 @@ struct Snapshot {
   const Parameters* parameters = nullptr;
   const Attention* attention = nullptr;  ///< null: everybody perceives as the parameters say
   std::uint64_t seed = 0;                ///< of what differs from person to person
+  double step = 0.1;                     ///< [s] > 0 for which decisions hold
+  std::optional<double> time = {};       ///< [s] since the crowd began, where there is a clock
 };
 
 }  // namespace pedzone

@@ -29,11 +29,8 @@ std::vector<std::string> read_list(const XmlFile& file, const pugi::xml_node& no
 
 std::string read_model(const XmlFile& file, const pugi::xml_node& node) {
   const std::string name = file.required(node, "model");
-  const auto& known = kModelNames;
-  if (std::find(std::begin(known), std::end(known), name) == std::end(known)) {
-    std::string allowed;
-    for (const auto model : known) allowed += (allowed.empty() ? "" : ", ") + std::string(model);
-    throw file.error("is no walking model", node, "model", name, allowed);
+  if (!may_be_model(name)) {
+    throw file.error("is no walking model", node, "model", name, allowed_models());
   }
   return name;
 }

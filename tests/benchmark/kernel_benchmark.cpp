@@ -11,6 +11,7 @@
 #include "model/heuristic_model.hpp"
 #include "oracle.hpp"
 #include "scene.hpp"
+#include "world/model_names.hpp"
 
 namespace pedzone::test {
 namespace {
@@ -79,15 +80,11 @@ CrowdedSquare crowded_square(std::size_t people, double density) {
   return {std::move(scene), deciding};
 }
 
-/// About `range(0)` people at `range(1)` per 10 m².
-void step(benchmark::State& state, const DirectionKernel& kernel,
-          VehicleForm form = VehicleForm::kDiscomfort) {
-  const auto [scene, deciding] = crowded_square(static_cast<std::size_t>(state.range(0)),
-                                                static_cast<double>(state.range(1)) / 10.0);
+void step(benchmark::State& state, WalkingModel& model, std::size_t people, double density) {
+  const auto [scene, deciding] = crowded_square(people, density);
   Persons persons = persons_of(scene.people);
   persons.walking = deciding;
   const WallIndex walls(scene.walls);
-  HeuristicModel model(form, kernel);
   std::vector<Decision> decisions(persons.size());
   for (auto _ : state) {
     model.prepare({&persons, scene.vehicles, &walls, &scene.parameters});
@@ -97,6 +94,14 @@ void step(benchmark::State& state, const DirectionKernel& kernel,
   state.counters["per_person"] = benchmark::Counter(
       static_cast<double>(deciding),
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// About `range(0)` people at `range(1)` per 10 m².
+void step(benchmark::State& state, const DirectionKernel& kernel,
+          VehicleForm form = VehicleForm::kDiscomfort) {
+  HeuristicModel model(form, kernel);
+  step(state, model, static_cast<std::size_t>(state.range(0)),
+       static_cast<double>(state.range(1)) / 10.0);
 }
 
 void step_avx2(benchmark::State& state) {
@@ -121,6 +126,19 @@ void cases(benchmark::internal::Benchmark* b) {
 BENCHMARK(step_avx2)->Apply(cases);
 BENCHMARK(step_plain)->Apply(cases);
 BENCHMARK(step_baseline)->Apply(cases);
+
+/// Every model at 1 /m².
+const bool kModelsAdded = [] {
+  for (const std::string_view name : kModelNames) {
+    for (const std::size_t people : {1000U, 10000U}) {
+      const std::string title = "step_model/" + std::string(name) + "/" + std::to_string(people);
+      benchmark::RegisterBenchmark(title.c_str(), [=](benchmark::State& state) {
+        step(state, *make_model(std::string(name)), people, 1.0);
+      })->Unit(benchmark::kMillisecond);
+    }
+  }
+  return true;
+}();
 
 }  // namespace
 }  // namespace pedzone::test

@@ -185,6 +185,22 @@ class BadInput(RefusalChecks, unittest.TestCase):
         self.expect(self.zone('<zones>\n<zone id="a" model="magic"/></zones>'), 2,
                     "bad.zone.xml:2", "magic", "heuristic")
 
+    def test_unknown_model_on_the_command_line(self):
+        for model in ("telepathy", "", "heuristic "):
+            done = self.run_scenario(self.tiny.config(), "--model", model)
+            self.expect(done, 2, "option --model", model, "heuristic-original", "orca")
+
+    def test_missing_plugin(self):
+        done = self.run_scenario(self.tiny.config(), "--model", "./libnowhere.so")
+        self.expect(done, 2, "option --model", "'./libnowhere.so' is missing")
+        self.expect(self.zone('<zones>\n<zone id="a" model="libnowhere.so"/></zones>'), 2,
+                    "bad.zone.xml:2", "'libnowhere.so' is missing")
+
+    def test_plugin_that_is_no_library(self):
+        self.tiny.write("libtext.so", "no library")
+        done = self.run_scenario(self.tiny.config(), "--model", "libtext.so")
+        self.expect(done, 2, "option --model", "'libtext.so' cannot be loaded")
+
     def test_unknown_edge(self):
         self.expect(self.zone('<zones>\n<zone id="a" edges="shared nowhere"/></zones>'), 2,
                     "bad.zone.xml:2", "nowhere")

@@ -2,7 +2,8 @@
 """Runs a scenario with pedzone, in plain SUMO, and without persons, and checks the run with the
 independent check.
 
-usage: run_scenario.py PEDZONE SCENARIO.sumocfg [--seed N] [--zone FILE] [--keep FOLDER] --
+usage: run_scenario.py PEDZONE SCENARIO.sumocfg [--seed N] [--zone FILE] [--model M]
+                       [--keep FOLDER] --
            LIMITS OF check_run.py
 
 Plain SUMO is run when a limit compares with it, the run without persons when a limit compares with
@@ -56,6 +57,7 @@ def main():
     parser.add_argument("scenario")
     parser.add_argument("--seed", help="SUMO's own where none is given, as in a user's run")
     parser.add_argument("--zone", help="zone file")
+    parser.add_argument("--model", help="walking model")
     parser.add_argument("--keep")
     arguments = parser.parse_args(own[:own.index("--")] if "--" in own else own)
     with tempfile.TemporaryDirectory() as temporary:
@@ -63,7 +65,8 @@ def main():
         run = folder / "run"
         seed = ["--seed", arguments.seed] if arguments.seed else []
         zone = ["--zone", arguments.zone] if arguments.zone else []
-        words = [arguments.pedzone, "run", arguments.scenario, *seed, *zone,
+        model = ["--model", arguments.model] if arguments.model else []
+        words = [arguments.pedzone, "run", arguments.scenario, *seed, *zone, *model,
                  "--trajectories", str(run / "trajectories.csv"), "--", *outputs(run)]
         if subprocess.run(words, env=ENV).returncode != 0:
             return 1

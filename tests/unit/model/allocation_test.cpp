@@ -3,12 +3,15 @@
 
 #include "allocations.hpp"
 #include "scene.hpp"
+#include "world/model_names.hpp"
 
 namespace pedzone::test {
 namespace {
 
-TEST(Allocation, none_in_a_step_once_sizes_have_settled) {
-  const auto model = make_model("heuristic");
+class Allocation : public ::testing::TestWithParam<std::string_view> {};
+
+TEST_P(Allocation, none_in_a_step_once_sizes_have_settled) {
+  const auto model = make_model(std::string(GetParam()));
   Scene scene = random_scene({.people = 800, .density = 1.0, .vehicles = 12, .obstacles = 10}, 5);
   const WallIndex walls(scene.walls);
   std::vector<Decision> decisions(scene.people.size());
@@ -32,6 +35,8 @@ TEST(Allocation, none_in_a_step_once_sizes_have_settled) {
   for (int i = 0; i < 20; ++i) step();
   EXPECT_EQ(allocations(), before);
 }
+
+INSTANTIATE_TEST_SUITE_P(Models, Allocation, ::testing::ValuesIn(kModelNames));
 
 }  // namespace
 }  // namespace pedzone::test

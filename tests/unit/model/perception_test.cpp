@@ -192,7 +192,7 @@ TEST(Perception, an_unknown_model_is_refused_with_the_known_names) {
   try {
     make_model("telepathy");
     FAIL() << "accepted";
-  } catch (const std::invalid_argument& error) {
+  } catch (const ModelError& error) {
     EXPECT_NE(std::string(error.what()).find("telepathy"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("heuristic"), std::string::npos);
   }

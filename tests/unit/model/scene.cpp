@@ -113,9 +113,9 @@ void Walkthrough::step(double dt) {
     scene_.people[i].goal_distance = way.norm();
   }
   const Persons persons = persons_of(scene_.people);
-  model_->prepare({&persons, scene_.vehicles, &walls_, &scene_.parameters});
+  model_->prepare({&persons, scene_.vehicles, &walls_, &scene_.parameters, nullptr, 0, dt});
   model_->decide(0, decisions_.size(), decisions_);
-  const double share = dt / scene_.parameters.relaxation_time;
+  const double share = model_->sets_velocity() ? 1.0 : dt / scene_.parameters.relaxation_time;
   for (std::size_t i = 0; i < goals_.size(); ++i) {
     PersonSpec& p = scene_.people[i];
     p.velocity += share * (decisions_[i].speed * unit(decisions_[i].direction) - p.velocity);

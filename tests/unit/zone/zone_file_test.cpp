@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <regex>
 
 #include "core/error.hpp"
 #include "core/xml.hpp"
@@ -104,9 +105,9 @@ TEST_F(ZoneFile, names_line_element_value_and_what_is_allowed) {
   EXPECT_THAT(error("<zones>\n<zone id=\"a\" openspace=\"12\"/></zones>"),
               HasSubstr("2: <zone id=\"a\">: 'openspace' is an unknown attribute; allowed: id, "
                         "edges, edgeTypes, lanes, polygons, openSpace, weather, model"));
-  EXPECT_EQ(
-      error("<zones>\n<zone id=\"a\" model=\"orca\"/></zones>"),
-      "2: <zone id=\"a\"> attribute model: 'orca' is no walking model; allowed: heuristic, plain");
+  EXPECT_EQ(error("<zones>\n<zone id=\"a\" model=\"magic\"/></zones>"),
+            "2: <zone id=\"a\"> attribute model: 'magic' is no walking model; allowed: " +
+                allowed_models());
   EXPECT_THAT(error("<zones><zone id=\"a\">\n<param key=\"site\" value=\"3\"/></zone></zones>"),
               HasSubstr("2: <param> attribute key: 'site' is no parameter; allowed: sight, "));
 }
@@ -263,10 +264,21 @@ TEST_F(ZoneFile, the_schema_says_the_same) {
   EXPECT_EQ(limit("minInclusive"), kOpenSpaceLeast);
   EXPECT_EQ(limit("maxInclusive"), kOpenSpaceMost);
   std::vector<std::string> models;
-  for (const auto& model : attribute("model").select_nodes(".//xsd:enumeration")) {
+  const auto simple = [&](const char* name) {
+    return schema.document_element().find_child_by_attribute("xsd:simpleType", "name", name);
+  };
+  for (const auto& model : simple("modelType").select_nodes(".//xsd:enumeration")) {
     models.push_back(model.node().attribute("value").value());
   }
   EXPECT_THAT(models, ElementsAreArray(kModelNames));
+  EXPECT_STREQ(
+      attribute("model").select_node(".//xsd:union").node().attribute("memberTypes").value(),
+      "modelType pluginType");
+  const std::regex plugin(
+      simple("pluginType").select_node(".//xsd:pattern").node().attribute("value").value());
+  for (const char* path : {"./libmine.so", "/opt/models/libmine.so", "libmine.sox", "mine"}) {
+    EXPECT_EQ(std::regex_match(path, plugin), may_be_model(path)) << path;
+  }
 }
 
 TEST_F(ZoneFile, a_missing_file_is_named) {
