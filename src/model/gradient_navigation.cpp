@@ -17,7 +17,7 @@ Vec2 repulsion(const Perceived& who) {
     sum += person_gradient(other, who.heading, who.radius);
   }
   for (std::size_t k = 0; k < who.borders.size(); ++k) {
-    if (!pushes(who.borders, k)) continue;
+    if (!pushes(who, k)) continue;
     const Border& border = who.borders[k];
     sum += obstacle_gradient(border.distance, away_from(border), who.radius);
   }

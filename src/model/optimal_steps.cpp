@@ -60,7 +60,9 @@ double potential(const Perceived& who, const Vec2& place) {
   double sum = (who.goal_distance * who.goal_direction - place).norm();
   sum += obstacle_potential(distance_to_borders(who, place) - who.radius);
   for (const Neighbour& other : who.neighbours) {
-    sum += person_potential((other.offset - place).norm() - who.radius - other.radius);
+    const double bodies = who.radius + other.radius, reach = bodies + kHPerson;
+    const double squared = (other.offset - place).squaredNorm();
+    if (squared <= reach * reach) sum += person_potential(std::sqrt(squared) - bodies);
   }
   for (const SeenVehicle& vehicle : who.vehicles) sum += vehicle_potential(vehicle, who, place);
   return sum;

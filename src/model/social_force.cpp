@@ -59,7 +59,7 @@ Vec2 total_force(const Perceived& who) {
     add(vehicle_force(vehicle, who.radius, who.caution));
   }
   for (std::size_t k = 0; k < who.borders.size(); ++k) {
-    if (pushes(who.borders, k)) force += border_force(who.borders[k]);
+    if (pushes(who, k)) force += border_force(who.borders[k]);
   }
   return force;
 }

@@ -79,6 +79,15 @@ TEST(SocialForce, of_a_wall_does_not_depend_on_where_it_is_cut) {
   }
 }
 
+TEST(SocialForce, of_a_wall_keeps_nobody_off_a_goal_at_it) {
+  Perceived who = person();
+  who.goal_distance = 0.76;
+  who.borders = {border(Vec2(1.0, -5.0), Vec2(1.0, 5.0), Vec2(-1.0, 0.0))};
+  EXPECT_EQ(total_force(who).x(), 0.0);
+  who.goal_distance = 0.7;
+  EXPECT_LT(total_force(who).x(), 0.0);
+}
+
 TEST(SocialForce, of_a_vehicle_drives_out_of_its_way_to_the_nearer_side) {
   // 6 m before a car at 5 m/s, which covers 10 m in its step; half a metre left of its axis.
   const Vec2 force = vehicle_force(vehicle_seen(Vec2(8.5, -0.5), kPi, 5.0), 0.24, 1.0);
