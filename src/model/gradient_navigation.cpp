@@ -10,6 +10,10 @@ namespace pedzone {
 namespace gradient_navigation {
 namespace {
 
+SweepDistance room_of(const SeenVehicle& vehicle) {
+  return distance_to(sweep_of(vehicle, vehicle.moving ? kSweepTime : 0.0), Vec2::Zero());
+}
+
 /// −∇P of all that the person perceives, summed.
 Vec2 repulsion(const Perceived& who) {
   Vec2 sum = Vec2::Zero();
@@ -22,8 +26,7 @@ Vec2 repulsion(const Perceived& who) {
     sum += obstacle_gradient(border.distance, away_from(border), who.radius);
   }
   for (const SeenVehicle& vehicle : who.vehicles) {
-    const double time = vehicle.moving ? kSweepTime : 0.0;
-    const SweepDistance room = distance_to(sweep_of(vehicle, time), Vec2::Zero());
+    const SweepDistance room = room_of(vehicle);
     const double caution = vehicle.moving ? who.caution : 1.0;
     sum += obstacle_gradient(room.distance / caution, room.away, who.radius);
   }
@@ -54,7 +57,13 @@ Vec2 obstacle_gradient(double distance, const Vec2& away, double radius) {
   return h(distance - (radius - kRadius), kBorderHeight, kBorderRange) * away;
 }
 
-Vec2 navigation(const Perceived& who) { return g(g(who.goal_direction) + g(repulsion(who))); }
+Vec2 navigation(const Perceived& who) {
+  for (const SeenVehicle& vehicle : who.vehicles) {
+    const SweepDistance room = room_of(vehicle);
+    if (vehicle.moving && room.distance < 0.0) return room.away;
+  }
+  return g(g(who.goal_direction) + g(repulsion(who)));
+}
 
 }  // namespace gradient_navigation
 

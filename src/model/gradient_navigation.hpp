@@ -34,7 +34,8 @@ Vec2 person_gradient(const Neighbour& other, const Vec2& heading, double radius)
 /// −∇P of the point of an obstacle at `distance` [m] from the centre, that pushes to `away`.
 Vec2 obstacle_gradient(double distance, const Vec2& away, double radius);
 
-/// N = g(g(N_T) + g(N_P)): where to go; shorter than 1 where that is slower.
+/// N = g(g(N_T) + g(N_P)): where to go; shorter than 1 where that is slower. Whoever is within the
+/// room that a moving vehicle takes minds nothing but to get out of it (assumed).
 Vec2 navigation(const Perceived& who);
 
 }  // namespace gradient_navigation

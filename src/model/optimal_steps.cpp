@@ -36,9 +36,12 @@ double distance_to_borders(const Perceived& who, const Vec2& place) {
   return least;
 }
 
+/// At the place or half way there, whichever is worse: nobody cuts through a vehicle's corner.
 double vehicle_potential(const SeenVehicle& vehicle, const Perceived& who, const Vec2& place) {
-  const double time = vehicle.moving ? kSweepTime : 0.0;
-  const double gap = distance_to(sweep_of(vehicle, time), place).distance - who.radius;
+  const VehicleSweep room = sweep_of(vehicle, vehicle.moving ? kSweepTime : 0.0);
+  const double nearest =
+      std::min(distance_to(room, place).distance, distance_to(room, place / 2.0).distance);
+  const double gap = nearest - who.radius;
   return obstacle_potential(vehicle.moving ? gap / who.caution : gap);
 }
 

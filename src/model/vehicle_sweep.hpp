@@ -16,17 +16,19 @@ struct VehicleSweep {
   Vec2 centre;                     ///< [m]
   Vec2 axis;                       ///< unit vector along half_length
   double half_length, half_width;  ///< [m]
+  bool moving;                     ///< else it is only where it is
 };
 
 /// The rectangle that the vehicle covers within `time` [s] ≥ 0 if it drives straight on.
 inline VehicleSweep sweep_of(const SeenVehicle& vehicle, double time) {
   const double along = vehicle.velocity.dot(vehicle.axis) * time;
   return {vehicle.centre + vehicle.axis * (along / 2.0), vehicle.axis,
-          vehicle.half_length + std::abs(along) / 2.0, vehicle.half_width};
+          vehicle.half_length + std::abs(along) / 2.0, vehicle.half_width, along != 0.0};
 }
 
 /// How far [m] a point is from the sweep and in which direction that grows fastest (unit vector).
-/// Inside the distance is negative, and the way out leads through the nearest side.
+/// Inside the distance is negative, and the way out leads through the nearest side; out of a moving
+/// vehicle's way to the left or right, since it would catch up with whoever runs ahead of it.
 struct SweepDistance {
   double distance;
   Vec2 away;
@@ -43,7 +45,9 @@ inline SweepDistance distance_to(const VehicleSweep& sweep, const Vec2& point) {
     const double distance = std::hypot(out_x, out_y);
     return {distance, (out_x * along + out_y * aside) / distance};
   }
-  return out_x > out_y ? SweepDistance{out_x, along} : SweepDistance{out_y, aside};
+  const bool inside = out_x <= 0.0 && out_y <= 0.0;
+  return out_x > out_y && !(inside && sweep.moving) ? SweepDistance{out_x, along}
+                                                    : SweepDistance{out_y, aside};
 }
 
 }  // namespace pedzone

@@ -176,7 +176,7 @@ TEST_P(Models, a_wall_that_is_seen_from_behind_is_none) {
   Scene scene = empty_scene();
   scene.people = {walking_to({0.0, 0.0}, 0.3)};
   const Decision free = scene.first();
-  scene.walls = {{{-20.0, 0.3}, {20.0, 0.3}}};
+  scene.walls = {{{-20.0, 0.25}, {20.0, 0.25}}};
   expect_equal(scene.first(), free, 0);
 }
 
