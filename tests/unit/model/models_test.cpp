@@ -187,8 +187,10 @@ double least_clearance(const Scene& scene) {
   return walk.least_clearance();
 }
 
-/// [m] assumed: a body that touches by less is stopped by the crowd's contacts unseen.
-constexpr double kTouch = 0.02;
+/// [m] numerical: the way of a step of 0.1 s at 1.34 m/s. In the crowd, contacts stop whoever would
+/// get so deep: gradient navigation pushes over the last 5 cm only, and optimal steps mind where
+/// they end and their middle.
+constexpr double kTouch = 0.134;
 
 TEST_P(Models, nobody_walks_into_a_vehicle) {
   if (blind() || grazes()) GTEST_SKIP() << "its paper does not promise that";
