@@ -226,6 +226,7 @@ void Fleet::states(double dt, std::vector<VehicleState>& out) const {
     const bool ahead = vehicle.velocity.dot(unit(vehicle.heading)) >= -1e-9;
     if (vehicle.traits.external || !ahead || vehicle.way.size() < 3 || dt <= 0.0) {
       state.velocity = vehicle.velocity;
+      state.yaw_rate = vehicle.yaw_rate;
     } else {
       double next = std::min(vehicle.speed + vehicle.traits.accel * dt,
                              std::max(vehicle.allowed_speed, vehicle.speed));

@@ -30,6 +30,7 @@ struct FleetVehicle {
   double allowed_speed = 0.0;    ///< [m/s] what it may drive here
   bool stopped = false;          ///< at a stop of its own (also parking)
   Vec2 velocity = Vec2::Zero();  ///< [m/s] from its last two places: reversing and side-slip too
+  double yaw_rate = 0.0;         ///< [rad/s] of a steered one (steering.hpp)
   Polyline way;                  ///< [m] from its rear along its own next lanes
   int zone = 0;                  ///< index of the zone it is in or comes to first
   double commanded = -1.0;       ///< [m/s] speed set by us for the next step; -1: SUMO's own

@@ -10,6 +10,7 @@
 #include "sumo/hint_values.hpp"
 #include "sumo/people_file.hpp"
 #include "sumo/stand_off.hpp"
+#include "sumo/steering.hpp"
 
 namespace pedzone {
 namespace {
@@ -98,6 +99,7 @@ struct Simulation::Parts {
       : network(read_scenario_network(options.scenario)),
         zones(build_zones(network, with_models(options.zones))),
         paths(read_paths(options)),
+        steering(options.scenario, options.vehicle_paths),
         made_people(options, network, zones),
         session(made_people.scenario(), options_for(options)),
         fleet(network, zones),
@@ -136,6 +138,7 @@ struct Simulation::Parts {
   Network network;
   std::vector<Zone> zones;
   std::vector<WaypointPath> paths;
+  Steering steering;
   MadePeople made_people;
   Session session;
   Fleet fleet;
@@ -156,6 +159,7 @@ struct Simulation::Parts {
 /// Takes in SUMO's present state and shows it.
 void Simulation::Parts::read(double dt) {
   fleet.read(dt);
+  steering.foresee(fleet, session.time(), dt);
   takeover.read(session.time(), fleet);
   totals.observe(fleet, takeover);
   // SUMO's outputs name a step by the time at which it began.
@@ -172,6 +176,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   fleet.states(dt, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
   takeover.write(dt, fleet);
+  steering.apply(session.time());
 }
 
 Simulation::Simulation(const SimulationOptions& options)

@@ -10,17 +10,19 @@
 #include "sumo/run_totals.hpp"
 #include "sumo/scene.hpp"
 #include "sumo/session.hpp"
+#include "zone/vehicle_path.hpp"
 
 namespace pedzone {
 
 struct SimulationOptions {
   Scenario scenario;
-  std::vector<ZoneSpec> zones;        ///< empty: the zone is found by itself
-  Profiles profiles;                  ///< that persons may name
-  std::vector<PanelSpec> panels;      ///< people to be made beside the scenario's own
-  std::vector<PathSpec> paths;        ///< that persons may name
-  std::optional<std::uint64_t> seed;  ///< of SUMO and of pedzone; unset: SUMO's
-  std::optional<double> end;          ///< [s] overrides the scenario's
+  std::vector<ZoneSpec> zones;             ///< empty: the zone is found by itself
+  Profiles profiles;                       ///< that persons may name
+  std::vector<PanelSpec> panels;           ///< people to be made beside the scenario's own
+  std::vector<PathSpec> paths;             ///< that persons may name
+  std::vector<VehiclePath> vehicle_paths;  ///< at most one of a vehicle
+  std::optional<std::uint64_t> seed;       ///< of SUMO and of pedzone; unset: SUMO's
+  std::optional<double> end;               ///< [s] overrides the scenario's
 };
 
 /// Runs SUMO in this process and walks its persons through the zones. Between two steps the

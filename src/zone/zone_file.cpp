@@ -128,7 +128,7 @@ InputError zone_error(const ZoneSpec& zone, const std::string& problem,
 
 ZoneFile read_zone_file(const std::string& path) {
   const XmlFile file(path, {"zones"});
-  file.check_names(file.root(), {}, {"profile", "path", "zone", "pedestrians"});
+  file.check_names(file.root(), {}, {"profile", "path", "zone", "pedestrians", "vehiclePath"});
   ZoneFile read;
   for (const pugi::xml_node& node : file.root().children("profile")) {
     read.profiles.add(read_profile(file, node, read.profiles));
