@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 export SUMO_HOME="${SUMO_HOME:-/usr/share/sumo}"
-readonly kNames=(plaza narrow-lane street-zone dense-square crossing)
+readonly kNames=(plaza narrow-lane street-zone dense-square crossing experiments)
 
 # build NAME FILE
 build() {

@@ -1,0 +1,304 @@
+#!/usr/bin/python3
+"""The paper's experiments over seeds: what must be seen, checked with numbers.
+
+usage: experiments.py PEDZONE [EXPERIMENT ...] [--seeds N] [--jobs N] [--model M ...] [--markdown]
+       experiments.py --fcd FILE EXPERIMENT
+
+EXPERIMENT: 5.1, 5.2a, 5.2b, 5.3, 5.4; all where none is named. Measures come from SUMO's own
+floating-car data (experiment_measures.py). A check holds when the 95 % interval (Student) of the
+mean lies where it says, or as many seeds as it says are as it says. With --model another walking
+model, and the checks are told but do not count; several models make a table. With --fcd, the
+measures of one run that has been made. Exit code: 0 when all checks hold.
+"""
+
+import argparse
+import concurrent.futures
+import math
+import os
+import statistics
+import sys
+from dataclasses import dataclass
+
+import experiment_measures as m
+from experiment_tracks import RADIUS, SCENARIOS, Run, outside, read_fcd, run, stars, vehicle_sizes
+
+# Student's t, 97.5 %, for n - 1 degrees of freedom
+STUDENT = {1: 12.706, 4: 2.776, 9: 2.262, 14: 2.145, 19: 2.093, 29: 2.045, 39: 2.023}
+APART = 5.0  # [m] all so near each other: a group (it waits beyond 4 m along the way)
+
+
+def interval(values):
+    """Mean and 95 % interval."""
+    mean, count = statistics.fmean(values), len(values)
+    if count < 2:
+        return mean, mean, mean
+    half = STUDENT[count - 1] * statistics.stdev(values) / math.sqrt(count)
+    return mean, mean - half, mean + half
+
+
+def limits(check):
+    """As text."""
+    low = [f"at least {check.least:g}"] if check.least > -math.inf else []
+    high = [f"at most {check.most:g}"] if check.most < math.inf else []
+    return " and ".join(low + high)
+
+
+@dataclass
+class Mean:
+    """The interval of the mean is inside [least, most]."""
+    text: str
+    measure: str
+    least: float = -math.inf
+    most: float = math.inf
+
+    def result(self, rows):
+        mean, low, high = interval([row[self.measure] for row in rows])
+        return (low >= self.least and high <= self.most,
+                f"{mean:.2f} [{low:.2f}, {high:.2f}]")
+
+    def limits(self):
+        return limits(self)
+
+
+@dataclass
+class Share:
+    """At least `share` of the seeds are inside [least, most]."""
+    text: str
+    measure: str
+    least: float = -math.inf
+    most: float = math.inf
+    share: float = 0.9
+
+    def result(self, rows):
+        values = [row[self.measure] for row in rows]
+        inside = sum(self.least <= value <= self.most for value in values)
+        known = [value for value in values if not math.isnan(value)] or [math.nan]
+        return (inside >= self.share * len(values),
+                f"{inside} of {len(values)} ({min(known):.2f} to {max(known):.2f}, "
+                f"median {statistics.median(known):.2f})")
+
+    def limits(self):
+        return limits(self)
+
+
+def walkers_and_shuttle(runs):
+    """5.1: two persons towards whom a shuttle is steered: not, half, fully."""
+    at = stars("5.1")
+    lines = {person: at[f"goal.{person}"][1] for person in ("a", "b")}
+    row = {"clearance": min(m.clearance(run, "av") for run in runs.values()) - RADIUS,
+           "outside": max(outside(run, "street") for run in runs.values())}
+    for variant, one in runs.items():
+        aside = {p: m.most(one.persons[p].y - line) for p, line in lines.items()}
+        row[f"deviation {variant}"] = statistics.fmean(abs(value) for value in aside.values())
+        row |= {f"{p} {variant}": abs(value) for p, value in aside.items()}
+        if variant != "straight" and "straight" in runs:
+            onsets = [m.onset(one, runs["straight"], p, "av") for p in lines]
+            row[f"onset {variant}"] = min(gap for gap, _ in onsets)
+            row[f"onset time {variant}"] = min(time for _, time in onsets)
+        row[f"same side {variant}"] = float(aside["a"] * aside["b"] > 0)
+        row[f"alike {variant}"] = m.likeness(one, lines, "av")
+        row[f"clearance {variant}"] = m.clearance(one, "av")
+    if set(runs) >= {"straight", "half", "full"}:
+        for p in lines:
+            row[f"{p} half - straight"] = row[f"{p} half"] - row[f"{p} straight"]
+            row[f"{p} full - half"] = row[f"{p} full"] - row[f"{p} half"]
+    return row
+
+
+def group(one, edge):
+    times = m.common_times(one)
+    x, y = m.places(one, times)
+    spread = m.spread(one, times)
+    return {"spread": float(spread.mean()), "most apart": float(spread.max()),
+            "waits": m.waits(one, times), "changes": m.changes(x) + m.changes(y),
+            "outside": outside(one, edge)}
+
+
+def free_group(runs):
+    """5.2a."""
+    return group(runs[""], "square")
+
+
+OBSTACLE = (36.0, 28.0, 44.0, 46.0)  # [m] x0, y0, x1, y1, as in 5.2b.add.xml
+CORNER = (36.0, 46.0)                # the one that the shorter way round it passes
+
+
+def group_and_obstacle(runs):
+    """5.2b."""
+    one = runs[""]
+    gaps = [m.box_distance(track, OBSTACLE) for track in one.persons.values()]
+    off = [m.off_course(track, 9.0, CORNER) for track in one.persons.values()]
+    return group(one, "square") | {
+        "nearest": min(gaps), "farthest": max(gaps), "mean gap": statistics.fmean(gaps),
+        "off course": statistics.fmean(off),
+        "round the corner": float(all(max(track.y) > CORNER[1] for track in one.persons.values()))}
+
+
+def group_and_shuttle(runs):
+    """5.3."""
+    one = runs[""]
+    line = stars("5.3")["goal"][1]
+    north, south, gap = m.split(one, "av", line)
+    return group(one, "lane") | {
+        "north": north, "south": south, "smaller part": min(north, south), "split": gap,
+        "clearance": m.clearance(one, "av") - RADIUS,
+        "rejoin": m.rejoin(one, "av", APART, one.sizes["av"][1])}
+
+
+def crossing_pairs(runs):
+    """5.4."""
+    at, row = stars("5.4"), {}
+    for pair in ("upper", "lower"):
+        both = m.shares(runs[""], {f"{pair}.{way}": at[f"{pair}.east"][1]
+                                   for way in ("eastbound", "westbound")})
+        east, west = both.values()
+        row[f"{pair} share"] = east / (east + west)
+        row[f"{pair} larger share"] = max(east, west) / (east + west)
+        row[f"{pair} least"], row[f"{pair} most"] = min(east, west), max(east, west)
+        row[f"{pair} contact"] = m.nearest(runs[""], *both) - 2 * RADIUS
+    return row
+
+
+@dataclass
+class Around:
+    """The interval of the mean contains `value`."""
+    text: str
+    measure: str
+    value: float
+
+    def result(self, rows):
+        mean, low, high = interval([row[self.measure] for row in rows])
+        return low <= self.value <= high, f"{mean:.2f} [{low:.2f}, {high:.2f}]"
+
+    def limits(self):
+        return f"around {self.value:g}"
+
+
+NOBODY_TOUCHED = Share("nobody is touched [m]", "clearance", least=0.0, share=1.0)
+INSIDE = Share("nobody leaves the zone [m]", "outside", most=0.0, share=1.0)
+TOGETHER = Mean("the group stays together: farthest two, mean over time [m]", "spread", most=APART)
+WAITS = Share("somebody waits and walks on", "waits", least=1)
+CHANGES = Share("they change places", "changes", least=1)
+
+
+@dataclass
+class Experiment:
+    measure: object  # runs by variant -> {name: number}
+    checks: list
+    variants: tuple = ("",)
+
+
+EXPERIMENTS = {
+    "5.1": Experiment(walkers_and_shuttle, [
+        Share("steered fully, both have stepped aside before it is so near [m]", "onset full",
+              least=4.0),
+        Share("... and so long before it is nearest [s]", "onset time full", least=1.0),
+        Mean("a goes farther when it is steered half than not [m]", "a half - straight", least=0.0),
+        Mean("b too", "b half - straight", least=0.0),
+        Mean("a goes farther when it is steered fully than half [m]", "a full - half", least=0.0),
+        Mean("b too", "b full - half", least=0.0),
+        Share("both to the same side", "same side full", least=1.0),
+        Share("in nearly the same pattern: correlation", "alike full", least=0.8),
+        NOBODY_TOUCHED, INSIDE], ("straight", "half", "full")),
+    "5.2a": Experiment(free_group, [TOGETHER, WAITS, CHANGES, INSIDE]),
+    "5.2b": Experiment(group_and_obstacle, [
+        Mean("they head for the corner at once: off that course [deg]", "off course", least=-3.0,
+             most=3.0),
+        Share("all go round it", "round the corner", least=1.0),
+        Mean("close to it: gap of bodies [m]", "mean gap", most=0.5),
+        TOGETHER, CHANGES, INSIDE]),
+    "5.3": Experiment(group_and_shuttle, [
+        Share("the group splits to both sides: smaller part", "smaller part", least=1),
+        Share("early: some are on either side of its way from so far [m]", "split", least=4.0),
+        Share("behind it they join again before they arrive: within 5 m, no wider than it, after "
+              "[s]", "rejoin", least=0.0),
+        NOBODY_TOUCHED, INSIDE]),
+    "5.4": Experiment(crossing_pairs, [
+        check for pair in ("upper", "lower") for check in (
+            Around(f"{pair} pair: the eastbound's share of the deviation", f"{pair} share", 0.5),
+            Mean(f"{pair} pair: the share of the one that does more", f"{pair} larger share",
+                 most=0.75),
+            Share(f"{pair} pair: both deviate, the one that does less by [m]", f"{pair} least",
+                  least=0.1),
+            Share(f"{pair} pair: they do not touch [m]", f"{pair} contact", least=0.0,
+                  share=1.0))]),
+}
+
+
+def zone_file(name, variant):
+    return SCENARIOS / f"{name}{'-' + variant if variant else ''}.zone.xml"
+
+
+def measure(pedzone, name, seed, words):
+    experiment = EXPERIMENTS[name]
+    return experiment.measure({variant: run(pedzone, name, zone_file(name, variant), seed, words)
+                               for variant in experiment.variants})
+
+
+def measure_all(options, name, words=()):
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        return list(pool.map(lambda seed: measure(options.pedzone, name, seed, words),
+                             range(1, options.seeds + 1)))
+
+
+def print_checks(name, rows):
+    """Whether all hold."""
+    good = True
+    print(f"{name}, {len(rows)} seeds")
+    for check in EXPERIMENTS[name].checks:
+        holds, text = check.result(rows)
+        good = good and holds
+        print(f"  {check.text}: {text}; {check.limits()}"
+              f"{'' if holds else '  DOES NOT HOLD'}", flush=True)
+    return good
+
+
+def print_table(options, names):
+    """A row for each check, a column for each model."""
+    print("| experiment | what must be seen | " + " | ".join(options.model) + " |")
+    print("| --- | --- |" + " --- |" * len(options.model))
+    for name in names:
+        columns = []
+        for model in options.model:
+            rows = measure_all(options, name, ("--model", model))
+            columns.append([check.result(rows) for check in EXPERIMENTS[name].checks])
+        for check, *results in zip(EXPERIMENTS[name].checks, *columns):
+            cells = (f"{'' if holds else '**no** '}{text}" for holds, text in results)
+            print(f"| {name} | {check.text} | " + " | ".join(cells) + " |", flush=True)
+
+
+def print_run(fcd, name, variant):
+    persons, vehicles = read_fcd(fcd)
+    one = Run(persons, vehicles, vehicle_sizes(SCENARIOS / f"{name}.rou.xml"))
+    for key, value in EXPERIMENTS[name].measure({variant: one}).items():
+        print(f"  {key:24} {value:8.2f}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("words", nargs="*", metavar="PEDZONE EXPERIMENT")
+    parser.add_argument("--seeds", type=int, default=20, choices=[n + 1 for n in STUDENT])
+    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))
+    parser.add_argument("--model", nargs="+", default=[])
+    parser.add_argument("--markdown", action="store_true", help="print a table of the models")
+    parser.add_argument("--fcd")
+    parser.add_argument("--variant", default="")
+    options = parser.parse_args()
+    if options.fcd:
+        print_run(options.fcd, options.words[0], options.variant)
+        return 0
+    options.pedzone, *names = options.words
+    names = names or list(EXPERIMENTS)
+    if options.markdown:
+        print_table(options, names)
+        return 0
+    good = True
+    for model in options.model or [None]:
+        for name in names:
+            rows = measure_all(options, name, ("--model", model) if model else ())
+            good = print_checks(name, rows) and good
+    return 0 if good or options.model else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
