@@ -39,11 +39,12 @@ def onset(run, control, person, vehicle):
 
 def likeness(run, lines, vehicle):
     """Correlation of two persons' deviations from their lines (id -> y), from AROUND [s] before
-    each is nearest to the vehicle until as long after; nan where one does not deviate at all."""
+    each is beside the vehicle until as long after; nan where one does not deviate at all."""
     moments, sides = numpy.arange(-AROUND, AROUND, STEP), []
     for person, line in lines.items():
-        t, gap = run.gaps(person, vehicle)
-        sides.append(run.persons[person].at(t[gap.argmin()] + moments)[1] - line)
+        t, ahead, _ = run.seen_from(person, vehicle)
+        beside = t[numpy.abs(ahead + run.sizes[vehicle][0] / 2).argmin()]
+        sides.append(run.persons[person].at(beside + moments)[1] - line)
     sides = [side[~numpy.isnan(sides).any(axis=0)] for side in sides]
     if min(side.std() for side in sides) < 1e-3:
         return NONE

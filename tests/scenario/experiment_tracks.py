@@ -48,17 +48,21 @@ class Run:
     vehicles: dict  # id -> Track
     sizes: dict = field(default_factory=dict)  # vehicle id -> (length, width) [m]
 
-    def gaps(self, person, vehicle):
-        """t, and how far [m] the person's centre is from the vehicle's rectangle; while both are
-        there."""
+    def seen_from(self, person, vehicle):
+        """t, and how far [m] the person's centre is ahead of the vehicle's front bumper and to the
+        left of its middle; while both are there."""
         one, other = self.persons[person], self.vehicles[vehicle]
-        length, width = self.sizes[vehicle]
         keep = (one.t >= other.t[0]) & (one.t <= other.t[-1])
         t, x, y = one.t[keep], one.x[keep], one.y[keep]
         vx, vy = other.at(t)
         angle = numpy.radians(90.0 - numpy.interp(t, other.t, numpy.unwrap(other.angle, period=360)))
-        ahead = (x - vx) * numpy.cos(angle) + (y - vy) * numpy.sin(angle)
-        aside = (y - vy) * numpy.cos(angle) - (x - vx) * numpy.sin(angle)
+        return (t, (x - vx) * numpy.cos(angle) + (y - vy) * numpy.sin(angle),
+                (y - vy) * numpy.cos(angle) - (x - vx) * numpy.sin(angle))
+
+    def gaps(self, person, vehicle):
+        """t, and how far [m] the person's centre is from the vehicle's rectangle."""
+        length, width = self.sizes[vehicle]
+        t, ahead, aside = self.seen_from(person, vehicle)
         return t, numpy.hypot(numpy.maximum(numpy.maximum(-length - ahead, ahead), 0.0),
                               numpy.maximum(numpy.abs(aside) - width / 2, 0.0))
 

@@ -174,6 +174,20 @@ class Around:
         return f"around {self.value:g}"
 
 
+@dataclass
+class Figure:
+    """Told only."""
+    text: str
+    measure: str
+
+    def result(self, rows):
+        mean, low, high = interval([row[self.measure] for row in rows])
+        return True, f"{mean:.2f} [{low:.2f}, {high:.2f}]"
+
+    def limits(self):
+        return "not judged"
+
+
 NOBODY_TOUCHED = Share("nobody is touched [m]", "clearance", least=0.0, share=1.0)
 INSIDE = Share("nobody leaves the zone [m]", "outside", most=0.0, share=1.0)
 TOGETHER = Mean("the group stays together: farthest two, mean over time [m]", "spread", most=APART)
@@ -213,15 +227,16 @@ EXPERIMENTS = {
         Share("behind it they join again before they arrive: within 5 m, no wider than it, after "
               "[s]", "rejoin", least=0.0),
         NOBODY_TOUCHED, INSIDE]),
+    # The lower pair walks by ORCA, what the paper calls RVO: it is shown, not judged.
     "5.4": Experiment(crossing_pairs, [
-        check for pair in ("upper", "lower") for check in (
-            Around(f"{pair} pair: the eastbound's share of the deviation", f"{pair} share", 0.5),
-            Mean(f"{pair} pair: the share of the one that does more", f"{pair} larger share",
-                 most=0.75),
-            Share(f"{pair} pair: both deviate, the one that does less by [m]", f"{pair} least",
-                  least=0.1),
-            Share(f"{pair} pair: they do not touch [m]", f"{pair} contact", least=0.0,
-                  share=1.0))]),
+        Around("the eastbound's share of the deviation", "upper share", 0.5),
+        Mean("the share of the one that does more", "upper larger share", most=0.75),
+        Share("both deviate, the one that does less by [m]", "upper least", least=0.1),
+        Share("they do not touch [m]", "upper contact", least=0.0, share=1.0),
+        Figure("lower pair: the eastbound's share", "lower share"),
+        Figure("lower pair: the share of the one that does more", "lower larger share"),
+        Figure("lower pair: the one that does less deviates by [m]", "lower least"),
+        Figure("lower pair: gap of bodies [m]", "lower contact")]),
 }
 
 

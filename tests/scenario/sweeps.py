@@ -103,7 +103,7 @@ def corners(pedzone, folder, seed, words, radius):
 def across(pedzone, folder, seed, words, length, equation):
     """A bus of that length stands across the way of one person."""
     front = 40 + length / 2
-    path = f"t,x,y\n0,40,{front - 1}\n1,40,{front}\n{2 * END},40,{front}\n"
+    path = f"t,x,y\n1,40,{front - 1}\n2,40,{front}\n{2 * END},40,{front}\n"
     more = write(folder, "sweep.add.xml",
                  f"<additional>{poi('start', 5, 40)}{poi('goal', 75, 40)}</additional>")
     bus = '<vehicle id="av" type="bus" depart="0"><route edges="street"/></vehicle>'
@@ -155,8 +155,8 @@ SWEEPS = {
         (2.5, 5.0, 10.0, 20.0, 35.0, 70.0), encounter, "spacing",
         {"deviation": "deviation [m]", "off the path": "off the path before the encounter [m]"},
         {"heuristic": {}},
-        (Claim("the farther apart, the more they give way", "deviation", 2.5, 10.0),
-         Claim("... and more", "deviation", 10.0, 35.0),
+        (Claim("the farther apart, the more they give way", "deviation", 2.5, 20.0),
+         Claim("... and more", "deviation", 10.0, 70.0),
          Claim("the nearer, the more exactly they follow the path", "off the path", 2.5, 20.0)),
         ("outside",)),
     "radius": Sweep(
@@ -171,7 +171,7 @@ SWEEPS = {
         "length", {"time": "time until it is passed [s]"}, EQUATIONS,
         (Claim("by Eq. 1 what is long holds people up", "time", 2.0, 12.0, 1, "Eq. 1"),)),
     "vehicle": Sweep(
-        "5.1 by both equations, vehicles as in the paper", "steering", (0.0, 0.5, 1.0, 1.25),
+        "5.1 by both equations, vehicles as in the paper", "steering", (0.0, 0.5, 1.0, 1.5, 2.0),
         encounter, "steering",
         {"deviation": "deviation [m]", "clearance": "least clearance [m]"},
         {name: {"model": "plain", "parameters": words} for name, words in EQUATIONS.items()}),
