@@ -37,12 +37,12 @@ while (($#)); do
   shift 2
 done
 
-[[ -x build/src/app/pedzone ]] || {
+[[ -x ${PEDZONE:-build/src/app/pedzone} ]] || {
   tools/install.sh
   [[ -f build/build.ninja ]] || cmake --preset release
   cmake --build --preset release --target pedzone
 }
-pedzone=build/src/app/pedzone
+pedzone=${PEDZONE:-build/src/app/pedzone}
 folder=scenarios/experiments
 mkdir -p "$out"
 for variant in "${variants[@]}"; do

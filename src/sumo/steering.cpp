@@ -77,21 +77,20 @@ void Steering::apply(double time) {
   const std::vector<std::string> all = api::Vehicle::getIDList();
   const std::set<std::string> present(all.begin(), all.end());
   std::erase_if(paths_, [&](const VehiclePath& path) {
-    const std::string& id = path.vehicle();
     if (time < path.begin()) return false;
-    const bool is_new = steered_.insert(id).second, over = time > path.end();
-    if (present.contains(id)) {
-      if (over) {
-        api::Vehicle::remove(id, libsumo::REMOVE_ARRIVED);
-      } else {
-        put(path, time);
-      }
-    } else if (is_new) {
+    const std::string& id = path.vehicle();
+    const bool there = present.contains(id), over = time > path.end();
+    if (steered_.insert(id).second && !there) {
       // SUMO would accept one that is still to depart, and dies where that is off the road.
       throw path_error(path, "is not under way at the first row of its path",
                        "vehicles that depart a step before that or earlier");
-    }  // else it has come to the end of its route, or somebody has removed it
-    if (present.contains(id) && !over) return false;
+    }
+    if (there && !over) {
+      put(path, time);
+      return false;
+    }
+    // Where it is not there it has come to the end of its route, or somebody has removed it.
+    if (there) api::Vehicle::remove(id, libsumo::REMOVE_ARRIVED);
     steered_.erase(id);
     return true;
   });
