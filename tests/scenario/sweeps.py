@@ -3,7 +3,7 @@
 
 usage: sweeps.py PEDZONE [SWEEP ...] [--seeds N] [--jobs N] [--model M] [--out FOLDER] [--check]
 
-SWEEP: steering, spacing, radius, wall, vehicle; all where none is named. Each is run for every
+SWEEP: steering, spacing, radius, occupied, wall, vehicle; all where none is named. Each is run for every
 seed; a table of means with 95 % intervals is printed, --out gets an SVG for each measure. With
 --check the directions that the paper's text claims have to hold: of the paired difference from one
 value to another the interval lies on that side of 0. Measures come from SUMO's own floating-car
@@ -100,16 +100,20 @@ def corners(pedzone, folder, seed, words, radius):
             "inside the house": -m.box_distance(track, OBSTACLE), "outside": outside(one, "square")}
 
 
-def across(pedzone, folder, seed, words, length, equation):
-    """A bus of that length stands across the way of one person."""
+def across(pedzone, folder, seed, words, length=6.0, equation=2, radius=None):
+    """A bus of that length stands across the way of one person; on a waypoint of that radius,
+    where one is given."""
     front = 40 + length / 2
     path = f"t,x,y\n1,40,{front - 1}\n2,40,{front}\n{2 * END},40,{front}\n"
-    more = write(folder, "sweep.add.xml",
-                 f"<additional>{poi('start', 5, 40)}{poi('goal', 75, 40)}</additional>")
+    stops = {"start": poi("start", 5, 40), "goal": poi("goal", 75, 40)}
+    if radius:
+        stops = {"start": stops["start"], "under_the_bus": poi("under_the_bus", 40, 40, radius),
+                 "goal": stops["goal"]}
+    more = write(folder, "sweep.add.xml", f"<additional>{''.join(stops.values())}</additional>")
     bus = '<vehicle id="av" type="bus" depart="0"><route edges="street"/></vehicle>'
     routes = write(folder, "sweep.rou.xml",
                    ONE_WALKER.format(length=length, width=BUS, more=bus))
-    zone = zones(folder, {"a": "start goal"}, "square", path, {"equation": equation})
+    zone = zones(folder, {"a": " ".join(stops)}, "square", path, {"equation": equation})
     one = run(pedzone, "5.2a", zone, seed, words,
               ("--additional-files", str(more), "--route-files", str(routes)), routes)
     track = one.persons["a"]
@@ -166,6 +170,10 @@ SWEEPS = {
         (Claim("a large radius cuts corners", "missed", 0.3, 1.0),
          Claim("... the more the larger", "missed", 1.0, 4.0),
          Claim("and is quicker", "time", 0.3, 4.0, -1)), ("outside", "inside the house")),
+    "occupied": Sweep(
+        "A bus stands on a waypoint", "the waypoint's radius [m]", (0.3, 0.6, 1.0, 2.0, 3.0, 4.0),
+        across, "radius", {"time": "time until it is passed [s]"}, {"heuristic": {}},
+        (Claim("a small one costs the patience", "time", 0.3, 4.0, -1),)),
     "wall": Sweep(
         "A bus across the way", "its length [m]", (1.0, 2.0, 4.0, 8.0, 12.0, 16.0), across,
         "length", {"time": "time until it is passed [s]"}, EQUATIONS,
