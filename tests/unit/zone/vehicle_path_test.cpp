@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
+#include <pugixml.hpp>
+
+#include "core/error.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -86,6 +92,27 @@ TEST(VehiclePath, way_leads_from_the_rear_to_what_is_ahead) {
 TEST(VehiclePath, way_ends_with_the_path) {
   expect_near(corner().way(17.0, kLength, 30.0).back(), {10, 10});
   EXPECT_EQ(corner().way(18.0, kLength, 30.0).size(), 2U);
+}
+
+TEST(VehiclePath, the_schema_says_the_same) {
+  const std::string file = ::testing::TempDir() + "vehicle_path_test.zone.xml";
+  std::ofstream(file) << "<zones><vehiclePath speed=\"3\"/></zones>";
+  std::string message;
+  try {
+    read_vehicle_paths(file);
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  std::remove(file.c_str());
+  pugi::xml_document schema;
+  ASSERT_TRUE(schema.load_file(PEDZONE_ZONES_XSD));
+  std::string names;
+  const auto type = schema.document_element().find_child_by_attribute("xsd:complexType", "name",
+                                                                      "vehiclePathType");
+  for (const auto& attribute : type.children("xsd:attribute")) {
+    names += (names.empty() ? "" : ", ") + std::string(attribute.attribute("name").value());
+  }
+  EXPECT_EQ(message.substr(message.find("allowed: ") + 9), names);
 }
 
 }  // namespace

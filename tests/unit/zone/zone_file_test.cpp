@@ -129,9 +129,9 @@ TEST_F(ZoneFile, rejects_what_is_missing_empty_or_twice) {
 }
 
 TEST_F(ZoneFile, rejects_other_elements_and_broken_files) {
-  EXPECT_EQ(
-      error("<zones>\n<area id=\"a\"/></zones>"),
-      "2: <area id=\"a\">: is not allowed in <zones>; allowed: profile, path, zone, pedestrians");
+  EXPECT_EQ(error("<zones>\n<area id=\"a\"/></zones>"),
+            "2: <area id=\"a\">: is not allowed in <zones>; allowed: profile, path, zone, "
+            "pedestrians, vehiclePath");
   EXPECT_THAT(error("<zones><zone id=\"a\">\n<parameter/></zone></zones>"),
               HasSubstr("2: <parameter>: is not allowed in <zone>; allowed: param"));
   EXPECT_EQ(error("<net>\n</net>"),
