@@ -7,6 +7,7 @@
 
 #include "view/place.hpp"
 #include "view/recording.hpp"
+#include "zone/shapes.hpp"
 
 namespace pedzone {
 
