@@ -55,7 +55,8 @@ class Run:
         keep = (one.t >= other.t[0]) & (one.t <= other.t[-1])
         t, x, y = one.t[keep], one.x[keep], one.y[keep]
         vx, vy = other.at(t)
-        angle = numpy.radians(90.0 - numpy.interp(t, other.t, numpy.unwrap(other.angle, period=360)))
+        north = numpy.interp(t, other.t, numpy.unwrap(other.angle, period=360))
+        angle = numpy.radians(90.0 - north)
         return (t, (x - vx) * numpy.cos(angle) + (y - vy) * numpy.sin(angle),
                 (y - vy) * numpy.cos(angle) - (x - vx) * numpy.sin(angle))
 

@@ -13,72 +13,17 @@ measures of one run that has been made. Exit code: 0 when all checks hold.
 
 import argparse
 import concurrent.futures
-import math
 import os
 import statistics
 import sys
 from dataclasses import dataclass
 
 import experiment_measures as m
+from experiment_checks import SEEDS, Around, Figure, Mean, Share
 from experiment_tracks import RADIUS, SCENARIOS, Run, outside, read_fcd, run, stars, vehicle_sizes
 
-# Student's t, 97.5 %, for n - 1 degrees of freedom
-STUDENT = {1: 12.706, 4: 2.776, 9: 2.262, 14: 2.145, 19: 2.093, 29: 2.045, 39: 2.023}
-APART = 5.0  # [m] all so near each other: a group (it waits beyond 4 m along the way)
-
-
-def interval(values):
-    """Mean and 95 % interval."""
-    mean, count = statistics.fmean(values), len(values)
-    if count < 2:
-        return mean, mean, mean
-    half = STUDENT[count - 1] * statistics.stdev(values) / math.sqrt(count)
-    return mean, mean - half, mean + half
-
-
-def limits(check):
-    """As text."""
-    low = [f"at least {check.least:g}"] if check.least > -math.inf else []
-    high = [f"at most {check.most:g}"] if check.most < math.inf else []
-    return " and ".join(low + high)
-
-
-@dataclass
-class Mean:
-    """The interval of the mean is inside [least, most]."""
-    text: str
-    measure: str
-    least: float = -math.inf
-    most: float = math.inf
-
-    def result(self, rows):
-        mean, low, high = interval([row[self.measure] for row in rows])
-        return (low >= self.least and high <= self.most,
-                f"{mean:.2f} [{low:.2f}, {high:.2f}]")
-
-    def limits(self):
-        return limits(self)
-
-
-@dataclass
-class Share:
-    """At least `share` of the seeds are inside [least, most]."""
-    text: str
-    measure: str
-    least: float = -math.inf
-    most: float = math.inf
-    share: float = 0.9
-
-    def result(self, rows):
-        values = [row[self.measure] for row in rows]
-        inside = sum(self.least <= value <= self.most for value in values)
-        known = [value for value in values if not math.isnan(value)] or [math.nan]
-        return (inside >= self.share * len(values),
-                f"{inside} of {len(values)} ({min(known):.2f} to {max(known):.2f}, "
-                f"median {statistics.median(known):.2f})")
-
-    def limits(self):
-        return limits(self)
+APART = 5.0     # [m] all so near each other: a group (it waits beyond 4 m along the way)
+OVERLAP = 0.01  # [m] less is rounding
 
 
 def walkers_and_shuttle(runs):
@@ -159,36 +104,7 @@ def crossing_pairs(runs):
     return row
 
 
-@dataclass
-class Around:
-    """The interval of the mean contains `value`."""
-    text: str
-    measure: str
-    value: float
-
-    def result(self, rows):
-        mean, low, high = interval([row[self.measure] for row in rows])
-        return low <= self.value <= high, f"{mean:.2f} [{low:.2f}, {high:.2f}]"
-
-    def limits(self):
-        return f"around {self.value:g}"
-
-
-@dataclass
-class Figure:
-    """Told only."""
-    text: str
-    measure: str
-
-    def result(self, rows):
-        mean, low, high = interval([row[self.measure] for row in rows])
-        return True, f"{mean:.2f} [{low:.2f}, {high:.2f}]"
-
-    def limits(self):
-        return "not judged"
-
-
-NOBODY_TOUCHED = Share("nobody is touched [m]", "clearance", least=0.0, share=1.0)
+NOBODY_TOUCHED = Share("nobody is touched [m]", "clearance", least=-OVERLAP, share=1.0)
 INSIDE = Share("nobody leaves the zone [m]", "outside", most=0.0, share=1.0)
 TOGETHER = Mean("the group stays together: farthest two, mean over time [m]", "spread", most=APART)
 WAITS = Share("somebody waits and walks on", "waits", least=1)
@@ -232,7 +148,7 @@ EXPERIMENTS = {
         Around("the eastbound's share of the deviation", "upper share", 0.5),
         Mean("the share of the one that does more", "upper larger share", most=0.75),
         Share("both deviate, the one that does less by [m]", "upper least", least=0.1),
-        Share("they do not touch [m]", "upper contact", least=0.0, share=1.0),
+        Share("they do not overlap [m]", "upper contact", least=-OVERLAP, share=1.0),
         Figure("lower pair: the eastbound's share", "lower share"),
         Figure("lower pair: the share of the one that does more", "lower larger share"),
         Figure("lower pair: the one that does less deviates by [m]", "lower least"),
@@ -261,9 +177,9 @@ def print_checks(name, rows):
     good = True
     print(f"{name}, {len(rows)} seeds")
     for check in EXPERIMENTS[name].checks:
-        holds, text = check.result(rows)
+        holds, text, more = check.result(rows)
         good = good and holds
-        print(f"  {check.text}: {text}; {check.limits()}"
+        print(f"  {check.text}: {text}{more}; {check.limits()}"
               f"{'' if holds else '  DOES NOT HOLD'}", flush=True)
     return good
 
@@ -278,7 +194,7 @@ def print_table(options, names):
             rows = measure_all(options, name, ("--model", model))
             columns.append([check.result(rows) for check in EXPERIMENTS[name].checks])
         for check, *results in zip(EXPERIMENTS[name].checks, *columns):
-            cells = (f"{'' if holds else '**no** '}{text}" for holds, text in results)
+            cells = (f"{'' if holds else '**no** '}{text}" for holds, text, _ in results)
             print(f"| {name} | {check.text} | " + " | ".join(cells) + " |", flush=True)
 
 
@@ -292,7 +208,7 @@ def print_run(fcd, name, variant):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("words", nargs="*", metavar="PEDZONE EXPERIMENT")
-    parser.add_argument("--seeds", type=int, default=20, choices=[n + 1 for n in STUDENT])
+    parser.add_argument("--seeds", type=int, default=20, choices=SEEDS)
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))
     parser.add_argument("--model", nargs="+", default=[])
     parser.add_argument("--markdown", action="store_true", help="print a table of the models")

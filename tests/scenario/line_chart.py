@@ -55,7 +55,8 @@ class Axes:
         parts.append(f'<path d="M{LEFT} {HEIGHT - BOTTOM}H{WIDTH - RIGHT}" stroke="#444"/>')
         parts.append(text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 12, x_label))
         middle = (TOP + HEIGHT - BOTTOM) / 2
-        parts.append(text(18, middle, y_label, "middle", f'transform="rotate(-90 18 {middle:.1f})"'))
+        turned = f'transform="rotate(-90 18 {middle:.1f})"'
+        parts.append(text(18, middle, y_label, more=turned))
         return parts
 
 
@@ -68,7 +69,8 @@ def drawn_line(axes, line, colour):
     at = " ".join(f"{axes.x(p[0]):.1f},{axes.y(p[1]):.1f}" for p in line.points)
     parts.append(f'<polyline points="{at}" fill="none" stroke="{colour}" stroke-width="2"/>')
     for x, mean, *_ in line.points:
-        parts.append(f'<circle cx="{axes.x(x):.1f}" cy="{axes.y(mean):.1f}" r="3.5" fill="{colour}"/>')
+        parts.append(f'<circle cx="{axes.x(x):.1f}" cy="{axes.y(mean):.1f}" r="3.5" '
+                     f'fill="{colour}"/>')
     return parts
 
 

@@ -3,8 +3,8 @@
 
 usage: sweeps.py PEDZONE [SWEEP ...] [--seeds N] [--jobs N] [--model M] [--out FOLDER] [--check]
 
-SWEEP: steering, spacing, radius, occupied, wall, vehicle; all where none is named. Each is run for every
-seed; a table of means with 95 % intervals is printed, --out gets an SVG for each measure. With
+SWEEP: steering, spacing, radius, occupied, wall, vehicle; all where none is named. Each is run for
+every seed; a table of means with 95 % intervals is printed, --out gets an SVG for each measure. With
 --check the directions that the paper's text claims have to hold: of the paired difference from one
 value to another the interval lies on that side of 0. Measures come from SUMO's own floating-car
 data.
@@ -20,8 +20,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import experiment_measures as m
+from experiment_checks import SEEDS, interval
 from experiment_tracks import SCENARIOS, outside, run
-from experiments import OBSTACLE, interval
+from experiments import OBSTACLE
 from line_chart import Line, chart
 
 sys.path.insert(0, str(SCENARIOS))
@@ -239,7 +240,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("pedzone")
     parser.add_argument("sweeps", nargs="*", metavar="SWEEP")
-    parser.add_argument("--seeds", type=int, default=10, choices=(2, 5, 10, 15, 20, 30, 40))
+    parser.add_argument("--seeds", type=int, default=10, choices=SEEDS)
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))
     parser.add_argument("--model")
     parser.add_argument("--out")

@@ -1,0 +1,95 @@
+"""What has to be true of a measure over seeds.
+
+Each check has a text, and result(rows) -> (whether it holds, the figures, more of them) of rows
+{measure: number}, one for each seed.
+"""
+
+import math
+import statistics
+from dataclasses import dataclass
+
+# Student's t, 97.5 %, for n - 1 degrees of freedom
+STUDENT = {1: 12.706, 4: 2.776, 9: 2.262, 14: 2.145, 19: 2.093, 29: 2.045, 39: 2.023}
+SEEDS = [n + 1 for n in STUDENT]
+
+
+def interval(values):
+    """Mean and 95 % interval."""
+    mean, count = statistics.fmean(values), len(values)
+    if count < 2:
+        return mean, mean, mean
+    half = STUDENT[count - 1] * statistics.stdev(values) / math.sqrt(count)
+    return mean, mean - half, mean + half
+
+
+def limits(check):
+    """As text."""
+    low = [f"at least {check.least:g}"] if check.least > -math.inf else []
+    high = [f"at most {check.most:g}"] if check.most < math.inf else []
+    return " and ".join(low + high)
+
+
+@dataclass
+class Mean:
+    """The interval of the mean is inside [least, most]."""
+    text: str
+    measure: str
+    least: float = -math.inf
+    most: float = math.inf
+
+    def result(self, rows):
+        mean, low, high = interval([row[self.measure] for row in rows])
+        return low >= self.least and high <= self.most, f"{mean:.2f} [{low:.2f}, {high:.2f}]", ""
+
+    def limits(self):
+        return limits(self)
+
+
+@dataclass
+class Share:
+    """At least `share` of the seeds are inside [least, most]."""
+    text: str
+    measure: str
+    least: float = -math.inf
+    most: float = math.inf
+    share: float = 0.9
+
+    def result(self, rows):
+        values = [row[self.measure] for row in rows]
+        inside = sum(self.least <= value <= self.most for value in values)
+        known = [value for value in values if not math.isnan(value)] or [math.nan]
+        return (inside >= self.share * len(values),
+                f"{inside} of {len(values)} ({statistics.median(known):.2f})",
+                f": median in brackets, {min(known):.2f} to {max(known):.2f}")
+
+    def limits(self):
+        return limits(self)
+
+
+@dataclass
+class Around:
+    """The interval of the mean contains `value`."""
+    text: str
+    measure: str
+    value: float
+
+    def result(self, rows):
+        mean, low, high = interval([row[self.measure] for row in rows])
+        return low <= self.value <= high, f"{mean:.2f} [{low:.2f}, {high:.2f}]", ""
+
+    def limits(self):
+        return f"around {self.value:g}"
+
+
+@dataclass
+class Figure:
+    """Told only."""
+    text: str
+    measure: str
+
+    def result(self, rows):
+        mean, low, high = interval([row[self.measure] for row in rows])
+        return True, f"{mean:.2f} [{low:.2f}, {high:.2f}]", ""
+
+    def limits(self):
+        return "not judged"
