@@ -104,7 +104,7 @@ std::string path_plot(const Recording& recording, const Place* place,
   const std::vector<LineSet> sets = line_sets(recording, options.colour);
   const MapPanel panel(box.sizes(), legend(recording, place, box, sets));
   SvgPage page(box, panel.height());
-  draw_ground(page, place);
+  draw_ground(page, place, panel.unit());
   draw_vehicle_ways(page, recording, panel.unit());
   draw_waypoints(page, place, panel.unit());
   const bool few = recording.persons.size() <= kLineLooks;

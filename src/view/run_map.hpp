@@ -54,7 +54,7 @@ Ring outline(const RecordedVehicle& vehicle, const VehicleMoment& moment);
 Ring star(const Vec2& centre, double radius);
 
 /// The ground: zones in grey, obstacles, roads, and waypoints as stars with their radii.
-void draw_ground(SvgPage& page, const Place* place);
+void draw_ground(SvgPage& page, const Place* place, double unit);
 void draw_waypoints(SvgPage& page, const Place* place, double unit);
 
 /// Lines along which the vehicles' centres went.

@@ -117,7 +117,8 @@ std::string SvgPage::finish(std::string_view title) const {
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" "
-      "viewBox=\"0 0 {:.2f} {:.2f}\" data-box=\"{:.2f} {:.2f} {:.2f} {:.2f}\" font-family=\"sans-serif\">\n"
+      "viewBox=\"0 0 {:.2f} {:.2f}\" data-box=\"{:.2f} {:.2f} {:.2f} {:.2f}\" "
+      "font-family=\"sans-serif\">\n"
       "<title>{}</title>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{}</svg>\n",
       std::ceil(pixels * width), std::ceil(pixels * height), width, height, box_.min().x(),

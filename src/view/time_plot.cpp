@@ -41,7 +41,7 @@ class TimePlot {
   }
 
   std::string draw() {
-    draw_ground(page_, place_);
+    draw_ground(page_, place_, unit_);
     draw_vehicle_ways(page_, recording_, unit_);
     draw_waypoints(page_, place_, unit_);
     draw_outlines();

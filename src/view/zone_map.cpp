@@ -50,11 +50,11 @@ std::string stroke(std::string_view colour, double width) {
 }
 
 std::string MapLook::walkable_style(std::size_t zone) const {
-  return fmt::format("fill=\"{}\" ", zones[zone % zones.size()]) + stroke(border, 0.25);
+  return fmt::format("fill=\"{}\" ", zones[zone % zones.size()]) + stroke(border, line);
 }
 
 std::string MapLook::obstacle_style() const {
-  return fmt::format("fill=\"{}\" ", obstacle) + stroke(obstacle_border, 0.2);
+  return fmt::format("fill=\"{}\" ", obstacle) + stroke(obstacle_border, 0.8 * line);
 }
 
 void draw_zone_map(SvgPage& page, const Network& network, std::span<const Zone> zones,

@@ -15,6 +15,7 @@ struct MapLook {
   std::string_view border;                  ///< of what is walkable
   std::string_view obstacle, obstacle_border;
   std::string_view road, footway, crossing;  ///< that stay SUMO's
+  double line = 0.25;                        ///< [m] width of borders
 
   std::string walkable_style(std::size_t zone) const;
   std::string obstacle_style() const;

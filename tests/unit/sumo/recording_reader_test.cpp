@@ -118,7 +118,9 @@ TEST_F(Reading, refuses_rows_that_mean_nothing) {
 }
 
 TEST(Moments, are_found_by_step) {
-  const std::vector<PersonMoment> moments{{.step = 2}, {.step = 5}};
+  std::vector<PersonMoment> moments(2);
+  moments[0].step = 2;
+  moments[1].step = 5;
   EXPECT_EQ(moment_until(moments, 1), nullptr);
   EXPECT_EQ(moment_until(moments, 4), &moments[0]);
   EXPECT_EQ(moment_until(moments, 9), &moments[1]);
