@@ -4,7 +4,6 @@ Shares nothing with src/. Positions are network metres; a vehicle's is that of t
 front bumper, its angle in degrees clockwise from north.
 """
 
-import math
 import os
 import subprocess
 import tempfile
