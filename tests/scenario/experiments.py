@@ -23,6 +23,7 @@ from experiment_checks import SEEDS, Around, Figure, Mean, Share
 from experiment_tracks import RADIUS, SCENARIOS, Run, outside, read_fcd, run, stars, vehicle_sizes
 
 APART = 5.0     # [m] all so near each other: a group (it waits beyond 4 m along the way)
+FARTHER = 0.05  # [m] what counts as farther
 OVERLAP = 0.01  # [m] less is rounding
 
 
@@ -123,10 +124,12 @@ EXPERIMENTS = {
         Share("steered fully, both have stepped aside before it is so near [m]", "onset full",
               least=4.0),
         Share("... and so long before it is nearest [s]", "onset time full", least=1.0),
-        Mean("a goes farther when it is steered half than not [m]", "a half - straight", least=0.0),
-        Mean("b too", "b half - straight", least=0.0),
-        Mean("a goes farther when it is steered fully than half [m]", "a full - half", least=0.0),
-        Mean("b too", "b full - half", least=0.0),
+        Mean("a goes farther when it is steered half than not [m]", "a half - straight",
+             least=FARTHER),
+        Mean("b too", "b half - straight", least=FARTHER),
+        Mean("a goes farther when it is steered fully than half [m]", "a full - half",
+             least=FARTHER),
+        Mean("b too", "b full - half", least=FARTHER),
         Share("both to the same side", "same side full", least=1.0),
         Share("in nearly the same pattern: correlation", "alike full", least=0.8),
         NOBODY_TOUCHED, INSIDE], ("straight", "half", "full")),
