@@ -36,7 +36,7 @@ print_results() {
 Results in $PWD/$out:
   paths.svg, paths.png   everybody's path through the zone
   summary.json           the table above, as JSON
-  trajectories.csv       time,id,x,y,vx,vy,heading,activity
+  trajectories.csv       time,id,x,y,vx,vy,heading,activity,pastime
   tripinfo.xml           SUMO's own trip report
 TEXT
 }
