@@ -14,6 +14,8 @@ namespace {
 constexpr double kMoving = 0.3;  // [m/s] assumed: crawling is not driving
 constexpr double kLook = 0.25;   // [s] numerical: no vehicle drives past its own length meanwhile
 constexpr double kGlance = 1.0;  // [s] numerical: the same for what is within metres
+constexpr double kClear = 0.5;   // [m] assumed: nobody stands where a vehicle comes this near ...
+constexpr double kSoon = 3.0;    // [s] assumed: ... so soon
 
 /// Along its lanes where SUMO tells them.
 bool drives_over(const VehicleState& vehicle, const Vec2& point, double reach, double way) {
@@ -62,6 +64,10 @@ bool is_swept(const CrowdState& crowd, std::size_t i, double margin, double time
   return std::any_of(crowd.vehicles.begin(), crowd.vehicles.end(), [&](const VehicleState& v) {
     return sweeps(v, crowd.position(i), reach, time);
   });
+}
+
+bool may_stand(const CrowdState& crowd, std::size_t i) {
+  return !is_claimed(crowd, i, kClear) && !is_swept(crowd, i, kClear, kSoon);
 }
 
 const VehicleState* moving_near(const CrowdState& crowd, const Vec2& point, double reach,

@@ -15,6 +15,10 @@ bool is_claimed(const CrowdState& crowd, std::size_t i, double margin);
 /// [s], the body staying where it is.
 bool is_swept(const CrowdState& crowd, std::size_t i, double margin, double time);
 
+/// Whether row i may stand where it is for somebody else's sake: no vehicle claims the place or
+/// comes there soon.
+bool may_stand(const CrowdState& crowd, std::size_t i);
+
 /// The nearest of the vehicles that move and are, or within `time` [s] will be, nearer than `reach`
 /// [m] to the point; null: none.
 const VehicleState* moving_near(const CrowdState& crowd, const Vec2& point, double reach,

@@ -22,9 +22,7 @@ constexpr double kTug = 1.0;        // [s] assumed: in which the hand brings the
 constexpr double kLead = 0.5;       // [s] assumed: a child goes to where its adult will be then
 constexpr double kOtherSide = 1.0;  // [m] assumed: so far aside a vehicle makes them change sides
 constexpr double kHandShare = 0.9;  // assumed: of the child's speed, so that it keeps up
-constexpr double kCatchUpShare = 0.5;  // assumed: while the child is behind
-constexpr double kWaitClear = 0.5;  // [m] assumed: nobody waits where a vehicle comes this near ...
-constexpr double kWaitSoon = 3.0;   // [s] ... so soon, as for the group
+constexpr double kCatchUpShare = 0.5;      // assumed: while the child is behind
 constexpr double kLastMoment = 1.0;        // [s] as the models' last-moment guard
 constexpr double kLastMomentMargin = 0.1;  // [m] numerical
 constexpr double kStillSpeed = 0.1;        // [m/s] numerical: a slower pull turns nobody round
@@ -129,8 +127,7 @@ void pull(CrowdState& crowd, std::size_t i, std::size_t adult) {
 bool awaits_hand(const CrowdState& crowd, std::size_t child, std::size_t adult) {
   const WalkState& walker = crowd.walkers[child];
   return walker.led && !walker.holds_hand && walker.awaited > 0.0 &&
-         walker.awaited < patience(crowd.zone, crowd.walkers[adult]) &&
-         !is_claimed(crowd, adult, kWaitClear) && !is_swept(crowd, adult, kWaitClear, kWaitSoon);
+         walker.awaited < patience(crowd.zone, crowd.walkers[adult]) && may_stand(crowd, adult);
 }
 
 /// To 0 only for a hand that is wanted: an adult whose child cannot move waits for it as for

@@ -16,8 +16,6 @@
 namespace pedzone {
 namespace {
 
-constexpr double kClear = 0.5;   // [m] assumed: nobody waits where a vehicle comes this near ...
-constexpr double kSoon = 3.0;    // [s] assumed: ... so soon
 constexpr double kNearer = 0.5;  // [m] assumed: less within the patience is nothing (waypoints.cpp)
 constexpr double kTurnSpeed = 0.3;  // [m/s] slower than this a body turns as it likes (moves.cpp)
 constexpr double kPastReach = 2.0;  // [m] assumed: who is so near before somebody is in its way
@@ -180,10 +178,7 @@ void wait_for_groups(CrowdState& crowd) {
   for_each_group(crowd, [&](std::span<const GroupMember> group) {
     for (const GroupMember& member : group) {
       const bool waits = crowd.walkers[member.row].waits_for_group && !member.steps_aside;
-      if (waits && !is_claimed(crowd, member.row, kClear) &&
-          !is_swept(crowd, member.row, kClear, kSoon)) {
-        stand(crowd, member.row);
-      }
+      if (waits && may_stand(crowd, member.row)) stand(crowd, member.row);
     }
     lead_children(crowd, group);
   });
