@@ -1,0 +1,74 @@
+// A study as the runs that it needs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "study/study_file.hpp"
+
+namespace pedzone {
+
+enum class RunKind {
+  kStudy,      ///< the scenario as the study says
+  kFreeSpeed,  ///< a few of its people, one after the other, without vehicles (fair pairs)
+};
+
+/// A scenario with one level of each factor.
+struct Condition {
+  std::size_t scenario = 0;         ///< index into Study::scenarios
+  std::vector<std::size_t> levels;  ///< index for each factor
+  std::string name;                 ///< for people: "plaza, demand=high"
+};
+
+struct PlannedRun {
+  std::string id;  ///< [A-Za-z0-9._-]+, at most 100 characters: the name of its directory. The same
+                   ///< for the same definition, in whatever study or order.
+  RunKind kind = RunKind::kStudy;
+  std::size_t condition = 0;  ///< the first of the conditions that need it
+  std::string model;
+  std::uint64_t seed = 0;
+  /// All that decides what comes out, but for the content of files: scenario, zone file, options,
+  /// settings that this model knows, model, seed, end. Paths as written in the study file.
+  nlohmann::ordered_json definition;
+};
+
+struct Plan {
+  Study study;
+  std::vector<Condition> conditions;
+  std::vector<PlannedRun>
+      runs;  ///< each once; free-speed runs first, then by seed, condition, model
+
+  /// Index of the run for this; conditions that differ only in what a model of SUMO does not know
+  /// share theirs.
+  std::size_t run_of(RunKind kind, std::size_t condition, const std::string& model,
+                     std::uint64_t seed) const;
+};
+
+/// Free-speed runs are made with the first seed, for each condition and model.
+Plan make_plan(Study study);
+
+/// What is done for a run, in a folder of its own.
+struct RunCommands {
+  struct File {
+    std::string name;  ///< in the run's folder
+    std::string text;
+  };
+  std::vector<File> files;                         ///< to be written before
+  std::vector<std::vector<std::string>> commands;  ///< program and arguments; in turn
+  std::vector<std::string> inputs;  ///< files whose content decides what comes out; absolute
+};
+
+/// The commands of a run whose outputs go to the absolute path `folder`: fcd.xml.gz, tripinfo.xml,
+/// with pedzone also summary.json and trajectories.csv. They are to be started in Study::folder.
+/// `pedzone`: absolute path of the program. Throws InputError.
+RunCommands run_commands(const Plan& plan, const PlannedRun& run, const std::string& pedzone,
+                         const std::string& folder);
+
+/// The zone file of a condition: the scenario's with the condition's settings, as text; empty where
+/// there is neither. Throws InputError.
+std::string zone_text(const Plan& plan, std::size_t condition);
+
+}  // namespace pedzone
