@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/plan.hpp"
@@ -24,6 +25,9 @@ enum class Finding {
   kSame,          ///< the values are equal in every pair
   kTooFew,        ///< fewer than 3 pairs
 };
+
+/// As in the tables: different, notShown, inconclusive, same, tooFew.
+std::string_view finding_name(Finding finding);
 
 /// A model against the reference, in one condition, by one measure. A seed gives a pair where both
 /// runs are done and the measure is defined in both.
