@@ -58,6 +58,7 @@ struct RunCommands {
   };
   std::vector<File> files;                         ///< to be written before
   std::vector<std::vector<std::string>> commands;  ///< program and arguments; in turn
+  std::vector<std::string> sumo_options;           ///< as SUMO gets them, paths absolute
   std::vector<std::string> inputs;  ///< files whose content decides what comes out; absolute
 };
 
