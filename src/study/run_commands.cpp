@@ -19,19 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files in a list as SUMO takes it, absolute.
-std::string resolve_list(const Study& study, const std::string& list) {
-  std::string resolved;
-  for (const std::string& file : split_words(list, ',')) {
-    resolved += (resolved.empty() ? "" : ",") + study.resolve(file);
-  }
-  return resolved;
-}
-
-std::string joined(const std::vector<std::string>& files) {
-  return fmt::format("{}", fmt::join(files, ","));
-}
-
 /// Puts the commands of one run together.
 class Commands {
  public:
@@ -46,10 +33,7 @@ class Commands {
         zone_text_(zone_text(plan, run)),
         settings_(known_settings(plan, run)),
         end_(study_.end) {
-    for (const auto& [name, value] : run.definition.at("sumo").items()) {
-      const std::string text = value.get<std::string>();
-      options_.set(name, names_input_files(name) ? resolve_list(study_, text) : text);
-    }
+    options_ = with_absolute_files(options_of(study_, plan.conditions[run.condition]), study_);
     read_ = read_any_scenario(config_, options_.words());
     if (!zone_text_.empty()) commands_.files.push_back({kZoneFile, zone_text_});
   }
@@ -127,7 +111,8 @@ class Commands {
       commands_.files.push_back({name, std::move(*demand.additional[i])});
       files[i] = in_folder(name);
     }
-    if (files != read_.additional_files) options_.set("additional-files", joined(files));
+    if (files != read_.additional_files)
+      options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 
   /// The panel's people as a file: SUMO's own models are given them so, and the measures learn who
@@ -150,7 +135,7 @@ class Commands {
   void add_people() {
     std::vector<std::string> files = read_.additional_files;
     files.push_back(in_folder(kPeopleFile));
-    options_.set("additional-files", joined(files));
+    options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 
   std::vector<std::string> sumo() {
@@ -179,7 +164,7 @@ class Commands {
     command.insert(command.end(), options_.words().begin(), options_.words().end());
   }
 
-  /// `name_inputs`: all files that are read.
+  /// All files that are read.
   void name_inputs() {
     std::vector<std::string>& inputs = commands_.inputs;
     inputs = {config_, read_.net_file};
