@@ -62,8 +62,7 @@ void simulate(const RunCommands& commands, const std::string& where, const std::
     const Ending ending = run_program(command, where);
     if (ending.good()) continue;
     const std::string program = command.front().substr(command.front().rfind('/') + 1);
-    const int signal = ending.signal != 0 ? ending.signal : ending.code - 128;
-    throw Failure{program + " " + ending.text(), ending.from_outside() ? 128 + signal : 1};
+    throw Failure{program + " " + ending.text(), ending.from_outside() ? ending.exit_code() : 1};
   }
 }
 
@@ -91,28 +90,47 @@ RunOutputs outputs_of(const Workshop& workshop, const PlannedRun& run, const Run
   const Study& study = workshop.plan.study;
   const std::size_t scenario = workshop.plan.conditions[run.condition].scenario;
   const std::string people = folder + "/" + kPeopleFile;
-  RunOutputs outputs{folder, study.resolve(study.scenarios[scenario].file), commands.sumo_options,
-                     {}};
+  RunOutputs outputs{
+      folder, study.resolve(study.scenarios[scenario].file), commands.sumo_options, {}};
   if (std::filesystem::exists(people)) outputs.types.push_back(people);
   return outputs;
 }
 
-void note_inputs(Workshop& workshop, const RunCommands& commands, RunRecord& record) {
-  record.commands = commands.commands;
-  for (const std::string& input : commands.inputs) record.inputs[input] = workshop.sums.of(input);
+/// The commands as one would repeat them: with outputs in the run's place, not where they were
+/// made.
+std::vector<std::vector<std::string>> in_place(std::vector<std::vector<std::string>> commands,
+                                               const std::string& folder,
+                                               const std::string& place) {
+  for (std::vector<std::string>& command : commands) {
+    for (std::string& word : command) {
+      for (std::size_t at = 0; (at = word.find(folder, at)) != std::string::npos;) {
+        word.replace(at, folder.size(), place);
+        at += place.size();
+      }
+    }
+  }
+  return commands;
 }
 
-void make(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
-  const auto begin = std::chrono::steady_clock::now();
+RunRecord begun_record(Workshop& workshop, const PlannedRun& run, const RunCommands& commands,
+                       const std::string& folder) {
   RunRecord record;
   record.id = run.id;
   record.definition = run.definition;
   record.versions = workshop.store.versions();
-  record.attempts = attempt;
+  record.commands = in_place(commands.commands, folder, workshop.store.run_folder(run.id));
+  for (const std::string& input : commands.inputs) record.inputs[input] = workshop.sums.of(input);
+  return record;
+}
+
+void make(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
+  const auto begin = std::chrono::steady_clock::now();
   const RunCommands commands = run_commands(workshop.plan, run, workshop.pedzone, folder);
-  note_inputs(workshop, commands, record);  // as they are before anybody reads them
+  // With inputs as they are before anybody reads them.
+  RunRecord record = begun_record(workshop, run, commands, folder);
   simulate(commands, workshop.plan.study.folder, folder);
   measure(outputs_of(workshop, run, commands, folder), run.kind, record);
+  record.attempts = attempt;
   record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_file(folder + "/record.json", record_text(record));
   workshop.store.finish(folder, run.id);
@@ -127,19 +145,15 @@ int fail(const Failure& failure, const std::string& folder) {
 }  // namespace
 
 RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
-  RunRecord record;
-  record.id = run.id;
-  record.definition = run.definition;
-  record.versions = workshop.store.versions();
+  const std::string place = workshop.store.run_folder(run.id);
+  RunCommands commands;
   try {
-    note_inputs(workshop,
-                run_commands(workshop.plan, run, workshop.pedzone,
-                             workshop.store.run_folder(run.id)),
-                record);
-  } catch (const InputError&) {
-    // That is why it is blank.
+    commands = run_commands(workshop.plan, run, workshop.pedzone, place);
+    return begun_record(workshop, run, commands, place);
+  } catch (const InputError&) {  // that is why it is blank
+    commands.inputs.clear();
+    return begun_record(workshop, run, commands, place);
   }
-  return record;
 }
 
 int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
