@@ -157,8 +157,12 @@ Records Store::records(const Plan& plan) const {
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     const std::string file = run_folder(plan.runs[i].id) + "/record.json";
     if (!fs::exists(file)) continue;
-    RunRecord record = read_record(file);
-    if (sums.match(record.inputs)) records[i] = std::move(record);
+    try {
+      RunRecord record = read_record(file);
+      if (sums.match(record.inputs)) records[i] = std::move(record);
+    } catch (const InputError&) {
+      // Cut off where the machine lost its power: as good as none.
+    }
   }
   return records;
 }

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
+#include "study/free_speed_measure.hpp"
 #include "study/process.hpp"
 #include "study/run_measures.hpp"
 #include "sumo/scenario.hpp"
@@ -79,7 +80,12 @@ Place place_of(const RunOutputs& outputs) {
 }
 
 void measure(const RunOutputs& outputs, RunKind kind, RunRecord& record) {
-  if (kind == RunKind::kFreeSpeed) return;
+  if (kind == RunKind::kFreeSpeed) {
+    const std::string trajectories = outputs.folder + "/trajectories.csv";  // pedzone's only
+    record.measures = free_speeds_of(outputs.folder + "/fcd.xml.gz",
+                                     std::filesystem::exists(trajectories) ? trajectories : "");
+    return;
+  }
   RunMeasures measures = measure_run(outputs, place_of(outputs));
   record.measures = std::move(measures.values);
   record.demand = std::move(measures.demand);
