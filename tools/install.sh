@@ -23,6 +23,7 @@ packages=(
   python3 python3-shapely python3-numpy                         # independent checks
   librsvg2-bin                      # the picture as PNG
   chromium chromium-driver          # tests of pages
+  slurmctld slurmd slurm-client munge  # tests of studies on a cluster, which they start themselves
 )
 
 missing=()
