@@ -51,6 +51,7 @@ void add_run(CLI::App& study, int& code) {
       ->check(CLI::Range(0, kMostJobs))
       ->capture_default_str();
   command->add_flag("--retry-failed", options->retry_failed, "Try failed runs again, too");
+  add_slurm_options(*command, options->slurm);
   command->callback([options, &code] { code = study_run(*options); });
 }
 
@@ -81,6 +82,7 @@ void add_study(CLI::App& app, int& code) {
                       "Writes report.html, summary.csv, summary.json and runs.csv there.\n"
                       "Exit codes: 0 done, 2 input at fault, 4 some runs failed.",
                       study_report, code);
+  add_slurm_jobs(*study, code);
 }
 
 }  // namespace pedzone

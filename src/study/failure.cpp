@@ -42,7 +42,14 @@ std::string failure_sentence(const std::string& folder, const Ending& ending) {
 
 void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& given_up,
                     const std::string& folder) {
-  RunRecord record = blank_record(workshop, run);
+  RunRecord record;
+  try {
+    record = blank_record(workshop, run);
+  } catch (const InputError&) {  // gone: that is why it has failed
+    record.id = run.id;
+    record.definition = run.definition;
+    record.versions = workshop.store.versions();
+  }
   record.status = given_up.status;
   record.failure = given_up.why + "\n" + end_of_log(folder);
   record.attempts = given_up.attempts;

@@ -132,7 +132,7 @@ Store Store::create(const std::string& folder, const Study& study,
                           versions};
   check_folder(folder, identity);
   make_folders(folder);
-  Store store(fs::canonical(folder).string(), identity.folder, versions);
+  Store store(fs::canonical(folder).string(), identity.study, identity.folder, versions);
   store.lock_ = std::make_shared<const DirectoryLock>(store.folder_, "pedzone study run");
   check_folder(folder, identity);  // another driver may have been faster
   make_folders(store.folder_ + "/runs");
@@ -146,10 +146,12 @@ Store Store::open(const std::string& folder) {
   if (!identity) {
     throw refusal(folder, "holds no study", "a folder made by pedzone study run --out");
   }
-  return {fs::canonical(folder).string(), identity->folder, identity->versions};
+  return {fs::canonical(folder).string(), identity->study, identity->folder, identity->versions};
 }
 
-Plan Store::plan() const { return make_plan(read_study(folder_ + "/study.xml", study_folder_)); }
+Plan Store::plan() const {
+  return make_plan(read_study(folder_ + "/study.xml", study_folder_, study_));
+}
 
 Records Store::records(const Plan& plan) const {
   Records records(plan.runs.size());

@@ -118,22 +118,11 @@ std::vector<std::vector<std::string>> in_place(std::vector<std::vector<std::stri
   return commands;
 }
 
-RunRecord begun_record(Workshop& workshop, const PlannedRun& run, const RunCommands& commands,
-                       const std::string& folder) {
-  RunRecord record;
-  record.id = run.id;
-  record.definition = run.definition;
-  record.versions = workshop.store.versions();
-  record.commands = in_place(commands.commands, folder, workshop.store.run_folder(run.id));
-  for (const std::string& input : commands.inputs) record.inputs[input] = workshop.sums.of(input);
-  return record;
-}
-
 void make(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
   const auto begin = std::chrono::steady_clock::now();
+  RunRecord record = blank_record(workshop, run);  // inputs as they are before anybody reads them
   const RunCommands commands = run_commands(workshop.plan, run, workshop.pedzone, folder);
-  // With inputs as they are before anybody reads them.
-  RunRecord record = begun_record(workshop, run, commands, folder);
+  record.commands = in_place(commands.commands, folder, workshop.store.run_folder(run.id));
   simulate(commands, workshop.plan.study.folder, folder);
   measure(outputs_of(workshop, run, commands, folder), run.kind, record);
   record.attempts = attempt;
@@ -151,15 +140,14 @@ int fail(const Failure& failure, const std::string& folder) {
 }  // namespace
 
 RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
-  const std::string place = workshop.store.run_folder(run.id);
-  RunCommands commands;
-  try {
-    commands = run_commands(workshop.plan, run, workshop.pedzone, place);
-    return begun_record(workshop, run, commands, place);
-  } catch (const InputError&) {  // that is why it is blank
-    commands.inputs.clear();
-    return begun_record(workshop, run, commands, place);
+  RunRecord record;
+  record.id = run.id;
+  record.definition = run.definition;
+  record.versions = workshop.store.versions();
+  for (const std::string& input : run_inputs(workshop.plan, run)) {
+    record.inputs[input] = workshop.sums.of(input);
   }
+  return record;
 }
 
 int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
