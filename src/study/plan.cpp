@@ -124,13 +124,19 @@ bool knows_setting(const std::string& model, const Setting& setting) {
   return setting.kind != SettingKind::kParameter && !weather;
 }
 
+std::vector<Setting> known_settings(const Plan& plan, const PlannedRun& run) {
+  std::vector<Setting> settings = settings_of(plan.study, plan.conditions[run.condition]);
+  std::erase_if(settings, [&](const Setting& each) { return !knows_setting(run.model, each); });
+  return settings;
+}
+
 Plan make_plan(Study study) {
   Plan plan;
   plan.study = std::move(study);
   plan.conditions = conditions_of(plan.study);
   for (const Condition& condition : plan.conditions) {
-    check_panel(plan.study, plan.study.scenarios[condition.scenario],
-                settings_of(plan.study, condition));
+    zone_file_of(plan.study, plan.study.scenarios[condition.scenario],
+                 settings_of(plan.study, condition));  // for what it refuses
   }
   RunList runs(plan);
   const auto add_all = [&](RunKind kind, std::uint64_t seed) {

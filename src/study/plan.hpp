@@ -59,6 +59,9 @@ bool knows_setting(const std::string& model, const Setting& setting);
 /// Free-speed runs are made with the first seed, for each condition and model.
 Plan make_plan(Study study);
 
+/// The settings that matter for a run.
+std::vector<Setting> known_settings(const Plan& plan, const PlannedRun& run);
+
 /// What is done for a run, in a folder of its own.
 struct RunCommands {
   struct File {

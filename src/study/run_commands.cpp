@@ -5,12 +5,14 @@
 #include <filesystem>
 
 #include "core/xml.hpp"
+#include "study/free_speed_demand.hpp"
 #include "study/plan.hpp"
+#include "study/setting.hpp"
 #include "study/sumo_options.hpp"
+#include "sumo/people_file.hpp"
 #include "sumo/scenario.hpp"
 #include "world/model_names.hpp"
-#include "zone/vehicle_path.hpp"
-#include "zone/zone_file.hpp"
+#include "zone/zone.hpp"
 
 namespace pedzone {
 namespace {
@@ -44,7 +46,9 @@ class Commands {
         folder_(folder),
         scenario_(study_.scenarios[plan.conditions[run.condition].scenario]),
         config_(study_.resolve(scenario_.file)),
-        zone_text_(zone_text(plan, run)) {
+        zone_text_(zone_text(plan, run)),
+        settings_(known_settings(plan, run)),
+        end_(study_.end) {
     for (const auto& [name, value] : run.definition.at("sumo").items()) {
       const std::string text = value.get<std::string>();
       options_.set(name, names_input_files(name) ? resolve_list(study_, text) : text);
@@ -56,6 +60,7 @@ class Commands {
   RunCommands take() {
     redirect_outputs();
     measure();
+    if (run_.kind == RunKind::kFreeSpeed) set_people_apart();
     if (is_sumo_model(run_.model)) {
       if (makes_people()) make_people();
       commands_.commands.push_back(sumo());
@@ -99,6 +104,33 @@ class Commands {
     options_.set("precision", "4");
   }
 
+  /// The demand of a free-speed run instead of the scenario's.
+  void set_people_apart() {
+    const ZoneFile file = zone_file_of(study_, scenario_, settings_);
+    const Network network = read_scenario_network(read_);
+    const std::vector<Zone> zones = build_zones(network, file.zones);
+    std::unordered_set<int> edges;
+    for (const Zone& zone : zones) edges.insert(zone.edges.begin(), zone.edges.end());
+    std::string panel;
+    if (!file.panels.empty()) {
+      panel = people_file({read_, network, zones, file.profiles, file.panels, run_.seed});
+    }
+    FreeSpeedDemand demand =
+        free_speed_demand({read_, network, edges, panel, read_numbers(read_).begin});
+    end_ = demand.end;
+    commands_.files.push_back({kPeopleFile, std::move(demand.routes)});
+    options_.set("route-files", in_folder(kPeopleFile));
+    options_.set("scale", "1");
+    std::vector<std::string> files = read_.additional_files;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (!demand.additional[i]) continue;
+      const std::string name = fmt::format("additional-{}.xml", i + 1);
+      commands_.files.push_back({name, std::move(*demand.additional[i])});
+      files[i] = in_folder(name);
+    }
+    if (files != read_.additional_files) options_.set("additional-files", joined(files));
+  }
+
   /// The panel's people as SUMO's own. Named on the command line, additional files take the place
   /// of the configuration's.
   void make_people() {
@@ -122,7 +154,7 @@ class Commands {
   std::vector<std::string> sumo() {
     options_.set("pedestrian.model", run_.model);
     options_.set("seed", std::to_string(run_.seed));
-    if (study_.end) options_.set("end", fmt::format("{}", *study_.end));
+    if (end_) options_.set("end", fmt::format("{}", *end_));
     std::vector<std::string> command{"sumo", "-c", config_, "--no-step-log", "true"};
     command.insert(command.end(), options_.words().begin(), options_.words().end());
     return command;
@@ -133,7 +165,7 @@ class Commands {
     if (!zone_text_.empty()) command.insert(command.end(), {"--zone", in_folder(kZoneFile)});
     command.insert(command.end(),
                    {"--model", run_.model, "--seed", std::to_string(run_.seed), "--threads", "1"});
-    if (study_.end) command.insert(command.end(), {"--end", fmt::format("{}", *study_.end)});
+    if (end_) command.insert(command.end(), {"--end", fmt::format("{}", *end_)});
     command.insert(command.end(), {"--summary", in_folder("summary.json"), "--trajectories",
                                    in_folder("trajectories.csv")});
     append_options(command);
@@ -171,6 +203,8 @@ class Commands {
   const std::string pedzone_, folder_;
   const StudyScenario& scenario_;
   const std::string config_, zone_text_;
+  const std::vector<Setting> settings_;
+  std::optional<double> end_;  ///< [s]
   SumoOptions options_;
   Scenario read_;
   RunCommands commands_;

@@ -76,6 +76,25 @@ void check_option(Setting& setting) {
   }
 }
 
+/// A checked setting of a zone.
+void apply(const Setting& setting, ZoneSpec& zone) {
+  double number = 0.0;
+  parse_number(setting.value, number);
+  if (setting.kind == SettingKind::kParameter) {
+    zone.parameters.*find_parameter(setting.key)->member = number;
+  } else if (setting.key == "openSpace") {
+    zone.open_space = number;
+  } else if (setting.key == "weather") {
+    zone.weather = find_weather(setting.value);
+  } else {
+    auto& list = setting.key == "edges"       ? zone.edges
+                 : setting.key == "edgeTypes" ? zone.edge_types
+                 : setting.key == "lanes"     ? zone.lanes
+                                              : zone.polygons;
+    list = split_words(setting.value);
+  }
+}
+
 }  // namespace
 
 std::string attribute_of(SettingKind kind) {
@@ -105,18 +124,25 @@ void check_setting(Setting& setting) {
   }
 }
 
-void check_panel(const Study& study, const StudyScenario& scenario,
-                 const std::vector<Setting>& settings) {
-  PanelText text{study.file, 0, {}};
-  for (const Setting& setting : settings) {
-    if (setting.kind != SettingKind::kPanel) continue;
-    if (text.line == 0) text.line = setting.line;
-    text.values.emplace_back(setting.key, setting.value);
-  }
-  if (text.values.empty()) return;
+ZoneFile zone_file_of(const Study& study, const StudyScenario& scenario,
+                      const std::vector<Setting>& settings) {
   ZoneFile file;
   if (!scenario.zone_file.empty()) file = read_zone_file(study.resolve(scenario.zone_file));
-  add_panel(file.panels, read_panel(text, file.profiles, file.paths, file.panels.size()));
+  PanelText panel{study.file, 0, {}};
+  for (const Setting& setting : settings) {
+    if (setting.kind == SettingKind::kSumo) continue;
+    if (setting.kind == SettingKind::kPanel) {
+      if (panel.line == 0) panel.line = setting.line;
+      panel.values.emplace_back(setting.key, setting.value);
+      continue;
+    }
+    if (file.zones.empty()) file.zones.emplace_back();
+    for (ZoneSpec& zone : file.zones) apply(setting, zone);
+  }
+  if (!panel.values.empty()) {
+    add_panel(file.panels, read_panel(panel, file.profiles, file.paths, file.panels.size()));
+  }
+  return file;
 }
 
 }  // namespace pedzone

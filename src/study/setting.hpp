@@ -4,6 +4,7 @@
 #include <string>
 
 #include "study/study_file.hpp"
+#include "zone/zone_file.hpp"
 
 namespace pedzone {
 
@@ -17,11 +18,12 @@ struct SettingError {
 std::string attribute_of(SettingKind kind);
 
 /// Throws SettingError for an unknown key or a value that it cannot have; SUMO's options get their
-/// first name. What panel settings mean together is checked by check_panels().
+/// first name. What panel settings mean together is checked by zone_file_of().
 void check_setting(Setting& setting);
 
-/// Throws InputError where the panel settings of a condition make no people.
-void check_panel(const Study& study, const StudyScenario& scenario,
-                 const std::vector<Setting>& settings);
+/// What a scenario's zone file says with the settings. Throws InputError for a zone file that is at
+/// fault, and where the panel settings together make no people.
+ZoneFile zone_file_of(const Study& study, const StudyScenario& scenario,
+                      const std::vector<Setting>& settings);
 
 }  // namespace pedzone

@@ -101,9 +101,7 @@ std::string zone_text(const Plan& plan, std::size_t condition) {
 
 std::string zone_text(const Plan& plan, const PlannedRun& run) {
   const Condition& condition = plan.conditions[run.condition];
-  std::vector<Setting> settings = settings_of(plan.study, condition);
-  std::erase_if(settings,
-                [&](const Setting& setting) { return !knows_setting(run.model, setting); });
+  const std::vector<Setting> settings = known_settings(plan, run);
   return text_of(plan.study, plan.study.scenarios[condition.scenario], settings,
                  [&](pugi::xml_node root) {
                    if (run.kind != RunKind::kFreeSpeed) return;
