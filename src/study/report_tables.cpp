@@ -115,12 +115,15 @@ Json differences(const Input& input) {
         rows.push_back(difference_row(one, limit));
         pairs = std::max(pairs, one.difference.n);
       }
-      tables.push_back({{"condition", input.plan.conditions[i].name},
-                        {"model", model},
-                        {"reference", input.plan.study.reference},
-                        {"pairs", count_text(pairs, "pair of runs", "pairs of runs")},
-                        {"limit", fmt::format("{:.0f} %", limit)},
-                        {"rows", rows}});
+      tables.push_back(
+          {{"condition", input.plan.conditions[i].name},
+           {"model", model},
+           {"reference", input.plan.study.reference},
+           {"pairs", count_text(pairs, "pair of runs", "pairs of runs")},
+           {"limit", fmt::format("{:.0f} %", limit)},
+           {"rows", rows},
+           {"verdict",
+            input.plan.conditions.size() > 1 ? condition_verdict(input, i, model) : Json(false)}});
     }
   }
   return tables;
@@ -184,16 +187,9 @@ Json glossary() {
 }  // namespace
 
 Json tables_part(const Input& input) {
-  Json tables = differences(input);
-  if (input.plan.conditions.size() > 1) {
-    std::size_t index = 0;
-    for (std::size_t i = 0; i < input.plan.conditions.size(); ++i) {
-      for (const std::string& model : others(input.plan)) {
-        tables[index++]["verdict"] = condition_verdict(input, i, model);
-      }
-    }
-  }
-  return {{"differences", tables}, {"everything", everything(input)}, {"glossary", glossary()}};
+  return {{"differences", differences(input)},
+          {"everything", everything(input)},
+          {"glossary", glossary()}};
 }
 
 }  // namespace pedzone::report
