@@ -8,7 +8,6 @@
 #include "core/csv_stream.hpp"
 #include "core/error.hpp"
 #include "output/conflict_reader.hpp"
-#include "study/report_numbers.hpp"
 #include "study/report_parts.hpp"
 #include "study/run_recording.hpp"
 #include "view/axis.hpp"
@@ -121,19 +120,18 @@ Grid conflicts(const std::vector<std::string>& folders) {
 
 // How they are drawn
 
-/// Ascending upper bounds of the classes, one scale for all models: each twice the one before.
+/// Ascending bounds between the classes, round numbers: one scale for all models and conditions.
 std::vector<double> class_bounds(const std::vector<Grid>& grids) {
+  constexpr double kBelow = 0.9;  // numerical: a round number's part from which the next is smaller
   double most = 0.0;
   for (const Grid& grid : grids) {
     for (const auto& [cell, value] : grid.cells) most = std::max(most, value);
   }
   if (most <= 0.0) return {};
-  // A round bound that all but the last class stay below.
-  double bound = round_length(most);
   std::vector<double> bounds;
-  for (std::size_t i = 0; i < kClasses; ++i) {
+  for (double bound = round_length(most); bounds.size() < kClasses;
+       bound = round_length(kBelow * bound)) {
     bounds.insert(bounds.begin(), bound);
-    bound /= 2.0;
   }
   return bounds;
 }
@@ -191,11 +189,10 @@ std::string map_svg(const Grid& grid, const Box& box, const std::vector<double>&
 Json legend(const std::vector<double>& bounds) {
   Json entries = Json::array();
   for (std::size_t i = 0; i <= bounds.size(); ++i) {
-    const std::string text =
-        i == 0 ? "below " + digits_text(bounds.front())
-        : i == bounds.size()
-            ? digits_text(bounds.back()) + " and more"
-            : fmt::format("{} to {}", digits_text(bounds[i - 1]), digits_text(bounds[i]));
+    const std::string text = i == 0 ? fmt::format("below {:g}", bounds.front())
+                             : i == bounds.size()
+                                 ? fmt::format("{:g} and more", bounds.back())
+                                 : fmt::format("{:g} to {:g}", bounds[i - 1], bounds[i]);
     entries.push_back({{"colour", class_colour(i)}, {"text", text}});
   }
   return entries;
