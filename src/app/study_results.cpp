@@ -16,7 +16,7 @@ void write(const Store& store, const std::string& name, const std::string& text)
 }
 
 void print_sentence(const Sentence& sentence) {
-  if (!sentence.head.empty()) fmt::print("  {} {}\n", sentence.head, sentence.rest);
+  if (!sentence.head.empty()) fmt::print("  {}{}\n", sentence.head, sentence.rest);
 }
 
 /// What was found of one model: in its only condition, or over all.
