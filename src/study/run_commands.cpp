@@ -39,6 +39,7 @@ class Commands {
   }
 
   RunCommands take() {
+    commands_.inputs = inputs();  // before options name files that are made for the run
     redirect_outputs();
     measure();
     if (run_.kind == RunKind::kFreeSpeed) set_people_apart();
@@ -50,11 +51,10 @@ class Commands {
       commands_.commands.push_back(pedzone());
     }
     commands_.sumo_options = options_.words();
-    commands_.inputs = inputs();
     return std::move(commands_);
   }
 
-  /// All files that are read.
+  /// All files that are read, as long as the options are the study's.
   std::vector<std::string> inputs() const {
     std::vector<std::string> files{config_, read_.net_file};
     for (const auto* more : {&read_.route_files, &read_.additional_files}) {
