@@ -21,10 +21,10 @@ PEDZONE = None  # set from the command line
 ROUTES = """<routes>
   <vType id="slow" vClass="pedestrian" maxSpeed="0.8"><param key="pedzone.group" value="g"/></vType>
   <vType id="van" vClass="delivery" length="5" width="1.9"/>
-  <trip id="van0" type="van" depart="3" from="west" to="east"/>
   <personFlow id="flow" begin="0" end="40" period="10"><walk from="west" to="shared"/></personFlow>
   <person id="p1" type="slow" depart="1"><walk edges="shared" departPos="5" arrivalPos="40"/></person>
   <person id="p2" depart="2"><walk from="east" to="west"/></person>
+  <trip id="van0" type="van" depart="3" from="west" to="east"/>
   <person id="p3" type="slow" depart="4"><walk from="east" to="shared"/></person>
 </routes>"""
 
@@ -147,5 +147,5 @@ class StudyInput(RefusalChecks, unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PEDZONE = sys.argv.pop(1)
+    PEDZONE = str(Path(sys.argv.pop(1)).resolve())
     unittest.main()
