@@ -9,7 +9,8 @@ using enum Better;
 
 constexpr Measure kMeasures[] = {
     {"person.travelTime", "Travel time", "s",
-     "Mean time from the intended departure to the arrival, or to the end of the run, of all who "
+     "Mean time from the intended departure to the end of the last walk or ride, or of the run, of "
+     "all who "
      "were due before it.",
      "People", kLower, true},
     {"person.delay", "Delay in the zone", "s",
