@@ -5,22 +5,12 @@
 #include <array>
 
 #include "core/text.hpp"
+#include "output/conflict_columns.hpp"
 
 namespace pedzone {
 namespace {
 
 constexpr std::size_t kBuffer = 1 << 20;  // [bytes] numerical: written in pieces of this size
-
-/// The measures with their names in both files.
-struct Measure {
-  const char* name;
-  std::optional<Extreme> Conflict::*extreme;
-};
-constexpr Measure kMeasures[] = {{"minTTC", &Conflict::ttc},
-                                 {"maxDRAC", &Conflict::drac},
-                                 {"PET", &Conflict::pet},
-                                 {"minClearance", &Conflict::clearance},
-                                 {"contact", &Conflict::contact}};
 
 struct NamedReaction {
   const char* name;
@@ -44,7 +34,7 @@ std::string xml_of(const Conflict& conflict) {
       name_of(conflict.type), name_of(conflict.first));
   if (conflict.aware) text += fmt::format(" aware=\"{}\"", yes_or_no(*conflict.aware));
   text += ">\n";
-  for (const Measure& measure : kMeasures) {
+  for (const ConflictMeasure& measure : kConflictMeasures) {
     const std::optional<Extreme>& extreme = conflict.*measure.extreme;
     if (!extreme) continue;
     text += fmt::format(
@@ -63,14 +53,8 @@ std::string xml_of(const Conflict& conflict) {
 }
 
 std::string csv_header() {
-  std::string text = "person,vehicle,begin,end,type,first,aware";
-  for (const Measure& measure : kMeasures) {
-    for (const char* part :
-         {"", "_time", "_x", "_y", "_type", "_personSpeed", "_vehicleSpeed", "_relativeSpeed"}) {
-      text += fmt::format(",{}{}", measure.name, part);
-    }
-  }
-  for (const auto& [name, reaction] : reactions({})) text += fmt::format(",{0},{0}_time", name);
+  std::string text;
+  for (const std::string& column : conflict_columns()) text += (text.empty() ? "" : ",") + column;
   return text + "\n";
 }
 
@@ -79,7 +63,7 @@ std::string csv_of(const Conflict& conflict) {
       fmt::format("{},{},{:.2f},{:.2f},{},{},{}", csv_field(conflict.person),
                   csv_field(conflict.vehicle), conflict.begin, conflict.end, name_of(conflict.type),
                   name_of(conflict.first), conflict.aware ? yes_or_no(*conflict.aware) : "");
-  for (const Measure& measure : kMeasures) {
+  for (const ConflictMeasure& measure : kConflictMeasures) {
     const std::optional<Extreme>& extreme = conflict.*measure.extreme;
     if (!extreme) {
       text += ",,,,,,,,";

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/study_file.hpp"
+#include "study/sumo_options.hpp"
 
 namespace pedzone {
 
@@ -41,14 +42,32 @@ struct Plan {
   std::vector<PlannedRun>
       runs;  ///< each once; free-speed runs first, then by seed, condition, model
 
+  std::vector<std::size_t> run_index;  ///< what run_of() looks up
+
   /// Index of the run for this; conditions that differ only in what a model of SUMO does not know
   /// share theirs.
+  /// The seed of a free-speed run does not matter. Throws std::out_of_range for unknown ones.
   std::size_t run_of(RunKind kind, std::size_t condition, const std::string& model,
                      std::uint64_t seed) const;
 };
 
+/// The condition's settings for its scenario, in the order of the factors.
+std::vector<Setting> settings_of(const Study& study, const Condition& condition);
+/// The options for SUMO, those of the scenario with those settings.
+SumoOptions options_of(const Study& study, const Condition& condition);
+/// Whether the setting changes anything for the model: SUMO's own know neither parameters nor
+/// weather.
+bool knows_setting(const std::string& model, const Setting& setting);
+
 /// Free-speed runs are made with the first seed, for each condition and model.
 Plan make_plan(Study study);
+
+/// The settings that matter for a run.
+std::vector<Setting> known_settings(const Plan& plan, const PlannedRun& run);
+
+/// In a run's folder, where there are such.
+inline constexpr const char* kZoneFile = "zone.zone.xml";
+inline constexpr const char* kPeopleFile = "people.rou.xml";  ///< of the panel, or set apart
 
 /// What is done for a run, in a folder of its own.
 struct RunCommands {
@@ -58,8 +77,13 @@ struct RunCommands {
   };
   std::vector<File> files;                         ///< to be written before
   std::vector<std::vector<std::string>> commands;  ///< program and arguments; in turn
-  std::vector<std::string> inputs;  ///< files whose content decides what comes out; absolute
+  std::vector<std::string> sumo_options;           ///< as SUMO gets them, paths absolute
+  std::vector<std::string> inputs;                 ///< run_inputs()
 };
+
+/// The files whose content decides what comes out of a run; absolute, ascending. Much cheaper than
+/// run_commands(). Throws InputError.
+std::vector<std::string> run_inputs(const Plan& plan, const PlannedRun& run);
 
 /// The commands of a run whose outputs go to the absolute path `folder`: fcd.xml.gz, tripinfo.xml,
 /// with pedzone also summary.json and trajectories.csv. They are to be started in Study::folder.
@@ -70,5 +94,9 @@ RunCommands run_commands(const Plan& plan, const PlannedRun& run, const std::str
 /// The zone file of a condition: the scenario's with the condition's settings, as text; empty where
 /// there is neither. Throws InputError.
 std::string zone_text(const Plan& plan, std::size_t condition);
+
+/// The same for a run: without what its model does not know, and in a free-speed run without
+/// people to be made and vehicles on a path.
+std::string zone_text(const Plan& plan, const PlannedRun& run);
 
 }  // namespace pedzone

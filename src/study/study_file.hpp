@@ -19,7 +19,7 @@ struct StudyScenario {
   std::string id;                         ///< default: the configuration's name without ending
   std::string file;                       ///< .sumocfg as written; see Study::resolve()
   std::string zone_file;                  ///< as written; empty: zones are found by themselves
-  std::vector<std::string> sumo_options;  ///< from attribute `options`
+  std::vector<std::string> sumo_options;  ///< from attribute `options`: --name, value, --name, ...
 };
 
 /// What a setting changes.
@@ -34,6 +34,7 @@ struct Setting {
   SettingKind kind;
   std::string key, value;
   std::string scenario;  ///< id; empty: in all scenarios
+  int line = 0;          ///< of the study file, for messages
 };
 
 struct Level {
@@ -65,9 +66,11 @@ struct Study {
   std::string resolve(const std::string& path) const;
 };
 
-/// Reads a study file. `folder`: where its relative paths begin; empty: where it lies.
+/// Reads a study file. `folder`: where its relative paths begin; empty: where it lies. `id`: of the
+/// study where the file gives none; empty: the file's name.
 /// Throws InputError naming file, line, element, value and what is allowed: unknown models, factors
 /// and options, empty lists, ids that occur twice, scenarios that are not there.
-Study read_study(const std::string& file, const std::string& folder = "");
+Study read_study(const std::string& file, const std::string& folder = "",
+                 const std::string& id = "");
 
 }  // namespace pedzone

@@ -61,6 +61,9 @@ Pastime pastime_of(const CsvRow& row) {
   throw row.error("is no pastime", kPastime, ids);
 }
 
+/// Ends the reading of a file whose rest is not shown: it may be long.
+struct AfterEnd {};
+
 /// Tracks by id, and the times of the steps they are in.
 class Collector {
  public:
@@ -118,13 +121,15 @@ RecordedVehicle& Collector::vehicle(const VehicleSample& sample, const FcdReader
   return recording_.vehicles[known->second];
 }
 
-void Collector::read_fcd(const std::string& file, bool persons_too, const ReadProgress& progress) {
+void Collector::read_fcd(const std::string& file, bool persons_too,
+                         const ReadProgress& progress) try {
   const std::unordered_set<std::string> none;
   FcdReader reader(cast_.sizes, none);
   reader.read(
       file,
       [&](double time, std::span<const PersonSample> persons,
           std::span<const VehicleSample> vehicles) {
+        if (time > source_.end) throw AfterEnd();
         if (!shown(time) || (persons.empty() && vehicles.empty())) return;
         const std::uint32_t step = step_at(time);
         for (const PersonSample& sample : persons) {
@@ -140,6 +145,7 @@ void Collector::read_fcd(const std::string& file, bool persons_too, const ReadPr
         }
       },
       progress);
+} catch (const AfterEnd&) {
 }
 
 void Collector::read_trajectories(const ReadProgress& progress) {

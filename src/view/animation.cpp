@@ -53,11 +53,13 @@ Box extent(const std::vector<AnimatedRun>& runs, const Place* place) {
 
 std::string animation_page(const std::vector<AnimatedRun>& runs, const Place* place,
                            const AnimationOptions& options) {
-  const Box box = animation::extent(runs, place);
-  std::string data = fmt::format(
-      R"({{"title":{},"box":[{:.2f},{:.2f},{:.2f},{:.2f}],"step":{:.6g},"scenery":{},"runs":[)",
-      json_string(options.title), box.min().x(), box.min().y(), box.max().x(), box.max().y(),
-      animation::least_step(runs, options.rate), animation::scenery(place, box));
+  const Box box = options.area.isEmpty() ? animation::extent(runs, place) : options.area;
+  std::string data =
+      fmt::format(R"({{"title":{},"selected":{},"box":[{:.2f},{:.2f},{:.2f},{:.2f}],"step":{:.6g},)"
+                  R"("scenery":{},"runs":[)",
+                  json_string(options.title), json_string(options.selected), box.min().x(),
+                  box.min().y(), box.max().x(), box.max().y(),
+                  animation::least_step(runs, options.rate), animation::scenery(place, box));
   for (const AnimatedRun& run : runs) {
     if (&run != &runs.front()) data += ',';
     data += animation::run(run, options.rate);

@@ -7,6 +7,7 @@
 
 #include "view/place.hpp"
 #include "view/recording.hpp"
+#include "zone/shapes.hpp"
 
 namespace pedzone {
 
@@ -18,6 +19,9 @@ struct AnimatedRun {
 struct AnimationOptions {
   std::string title;
   double rate = 5.0;  ///< [1/s] > 0 at most so many steps are kept
+  Box area = {};      ///< [m] shown to begin with; empty: the zones, else where everybody goes
+  std::string selected =
+      {};  ///< a person whose way and numbers are shown to begin with; empty: nobody
 };
 
 /// The page. `place`: null where it is not known. In between the steps that are kept, the page

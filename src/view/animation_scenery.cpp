@@ -10,7 +10,7 @@
 namespace pedzone::animation {
 namespace {
 
-constexpr double kSurroundings = 50.0;  // [m] so far around the box roads are shown
+constexpr double kSurroundings = 50.0;  // [m] so far around the box the ground is shown
 
 /// Elements of a JSON array, one after the other.
 class List {
@@ -34,8 +34,10 @@ std::string points(const std::vector<Vec2>& line) {
   return list.text();
 }
 
-void add_region(List& polygons, const Region& region) {
+/// Polygons that reach into the box.
+void add_region(List& polygons, const Region& region, const Box& box) {
   for (const Polygon& polygon : region) {
+    if (!box.intersects(box_of(polygon.outer))) continue;
     List rings;
     rings.add("{}", points(polygon.outer));
     for (const Ring& hole : polygon.holes) rings.add("{}", points(hole));
@@ -94,10 +96,11 @@ std::string scenery(const Place* place, const Box& box) {
   List zone, obstacles;
   std::string stops = "[]";
   if (place != nullptr) {
-    roads = roads_near(*place, grown(box, kSurroundings));
+    const Box seen = grown(box, kSurroundings);
+    roads = roads_near(*place, seen);
     for (const Zone& one : place->zones) {
-      add_region(zone, one.walkable);
-      add_region(obstacles, one.obstacles);
+      add_region(zone, one.walkable, seen);
+      add_region(obstacles, one.obstacles, seen);
     }
     stops = waypoints(place->paths);
   }

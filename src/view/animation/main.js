@@ -26,6 +26,7 @@ class Animation {
                              recordings.some((one) => one.vehicles.length));
     this.details = new Details(this.panels);
     this.selected = null;
+    if (data.selected) this.select({kind: "person", id: data.selected});
     find("title").textContent = document.title = data.title;
     this.controls();
     this.keys();

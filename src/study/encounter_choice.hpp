@@ -1,0 +1,56 @@
+// Which encounters of a person and a vehicle to show: the most dangerous ones, and not always the
+// same.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "conflict/conflict.hpp"
+
+namespace pedzone {
+
+/// How dangerous an encounter was: less is more dangerous, by kind and then value. With a vehicle
+/// that moves before those with one that stands; of either, contacts first, the hardest (greatest
+/// relative speed) first; then by least TTC; then, of those never on a collision course, by least
+/// PET; then by least clearance.
+struct Danger {
+  int kind = 0;
+  double value = 0.0;
+  Extreme moment;  ///< of the measure that it is judged by
+};
+Danger danger_of(const Conflict& conflict);
+
+/// Takes any number of encounters, keeping a few bytes of each.
+class EncounterChoice {
+ public:
+  /// Where an encounter is to be found again.
+  struct Place {
+    std::size_t run = 0;  ///< as the user counts them
+    std::size_t row = 0;  ///< of its table of conflicts
+  };
+
+  /// `scenario`: places and ids are compared within one only.
+  void add(std::size_t scenario, const Place& place, const Conflict& conflict);
+  std::size_t count() const { return candidates_.size(); }
+
+  /// At most `most` of them, the most dangerous first. None of a person or vehicle of one before
+  /// it (in whatever run: other seeds have the same ids), nor within `apart` [m] of one.
+  std::vector<Place> most_dangerous(std::size_t most, double apart) const;
+
+ private:
+  struct Candidate {
+    std::uint32_t scenario, person, vehicle, run, row;
+    int kind;
+    float value, x, y;
+  };
+  bool alike(const Candidate& a, const Candidate& b, double apart) const;
+  std::uint32_t number_of(const std::string& id);
+
+  std::unordered_map<std::string, std::uint32_t> ids_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace pedzone

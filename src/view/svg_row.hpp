@@ -1,0 +1,17 @@
+// Pictures beside each other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pedzone {
+
+struct NamedPicture {
+  std::string name;  ///< plain text, written above it
+  std::string svg;   ///< as SvgPage::finish() makes it
+};
+
+/// One SVG file with the pictures in a row, all as high as the first.
+std::string svg_row(const std::vector<NamedPicture>& pictures);
+
+}  // namespace pedzone
