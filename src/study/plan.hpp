@@ -41,14 +41,26 @@ struct Plan {
   std::vector<PlannedRun>
       runs;  ///< each once; free-speed runs first, then by seed, condition, model
 
+  std::vector<std::size_t> run_index;  ///< what run_of() looks up
+
   /// Index of the run for this; conditions that differ only in what a model of SUMO does not know
   /// share theirs.
+  /// The seed of a free-speed run does not matter. Throws std::out_of_range for unknown ones.
   std::size_t run_of(RunKind kind, std::size_t condition, const std::string& model,
                      std::uint64_t seed) const;
 };
 
+/// The condition's settings for its scenario, in the order of the factors.
+std::vector<Setting> settings_of(const Study& study, const Condition& condition);
+/// Whether the setting changes anything for the model: SUMO's own know neither parameters nor
+/// weather.
+bool knows_setting(const std::string& model, const Setting& setting);
+
 /// Free-speed runs are made with the first seed, for each condition and model.
 Plan make_plan(Study study);
+
+/// The settings that matter for a run.
+std::vector<Setting> known_settings(const Plan& plan, const PlannedRun& run);
 
 /// What is done for a run, in a folder of its own.
 struct RunCommands {
@@ -70,5 +82,9 @@ RunCommands run_commands(const Plan& plan, const PlannedRun& run, const std::str
 /// The zone file of a condition: the scenario's with the condition's settings, as text; empty where
 /// there is neither. Throws InputError.
 std::string zone_text(const Plan& plan, std::size_t condition);
+
+/// The same for a run: without what its model does not know, and in a free-speed run without
+/// people to be made and vehicles on a path.
+std::string zone_text(const Plan& plan, const PlannedRun& run);
 
 }  // namespace pedzone

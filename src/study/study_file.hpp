@@ -19,7 +19,7 @@ struct StudyScenario {
   std::string id;                         ///< default: the configuration's name without ending
   std::string file;                       ///< .sumocfg as written; see Study::resolve()
   std::string zone_file;                  ///< as written; empty: zones are found by themselves
-  std::vector<std::string> sumo_options;  ///< from attribute `options`
+  std::vector<std::string> sumo_options;  ///< from attribute `options`: --name, value, --name, ...
 };
 
 /// What a setting changes.
@@ -34,6 +34,7 @@ struct Setting {
   SettingKind kind;
   std::string key, value;
   std::string scenario;  ///< id; empty: in all scenarios
+  int line = 0;          ///< of the study file, for messages
 };
 
 struct Level {

@@ -1,0 +1,220 @@
+// What is done for a run: SUMO's or pedzone's command line, and the files that it needs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/xml.hpp"
+#include "study/free_speed_demand.hpp"
+#include "study/plan.hpp"
+#include "study/setting.hpp"
+#include "study/sumo_options.hpp"
+#include "sumo/people_file.hpp"
+#include "sumo/scenario.hpp"
+#include "world/model_names.hpp"
+#include "zone/zone.hpp"
+
+namespace pedzone {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kZoneFile = "zone.zone.xml";
+constexpr const char* kPeopleFile = "people.rou.xml";
+
+/// The files in a list as SUMO takes it, absolute.
+std::string resolve_list(const Study& study, const std::string& list) {
+  std::string resolved;
+  for (const std::string& file : split_words(list, ',')) {
+    resolved += (resolved.empty() ? "" : ",") + study.resolve(file);
+  }
+  return resolved;
+}
+
+std::string joined(const std::vector<std::string>& files) {
+  return fmt::format("{}", fmt::join(files, ","));
+}
+
+/// Puts the commands of one run together.
+class Commands {
+ public:
+  Commands(const Plan& plan, const PlannedRun& run, const std::string& pedzone,
+           const std::string& folder)
+      : study_(plan.study),
+        run_(run),
+        pedzone_(pedzone),
+        folder_(folder),
+        scenario_(study_.scenarios[plan.conditions[run.condition].scenario]),
+        config_(study_.resolve(scenario_.file)),
+        zone_text_(zone_text(plan, run)),
+        settings_(known_settings(plan, run)),
+        end_(study_.end) {
+    for (const auto& [name, value] : run.definition.at("sumo").items()) {
+      const std::string text = value.get<std::string>();
+      options_.set(name, names_input_files(name) ? resolve_list(study_, text) : text);
+    }
+    read_ = read_any_scenario(config_, options_.words());
+    if (!zone_text_.empty()) commands_.files.push_back({kZoneFile, zone_text_});
+  }
+
+  RunCommands take() {
+    redirect_outputs();
+    measure();
+    if (run_.kind == RunKind::kFreeSpeed) set_people_apart();
+    if (is_sumo_model(run_.model)) {
+      if (makes_people()) make_people();
+      commands_.commands.push_back(sumo());
+    } else {
+      commands_.commands.push_back(pedzone());
+    }
+    name_inputs();
+    return std::move(commands_);
+  }
+
+ private:
+  std::string in_folder(const std::string& name) const { return folder_ + "/" + name; }
+  bool makes_people() const { return zone_text_.find("<pedestrians") != std::string::npos; }
+
+  /// Runs go on side by side: what the configuration has SUMO write goes to the run's folder, and
+  /// what would change the files that are measured is as SUMO has it by default.
+  void redirect_outputs() {
+    const auto take_over = [&](const std::string& name, const std::string& value) {
+      if (names_output_file(name)) {
+        options_.set(name, in_folder(fs::path(value).filename().string()));
+      } else if (const auto neutral = neutral_sumo_value(name)) {
+        options_.set(name, *neutral);
+      }
+    };
+    const SumoOptions given = options_;
+    const XmlFile config(config_);
+    for (const auto& found : config.root().select_nodes(".//*[@value]")) {
+      const auto name = known_sumo_option(found.node().name());
+      if (name && !given.find(*name)) take_over(*name, found.node().attribute("value").value());
+    }
+    for (std::size_t i = 0; i < given.words().size(); i += 2) {
+      take_over(given.words()[i].substr(2), given.words()[i + 1]);
+    }
+  }
+
+  void measure() {
+    options_.set("fcd-output", in_folder("fcd.xml.gz"));
+    options_.set("tripinfo-output", in_folder("tripinfo.xml"));
+    options_.set("tripinfo-output.write-unfinished", "true");
+    options_.set("tripinfo-output.write-undeparted", "true");
+    options_.set("precision", "4");
+  }
+
+  /// The demand of a free-speed run instead of the scenario's.
+  void set_people_apart() {
+    const ZoneFile file = zone_file_of(study_, scenario_, settings_);
+    const Network network = read_scenario_network(read_);
+    const std::vector<Zone> zones = build_zones(network, file.zones);
+    std::unordered_set<int> edges;
+    for (const Zone& zone : zones) edges.insert(zone.edges.begin(), zone.edges.end());
+    std::string panel;
+    if (!file.panels.empty()) {
+      panel = people_file({read_, network, zones, file.profiles, file.panels, run_.seed});
+    }
+    FreeSpeedDemand demand =
+        free_speed_demand({read_, network, edges, panel, read_numbers(read_).begin});
+    end_ = demand.end;
+    commands_.files.push_back({kPeopleFile, std::move(demand.routes)});
+    options_.set("route-files", in_folder(kPeopleFile));
+    options_.set("scale", "1");
+    std::vector<std::string> files = read_.additional_files;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (!demand.additional[i]) continue;
+      const std::string name = fmt::format("additional-{}.xml", i + 1);
+      commands_.files.push_back({name, std::move(*demand.additional[i])});
+      files[i] = in_folder(name);
+    }
+    if (files != read_.additional_files) options_.set("additional-files", joined(files));
+  }
+
+  /// The panel's people as SUMO's own. Named on the command line, additional files take the place
+  /// of the configuration's.
+  void make_people() {
+    const std::string people = in_folder(kPeopleFile);
+    std::vector<std::string> command{pedzone_,
+                                     "demand",
+                                     config_,
+                                     "--zone",
+                                     in_folder(kZoneFile),
+                                     "--seed",
+                                     std::to_string(run_.seed),
+                                     "--out",
+                                     people};
+    append_options(command);
+    commands_.commands.push_back(std::move(command));
+    std::vector<std::string> files = read_.additional_files;
+    files.push_back(people);
+    options_.set("additional-files", joined(files));
+  }
+
+  std::vector<std::string> sumo() {
+    options_.set("pedestrian.model", run_.model);
+    options_.set("seed", std::to_string(run_.seed));
+    if (end_) options_.set("end", fmt::format("{}", *end_));
+    std::vector<std::string> command{"sumo", "-c", config_, "--no-step-log", "true"};
+    command.insert(command.end(), options_.words().begin(), options_.words().end());
+    return command;
+  }
+
+  std::vector<std::string> pedzone() {
+    std::vector<std::string> command{pedzone_, "run", config_};
+    if (!zone_text_.empty()) command.insert(command.end(), {"--zone", in_folder(kZoneFile)});
+    command.insert(command.end(),
+                   {"--model", run_.model, "--seed", std::to_string(run_.seed), "--threads", "1"});
+    if (end_) command.insert(command.end(), {"--end", fmt::format("{}", *end_)});
+    command.insert(command.end(), {"--summary", in_folder("summary.json"), "--trajectories",
+                                   in_folder("trajectories.csv")});
+    append_options(command);
+    return command;
+  }
+
+  void append_options(std::vector<std::string>& command) const {
+    command.push_back("--");
+    command.insert(command.end(), options_.words().begin(), options_.words().end());
+  }
+
+  /// `name_inputs`: all files that are read.
+  void name_inputs() {
+    std::vector<std::string>& inputs = commands_.inputs;
+    inputs = {config_, read_.net_file};
+    for (const auto* files : {&read_.route_files, &read_.additional_files}) {
+      inputs.insert(inputs.end(), files->begin(), files->end());
+    }
+    if (!scenario_.zone_file.empty()) {
+      const std::string zone_file = study_.resolve(scenario_.zone_file);
+      inputs.push_back(zone_file);
+      for (const pugi::xml_node& node : XmlFile(zone_file).root().children("vehiclePath")) {
+        inputs.push_back((fs::path(zone_file).parent_path() / node.attribute("file").value())
+                             .lexically_normal()
+                             .string());
+      }
+    }
+    if (names_plugin(run_.model)) inputs.push_back(study_.resolve(run_.model));
+    std::ranges::sort(inputs);
+    inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
+  }
+
+  const Study& study_;
+  const PlannedRun& run_;
+  const std::string pedzone_, folder_;
+  const StudyScenario& scenario_;
+  const std::string config_, zone_text_;
+  const std::vector<Setting> settings_;
+  std::optional<double> end_;  ///< [s]
+  SumoOptions options_;
+  Scenario read_;
+  RunCommands commands_;
+};
+
+}  // namespace
+
+RunCommands run_commands(const Plan& plan, const PlannedRun& run, const std::string& pedzone,
+                         const std::string& folder) {
+  return Commands(plan, run, pedzone, folder).take();
+}
+
+}  // namespace pedzone
