@@ -16,6 +16,7 @@ packages=(
   libcli11-dev                      # command line
   libpugixml-dev libexpat1-dev zlib1g-dev  # SUMO's XML, held and streamed, plain and compressed
   nlohmann-json3-dev                # summaries
+  libssl-dev                        # checksums of what a study ran on
   libtbb-dev                        # threads
   libboost-dev                      # distributions; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks

@@ -17,6 +17,9 @@ enum class RunStatus {
   kKilled,  ///< from outside: is run again when the study is resumed
 };
 
+/// done, failed or killed: as in records and tables.
+const char* status_name(RunStatus status);
+
 /// record.json of a run's directory. Beside it lie fcd.xml.gz, tripinfo.xml, log.txt, and
 /// conflicts.csv, series.csv, density.csv (run_measures.hpp).
 struct RunRecord {
@@ -25,7 +28,7 @@ struct RunRecord {
   std::string failure;  ///< why it failed, in a sentence; the end of its log follows
   nlohmann::ordered_json definition;
   std::map<std::string, std::string> inputs;    ///< SHA-256 by path
-  std::map<std::string, std::string> versions;  ///< pedzone, sumo, format
+  std::map<std::string, std::string> versions;  ///< see versions.hpp
   std::vector<std::vector<std::string>> commands;
   std::map<std::string, double> measures;  ///< by key of measure_list(); missing where undefined
   /// Who was to travel, from SUMO's own outputs: SHA-256 of the sorted list of persons (and of

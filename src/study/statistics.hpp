@@ -24,22 +24,25 @@ struct PairedDifference {
   std::size_t n = 0;                  ///< pairs
   double mean = 0.0, sd = 0.0;        ///< meaningless where n is 0, sd where n < 2
   std::optional<Interval> student;    ///< 95 % of the mean, where n >= 2
-  std::optional<Interval> bootstrap;  ///< 95 % of the mean, bias-corrected and accelerated (Efron
-                                      ///< 1987), 2,000 resamples, where n >= 5
-  std::optional<double> p;       ///< two-sided paired Student test; 1 where all differences are 0
-  std::optional<double> effect;  ///< Cohen's d of the differences with Hedges' correction;
-                                 ///< unset where they do not vary (and are not all 0)
-  bool all_equal = false;        ///< the differences do not vary
+  std::optional<Interval> bootstrap;  ///< 95 % of the mean (bootstrap.hpp), where n >= 10
+  /// Two-sided paired Student test, where n >= 3. Where the differences do not vary, the sign test
+  /// in its place: 2^(1-n), and 1 where all are 0.
+  std::optional<double> p;
+  /// Cohen's d of the differences with Hedges' correction (1981), where n >= 3; unset where they do
+  /// not vary, and 0 where all are 0.
+  std::optional<double> effect;
+  bool all_equal = false;  ///< n > 0, and the differences do not vary: both intervals are a point
 };
 
-/// `seed` decides the resamples: the same seed, the same bits.
+/// `differences`: finite. `seed` decides the resamples: the same seed, the same bits, in whatever
+/// order the differences come.
 PairedDifference compare_pairs(std::span<const double> differences, std::uint64_t seed);
 
 /// p-values corrected for their number (Holm 1979), in their order.
 std::vector<double> holm(std::span<const double> p);
 
 /// Seeds in all for which the half width of the 95 % interval of a mean is expected to be
-/// `half_width` > 0, given the standard deviation of the differences. At least 2.
+/// `half_width` > 0, given the standard deviation of the differences. 2 to a million.
 std::size_t seeds_needed(double sd, double half_width);
 
 }  // namespace pedzone

@@ -1,0 +1,24 @@
+// Checksums of files, as sha256sum prints them.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace pedzone {
+
+/// SHA-256 of a file's content. Throws InputError where it cannot be read.
+std::string sha256_of_file(const std::string& file);
+
+/// Checksums of files that many runs share: each file is read once.
+class FileSums {
+ public:
+  /// Throws InputError where it cannot be read.
+  const std::string& of(const std::string& file);
+  /// Whether all these files are there and have these checksums.
+  bool match(const std::map<std::string, std::string>& sums);
+
+ private:
+  std::map<std::string, std::string> known_;
+};
+
+}  // namespace pedzone

@@ -1,0 +1,56 @@
+// Processes that do not outlive the one that started them, whatever it dies of.
+#pragma once
+
+#include <sys/types.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pedzone {
+
+/// How a process ended.
+struct Ending {
+  int code = 0;    ///< exit code, where signal is 0
+  int signal = 0;  ///< that it died of; 0: none
+
+  bool good() const { return code == 0 && signal == 0; }
+  /// Ended by somebody else (killed, interrupted, out of memory), be it itself or, as its exit code
+  /// 128 + signal says, what it had started.
+  bool from_outside() const;
+  /// For people, e.g. "ended with exit code 3".
+  std::string text() const;
+};
+
+/// Has the kernel kill this process as soon as its parent dies, which was `parent` when this one
+/// was forked. What this process starts has to say so for itself; programs keep it.
+void die_with_parent(pid_t parent);
+
+/// A process that runs a function, in a process group of its own with all that it starts.
+class Child {
+ public:
+  /// Its exit code is what `work` returns. Signals are as if nobody had blocked them. Throws
+  /// std::system_error where none can be started.
+  explicit Child(const std::function<int()>& work);
+  /// Kills it and its group where it still runs.
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// How it ended; unset while it runs. Whatever it had started is killed then.
+  std::optional<Ending> poll();
+  /// Kills it and its group, and waits until it is gone.
+  void kill();
+
+ private:
+  pid_t pid_;
+  std::optional<Ending> ending_;
+};
+
+/// Runs a program, found as a shell does, with this process's standard output and error and without
+/// input, and waits for it. It dies with this process. A program that cannot be started says so on
+/// standard error and has exit code 127.
+Ending run_program(const std::vector<std::string>& command, const std::string& folder);
+
+}  // namespace pedzone

@@ -1,0 +1,137 @@
+#include "study/unit.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "output/complete_file.hpp"
+#include "study/process.hpp"
+#include "study/run_measures.hpp"
+#include "sumo/scenario.hpp"
+#include "zone/zone_file.hpp"
+
+namespace pedzone {
+namespace {
+
+void write_file(const std::string& path, const std::string& text) {
+  CompleteFile file(path, "--out");
+  file.write(text);
+  file.finish();
+}
+
+/// From here on whatever this process and those that it starts print goes to the folder's log. Its
+/// lock says that the folder is in use.
+void print_to_log(const std::string& folder) {
+  const std::string path = folder + "/" + kLogFile;
+  const int log = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (log < 0) throw std::system_error(errno, std::generic_category(), "cannot write " + path);
+  dup2(log, STDOUT_FILENO);
+  dup2(log, STDERR_FILENO);
+  close(log);  // before it is locked: closing a file unlocks it
+  lock_file(STDOUT_FILENO);
+}
+
+/// As one would type it, for the log.
+std::string shell_text(const std::vector<std::string>& command) {
+  std::string text = "$";
+  for (const std::string& word : command) {
+    std::string quoted;
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += " '" + quoted + "'";
+  }
+  return text;
+}
+
+/// Why a run failed.
+struct Failure {
+  std::string sentence;
+  int code;
+};
+
+void simulate(const RunCommands& commands, const std::string& where, const std::string& folder) {
+  for (const RunCommands::File& file : commands.files) {
+    write_file(folder + "/" + file.name, file.text);
+  }
+  for (const std::vector<std::string>& command : commands.commands) {
+    fmt::print("{}\n", shell_text(command));
+    const Ending ending = run_program(command, where);
+    if (ending.good()) continue;
+    const std::string program = command.front().substr(command.front().rfind('/') + 1);
+    const int signal = ending.signal != 0 ? ending.signal : ending.code - 128;
+    throw Failure{program + " " + ending.text(), ending.from_outside() ? 128 + signal : 1};
+  }
+}
+
+/// The place where it was, with the zones of its condition.
+Place place_of(const std::string& config, const std::vector<std::string>& sumo_options,
+               const std::string& zone_file) {
+  Place place;
+  ZoneFile file;
+  if (std::filesystem::exists(zone_file)) file = read_zone_file(zone_file);
+  place.network = read_scenario_network(read_any_scenario(config, sumo_options));
+  place.zones = build_zones(place.network, file.zones);
+  place.paths = find_paths(place.network, place.zones, file.paths);
+  return place;
+}
+
+void measure(const Workshop& workshop, const PlannedRun& run, const std::string& folder,
+             RunRecord& record) {}
+
+void make(Workshop& workshop, const PlannedRun& run, const std::string& folder, RunRecord& record) {
+  const auto begin = std::chrono::steady_clock::now();
+  simulate(run_commands(workshop.plan, run, workshop.pedzone, folder), workshop.plan.study.folder,
+           folder);
+  measure(workshop, run, folder, record);
+  record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write_file(folder + "/record.json", record_text(record));
+  workshop.store.finish(folder, run.id);
+}
+
+int fail(const Failure& failure, const std::string& folder) {
+  fmt::print(stderr, "Error: {}\n", failure.sentence);
+  write_file(folder + "/" + kFailureFile, failure.sentence);
+  return failure.code;
+}
+
+}  // namespace
+
+void read_inputs(Workshop& workshop, const PlannedRun& run) { (void)blank_record(workshop, run); }
+
+RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
+  RunRecord record;
+  record.id = run.id;
+  record.definition = run.definition;
+  record.versions = workshop.store.versions();
+  try {
+    const RunCommands commands =
+        run_commands(workshop.plan, run, workshop.pedzone, workshop.store.run_folder(run.id));
+    record.commands = commands.commands;
+    for (const std::string& input : commands.inputs) {
+      record.inputs[input] = workshop.sums.of(input);
+    }
+  } catch (const InputError&) {
+    // The run will say so itself.
+  }
+  return record;
+}
+
+int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
+  print_to_log(folder);
+  try {
+    RunRecord record = blank_record(workshop, run);
+    record.attempts = attempt;
+    make(workshop, run, folder, record);
+    return 0;
+  } catch (const Failure& failure) {
+    return fail(failure, folder);
+  } catch (const std::exception& error) {
+    return fail({error.what(), 1}, folder);
+  }
+}
+
+}  // namespace pedzone

@@ -1,0 +1,18 @@
+// Which programs made results.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace pedzone {
+
+/// By name: pedzone, sumo; build (SHA-256 of the program `pedzone` itself: between two versions, it
+/// tells one day's from the next). Results of different ones are not mixed.
+/// `pedzone`: absolute path of the program. Throws InputError where SUMO is not installed.
+std::map<std::string, std::string> program_versions(const std::string& version,
+                                                    const std::string& pedzone);
+
+/// Absolute path of the program that runs.
+std::string this_program();
+
+}  // namespace pedzone
