@@ -1,0 +1,29 @@
+"use strict";
+
+const report = {data: JSON.parse(document.getElementById("data").textContent), ready: false};
+
+/** Charts of conditions that are open. */
+function draw_lines() {
+  for (const element of document.querySelectorAll("details[open] [data-series]")) {
+    lines.draw(report.data, element);
+  }
+}
+
+palette.show_keys(report.data, document.getElementById("model-keys"));
+distributions.draw_all(report.data, document.getElementById("distribution-charts"));
+draw_lines();
+for (const details of document.querySelectorAll("details.condition")) {
+  details.addEventListener("toggle", draw_lines);
+}
+scenes.prepare(JSON.parse(document.getElementById("scene-pages").textContent));
+
+addEventListener("beforeprint", () => lines.redraw(true));
+addEventListener("afterprint", () => lines.redraw(false));
+let waiting = null;
+addEventListener("resize", () => {
+  clearTimeout(waiting);
+  waiting = setTimeout(() => lines.redraw(false), 150);
+});
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => lines.redraw(false));
+report.ready = true;
+window.report = report;
