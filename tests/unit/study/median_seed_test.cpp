@@ -40,7 +40,7 @@ class MedianPairs : public testing::Test {
     plan_.study.models = {"striping", "heuristic"};
     plan_.study.reference = "striping";
     plan_.study.seeds = {3, 5, 8};
-    plan_.study.scenarios.push_back({.id = "s", .file = "s.sumocfg"});
+    plan_.study.scenarios.push_back({"s", "s.sumocfg", "", {}});
     plan_.study.factors = {{"demand", {{"high", {}}, {"low", {}}, {"medium", {}}}}};
     plan_.study.combinations = {{0}, {1}, {2}};
     plan_ = make_plan(plan_.study);
