@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "core/random.hpp"
@@ -95,7 +96,11 @@ class RunList {
     run.definition = definition_of(plan_.study, plan_.conditions[condition], kind, model, seed);
     run.id = id_of(run.definition);
     const auto [known, is_new] = index_.try_emplace(run.id, plan_.runs.size());
-    if (is_new) plan_.runs.push_back(std::move(run));
+    if (is_new) {
+      plan_.runs.push_back(std::move(run));
+    } else if (plan_.runs[known->second].definition != run.definition) {
+      throw std::logic_error("two runs of a study have the id " + run.id);
+    }
     return known->second;
   }
 

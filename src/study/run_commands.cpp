@@ -31,10 +31,6 @@ std::string resolve_list(const Study& study, const std::string& list) {
   return resolved;
 }
 
-std::string joined(const std::vector<std::string>& files) {
-  return fmt::format("{}", fmt::join(files, ","));
-}
-
 /// Puts the commands of one run together.
 class Commands {
  public:
@@ -128,7 +124,8 @@ class Commands {
       commands_.files.push_back({name, std::move(*demand.additional[i])});
       files[i] = in_folder(name);
     }
-    if (files != read_.additional_files) options_.set("additional-files", joined(files));
+    if (files != read_.additional_files)
+      options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 
   /// The panel's people as SUMO's own. Named on the command line, additional files take the place
@@ -148,7 +145,7 @@ class Commands {
     commands_.commands.push_back(std::move(command));
     std::vector<std::string> files = read_.additional_files;
     files.push_back(people);
-    options_.set("additional-files", joined(files));
+    options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 
   std::vector<std::string> sumo() {
@@ -177,7 +174,7 @@ class Commands {
     command.insert(command.end(), options_.words().begin(), options_.words().end());
   }
 
-  /// `name_inputs`: all files that are read.
+  /// All files that are read.
   void name_inputs() {
     std::vector<std::string>& inputs = commands_.inputs;
     inputs = {config_, read_.net_file};
