@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/study_file.hpp"
+#include "study/sumo_options.hpp"
 
 namespace pedzone {
 
@@ -52,6 +53,8 @@ struct Plan {
 
 /// The condition's settings for its scenario, in the order of the factors.
 std::vector<Setting> settings_of(const Study& study, const Condition& condition);
+/// The options for SUMO, those of the scenario with those settings.
+SumoOptions options_of(const Study& study, const Condition& condition);
 /// Whether the setting changes anything for the model: SUMO's own know neither parameters nor
 /// weather.
 bool knows_setting(const std::string& model, const Setting& setting);

@@ -22,15 +22,6 @@ namespace fs = std::filesystem;
 constexpr const char* kZoneFile = "zone.zone.xml";
 constexpr const char* kPeopleFile = "people.rou.xml";
 
-/// The files in a list as SUMO takes it, absolute.
-std::string resolve_list(const Study& study, const std::string& list) {
-  std::string resolved;
-  for (const std::string& file : split_words(list, ',')) {
-    resolved += (resolved.empty() ? "" : ",") + study.resolve(file);
-  }
-  return resolved;
-}
-
 /// Puts the commands of one run together.
 class Commands {
  public:
@@ -45,10 +36,7 @@ class Commands {
         zone_text_(zone_text(plan, run)),
         settings_(known_settings(plan, run)),
         end_(study_.end) {
-    for (const auto& [name, value] : run.definition.at("sumo").items()) {
-      const std::string text = value.get<std::string>();
-      options_.set(name, names_input_files(name) ? resolve_list(study_, text) : text);
-    }
+    options_ = with_absolute_files(options_of(study_, plan.conditions[run.condition]), study_);
     read_ = read_any_scenario(config_, options_.words());
     if (!zone_text_.empty()) commands_.files.push_back({kZoneFile, zone_text_});
   }

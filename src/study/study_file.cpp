@@ -1,6 +1,7 @@
 #include "study/study_file.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <filesystem>
 #include <set>
 
@@ -29,23 +30,14 @@ std::string stem_of(const std::string& path) {
   return name.substr(0, name.find('.', 1));
 }
 
-/// Whether the bytes are UTF-8 (RFC 3629), but for what only a decoder of characters finds.
+/// Whether the bytes are UTF-8 (RFC 3629) by their leading ones: no byte of a character missing,
+/// none too many.
 bool is_utf8(std::string_view text) {
-  std::size_t more = 0;
+  int more = 0;  // bytes of the character that are still to come
   for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool continues = (byte & 0xC0u) == 0x80u;
-    if (continues != (more > 0)) return false;
-    if (continues) {
-      --more;
-    } else {
-      more = byte < 0x80         ? 0
-             : (byte >> 5) == 6  ? 1
-             : (byte >> 4) == 14 ? 2
-             : (byte >> 3) == 30 ? 3
-                                 : 4;
-      if (more == 4) return false;
-    }
+    const int ones = std::countl_one(static_cast<unsigned char>(c));
+    if ((ones == 1) != (more > 0) || ones > 4) return false;
+    more = ones == 1 ? more - 1 : std::max(0, ones - 1);
   }
   return more == 0;
 }
