@@ -11,6 +11,7 @@
 #include "app/plot.hpp"
 #include "app/profile_tables.hpp"
 #include "app/run.hpp"
+#include "app/study.hpp"
 #include "app/validate.hpp"
 #include "core/error.hpp"
 #include "world/model_names.hpp"
@@ -149,6 +150,7 @@ int command_line(int argc, char** argv) {
   add_parameters(app);
   add_profiles(app);
   add_plot(app, code);
+  add_study(app, code);
   add_validate(app, code);
   add_calibrate(app, code);
   try {

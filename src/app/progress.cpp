@@ -7,19 +7,14 @@
 #include <cstdio>
 #include <string>
 
+#include "app/clock_text.hpp"
+
 namespace pedzone {
 namespace {
 
 constexpr double kOnTerminal = 0.2;  // [s] between two drawings of the bar
 constexpr double kElsewhere = 30.0;  // [s] between two plain lines
 constexpr int kBarWidth = 24;        // characters
-
-std::string clock_text(double seconds) {
-  const long whole = static_cast<long>(seconds + 0.5);
-  if (whole >= 3600)
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-  return fmt::format("{}:{:02}", whole / 60, whole % 60);
-}
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/clock_text.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -25,9 +27,8 @@ void ShareBar::update(double share) {
   }
   last_ = now;
   const double spent = std::chrono::duration<double>(now - start_).count();
-  const int left = share > 0.0 ? static_cast<int>(spent * (1.0 - share) / share) : 0;
-  const std::string text =
-      fmt::format("{:3.0f} %, {}:{:02} left", 100.0 * share, left / 60, left % 60);
+  const double left = share > 0.0 ? spent * (1.0 - share) / share : 0.0;
+  const std::string text = fmt::format("{:3.0f} %, {} left", 100.0 * share, clock_text(left));
   if (!terminal_) {
     fmt::print(stderr, "{}: {}\n", what_, text);
     return;

@@ -11,17 +11,20 @@
 
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
+#include "study/process.hpp"
 
 namespace pedzone {
 
 int supervise(const std::function<int()>& work, const std::vector<std::string>& outputs) {
   std::fflush(nullptr);
+  const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0) {
     fmt::print(stderr, "Error: cannot start a process for SUMO: {}\n", std::strerror(errno));
     return 1;
   }
   if (child == 0) {
+    die_with_parent(parent);
     const int code = work();
     std::fflush(nullptr);
     _exit(code);  // SUMO's static objects have been closed; their destructors are not trusted
@@ -37,6 +40,10 @@ int supervise(const std::function<int()>& work, const std::vector<std::string>& 
   if (signal == SIGINT) {
     fmt::print(stderr, "\nInterrupted; no output was written.\n");
     return 128 + SIGINT;
+  }
+  if (signal == SIGKILL || signal == SIGTERM) {  // not its own doing
+    fmt::print(stderr, "Error: the run was killed (signal {}); no output was written.\n", signal);
+    return 128 + signal;
   }
   fmt::print(stderr,
              "Error: SUMO died in the middle of the run (signal {}: {}); no output was written. "

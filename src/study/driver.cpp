@@ -83,7 +83,6 @@ class Driver {
     waiting_.pop_front();
     const PlannedRun& run = run_of(task);
     workshop_.store.discard(run.id);
-    read_inputs(workshop_, run);
     const std::string folder = workshop_.store.make_folder(run.id);
     active_.emplace_back(task, folder, [this, &run, task, folder] {
       return make_run(workshop_, run, task.attempt, folder);
@@ -108,6 +107,7 @@ class Driver {
   void over(const Active& active, bool late, const Ending& ending) {
     const PlannedRun& run = run_of(active.task);
     if (!late && ending.good()) {
+      workshop_.sums.learn(read_record(workshop_.store.run_folder(run.id) + "/record.json").inputs);
       ++result_.done;
       events_.over(run, RunStatus::kDone, "", active.age());
       return;

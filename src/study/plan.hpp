@@ -65,6 +65,10 @@ Plan make_plan(Study study);
 /// The settings that matter for a run.
 std::vector<Setting> known_settings(const Plan& plan, const PlannedRun& run);
 
+/// In a run's folder, where there are such.
+inline constexpr const char* kZoneFile = "zone.zone.xml";
+inline constexpr const char* kPeopleFile = "people.rou.xml";  ///< of the panel, or set apart
+
 /// What is done for a run, in a folder of its own.
 struct RunCommands {
   struct File {
@@ -73,6 +77,7 @@ struct RunCommands {
   };
   std::vector<File> files;                         ///< to be written before
   std::vector<std::vector<std::string>> commands;  ///< program and arguments; in turn
+  std::vector<std::string> sumo_options;           ///< as SUMO gets them, paths absolute
   std::vector<std::string> inputs;  ///< files whose content decides what comes out; absolute
 };
 

@@ -19,9 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kZoneFile = "zone.zone.xml";
-constexpr const char* kPeopleFile = "people.rou.xml";
-
 /// Puts the commands of one run together.
 class Commands {
  public:
@@ -45,13 +42,15 @@ class Commands {
     redirect_outputs();
     measure();
     if (run_.kind == RunKind::kFreeSpeed) set_people_apart();
+    if (makes_people()) make_people();
     if (is_sumo_model(run_.model)) {
-      if (makes_people()) make_people();
+      if (makes_people()) add_people();
       commands_.commands.push_back(sumo());
     } else {
       commands_.commands.push_back(pedzone());
     }
     name_inputs();
+    commands_.sumo_options = options_.words();
     return std::move(commands_);
   }
 
@@ -116,10 +115,9 @@ class Commands {
       options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 
-  /// The panel's people as SUMO's own. Named on the command line, additional files take the place
-  /// of the configuration's.
+  /// The panel's people as a file: SUMO's own models are given them so, and the measures learn who
+  /// they are.
   void make_people() {
-    const std::string people = in_folder(kPeopleFile);
     std::vector<std::string> command{pedzone_,
                                      "demand",
                                      config_,
@@ -128,11 +126,15 @@ class Commands {
                                      "--seed",
                                      std::to_string(run_.seed),
                                      "--out",
-                                     people};
+                                     in_folder(kPeopleFile)};
     append_options(command);
     commands_.commands.push_back(std::move(command));
+  }
+
+  /// Named on the command line, additional files take the place of the configuration's.
+  void add_people() {
     std::vector<std::string> files = read_.additional_files;
-    files.push_back(people);
+    files.push_back(in_folder(kPeopleFile));
     options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 

@@ -67,26 +67,52 @@ void simulate(const RunCommands& commands, const std::string& where, const std::
   }
 }
 
-/// The place where it was, with the zones of its condition.
-Place place_of(const std::string& config, const std::vector<std::string>& sumo_options,
-               const std::string& zone_file) {
+/// The place where it was, with the zones that it had.
+Place place_of(const RunOutputs& outputs) {
   Place place;
   ZoneFile file;
+  const std::string zone_file = outputs.folder + "/" + kZoneFile;
   if (std::filesystem::exists(zone_file)) file = read_zone_file(zone_file);
-  place.network = read_scenario_network(read_any_scenario(config, sumo_options));
+  place.network = read_scenario_network(read_any_scenario(outputs.config, outputs.sumo_options));
   place.zones = build_zones(place.network, file.zones);
   place.paths = find_paths(place.network, place.zones, file.paths);
   return place;
 }
 
-void measure(const Workshop& workshop, const PlannedRun& run, const std::string& folder,
-             RunRecord& record) {}
+void measure(const RunOutputs& outputs, RunKind kind, RunRecord& record) {
+  if (kind == RunKind::kFreeSpeed) return;
+  RunMeasures measures = measure_run(outputs, place_of(outputs));
+  record.measures = std::move(measures.values);
+  record.demand = std::move(measures.demand);
+}
 
-void make(Workshop& workshop, const PlannedRun& run, const std::string& folder, RunRecord& record) {
+RunOutputs outputs_of(const Workshop& workshop, const PlannedRun& run, const RunCommands& commands,
+                      const std::string& folder) {
+  const Study& study = workshop.plan.study;
+  const std::size_t scenario = workshop.plan.conditions[run.condition].scenario;
+  const std::string people = folder + "/" + kPeopleFile;
+  RunOutputs outputs{folder, study.resolve(study.scenarios[scenario].file), commands.sumo_options,
+                     {}};
+  if (std::filesystem::exists(people)) outputs.types.push_back(people);
+  return outputs;
+}
+
+void note_inputs(Workshop& workshop, const RunCommands& commands, RunRecord& record) {
+  record.commands = commands.commands;
+  for (const std::string& input : commands.inputs) record.inputs[input] = workshop.sums.of(input);
+}
+
+void make(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
   const auto begin = std::chrono::steady_clock::now();
-  simulate(run_commands(workshop.plan, run, workshop.pedzone, folder), workshop.plan.study.folder,
-           folder);
-  measure(workshop, run, folder, record);
+  RunRecord record;
+  record.id = run.id;
+  record.definition = run.definition;
+  record.versions = workshop.store.versions();
+  record.attempts = attempt;
+  const RunCommands commands = run_commands(workshop.plan, run, workshop.pedzone, folder);
+  note_inputs(workshop, commands, record);  // as they are before anybody reads them
+  simulate(commands, workshop.plan.study.folder, folder);
+  measure(outputs_of(workshop, run, commands, folder), run.kind, record);
   record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_file(folder + "/record.json", record_text(record));
   workshop.store.finish(folder, run.id);
@@ -100,22 +126,18 @@ int fail(const Failure& failure, const std::string& folder) {
 
 }  // namespace
 
-void read_inputs(Workshop& workshop, const PlannedRun& run) { (void)blank_record(workshop, run); }
-
 RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
   RunRecord record;
   record.id = run.id;
   record.definition = run.definition;
   record.versions = workshop.store.versions();
   try {
-    const RunCommands commands =
-        run_commands(workshop.plan, run, workshop.pedzone, workshop.store.run_folder(run.id));
-    record.commands = commands.commands;
-    for (const std::string& input : commands.inputs) {
-      record.inputs[input] = workshop.sums.of(input);
-    }
+    note_inputs(workshop,
+                run_commands(workshop.plan, run, workshop.pedzone,
+                             workshop.store.run_folder(run.id)),
+                record);
   } catch (const InputError&) {
-    // The run will say so itself.
+    // That is why it is blank.
   }
   return record;
 }
@@ -123,9 +145,7 @@ RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
 int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
   print_to_log(folder);
   try {
-    RunRecord record = blank_record(workshop, run);
-    record.attempts = attempt;
-    make(workshop, run, folder, record);
+    make(workshop, run, attempt, folder);
     return 0;
   } catch (const Failure& failure) {
     return fail(failure, folder);

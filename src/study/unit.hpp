@@ -20,9 +20,6 @@ struct Workshop {
 inline constexpr const char* kLogFile = "log.txt";
 inline constexpr const char* kFailureFile = "failure.txt";  ///< why it failed, in a sentence
 
-/// Has the workshop know the checksums of a run's inputs, which units inherit.
-void read_inputs(Workshop& workshop, const PlannedRun& run);
-
 /// The record of a run of which nothing is known but what goes into it.
 RunRecord blank_record(Workshop& workshop, const PlannedRun& run);
 

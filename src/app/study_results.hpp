@@ -1,0 +1,20 @@
+// What a study's runs come to: tables and report in its directory.
+#pragma once
+
+#include <string>
+
+#include "study/store.hpp"
+
+namespace pedzone {
+
+/// Writes report.html, summary.csv, summary.json and runs.csv, each complete or not at all, and
+/// prints where they are. Throws InputError.
+void write_results(const Store& store, const Plan& plan, const Records& records);
+
+/// How many runs are in which state.
+struct RunCounts {
+  std::size_t done = 0, failed = 0, killed = 0, missing = 0;
+};
+RunCounts count_runs(const Records& records);
+
+}  // namespace pedzone

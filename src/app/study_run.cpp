@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "app/guarded.hpp"
+#include "app/study.hpp"
+#include "app/study_progress.hpp"
+#include "app/study_results.hpp"
+#include "study/driver.hpp"
+#include "study/failure.hpp"
+#include "study/versions.hpp"
+
+namespace pedzone {
+namespace {
+
+int jobs_of(const StudyRunOptions& options) {
+  if (options.jobs > 0) return options.jobs;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+DriverResult make_missing(const StudyRunOptions& options, Workshop& workshop) {
+  const Records records = workshop.store.records(workshop.plan);
+  const std::vector<std::size_t> missing = missing_runs(records, options.retry_failed);
+  const int jobs = jobs_of(options);
+  StudyProgress progress(records.size(), records.size() - missing.size(), jobs);
+  DriverEvents events;
+  events.again = [&](const PlannedRun& run, const std::string& why) {
+    progress.note(run.id, why + "; tried again");
+  };
+  events.over = [&](const PlannedRun& run, RunStatus status, const std::string& why,
+                    double wall_s) {
+    const bool done = status == RunStatus::kDone;
+    progress.over(run.id,
+                  done ? fmt::format("done in {:.1f} s", wall_s)
+                       : fmt::format("{}: {}", status_name(status), why),
+                  !done, wall_s);
+  };
+  events.tick = [&] { progress.update(); };
+  const DriverResult result = make_runs(workshop, missing, jobs, events);
+  progress.finish();
+  return result;
+}
+
+int work(const StudyRunOptions& options) {
+  const Study study = read_study(options.file);
+  const Plan plan = make_plan(study);
+  const std::string pedzone = this_program();
+  const Store store =
+      Store::create(options.results, study, program_versions(PEDZONE_VERSION, pedzone));
+  store.clear_rubbish();
+  Workshop workshop{store, plan, pedzone, {}};
+  const DriverResult result = make_missing(options, workshop);
+  const Records records = store.records(plan);
+  const RunCounts counts = count_runs(records);
+  fmt::print("{} runs: {} done, {} failed, {} killed, {} missing\n", records.size(), counts.done,
+             counts.failed, counts.killed, counts.missing);
+  if (result.interrupted) {
+    fmt::print(stderr, "Interrupted. What is done is kept; the same command goes on from there.\n");
+    return kExitInterrupted;
+  }
+  write_results(store, plan, records);
+  return counts.done == records.size() ? 0 : kExitSomeFailed;
+}
+
+}  // namespace
+
+int study_run(const StudyRunOptions& options) {
+  int code = 0;
+  const int error = guarded([&] { code = work(options); });
+  return error != 0 ? error : code;
+}
+
+}  // namespace pedzone
