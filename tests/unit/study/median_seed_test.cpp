@@ -40,8 +40,9 @@ class MedianPairs : public testing::Test {
     plan_.study.models = {"striping", "heuristic"};
     plan_.study.reference = "striping";
     plan_.study.seeds = {3, 5, 8};
-    plan_.study.scenarios.push_back({"s", "s.sumocfg", "", {}});
-    plan_.study.factors = {{"demand", {{"high", {}}, {"low", {}}, {"medium", {}}}}};
+    plan_.study.scenarios.push_back({"s", PEDZONE_SCENARIOS "/plaza/plaza-low.sumocfg", "", {}});
+    plan_.study.factors = {
+        {"demand", {scaled("high", "3"), scaled("low", "1"), scaled("medium", "2")}}};
     plan_.study.combinations = {{0}, {1}, {2}};
     plan_ = make_plan(plan_.study);
     records_.resize(plan_.runs.size());
@@ -53,6 +54,9 @@ class MedianPairs : public testing::Test {
     }
   }
 
+  static Level scaled(const std::string& name, const std::string& scale) {
+    return {name, {{SettingKind::kSumo, "scale", scale, ""}}};
+  }
   std::size_t run(const std::string& model, std::size_t condition, std::uint64_t seed) const {
     return plan_.run_of(RunKind::kStudy, condition, model, seed);
   }
