@@ -25,6 +25,7 @@ packages=(
   librsvg2-bin                      # the picture as PNG
   chromium chromium-driver          # tests of pages
   poppler-utils                     # tests of pages on paper
+  slurmctld slurmd slurm-client munge  # tests of studies on a cluster, which they start themselves
 )
 # Fetches the libraries that draw in a study's report; any npm will do.
 command -v npm >/dev/null || packages+=(nodejs npm)

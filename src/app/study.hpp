@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/study_slurm.hpp"
+
 namespace pedzone {
 
 constexpr int kExitSomeFailed = 4;     ///< some runs of a study failed
@@ -14,6 +16,7 @@ struct StudyRunOptions {
   std::string results;  ///< the study's directory
   int jobs = 0;         ///< at a time; 0: as many as there are cores
   bool retry_failed = false;
+  StudySlurmOptions slurm;
 };
 
 /// All of them return the exit code, with the error on standard error.

@@ -8,6 +8,7 @@
 #include "app/study_results.hpp"
 #include "study/driver.hpp"
 #include "study/failure.hpp"
+#include "study/slurm_jobs.hpp"
 #include "study/versions.hpp"
 
 namespace pedzone {
@@ -45,9 +46,16 @@ int work(const StudyRunOptions& options) {
   const Study study = read_study(options.file);
   const Plan plan = make_plan(study);
   const std::string pedzone = this_program();
+  if (options.slurm.wanted) check_slurm(options.slurm.sbatch, options.results);
+  refuse_beside_slurm(options.results);
   const Store store =
       Store::create(options.results, study, program_versions(PEDZONE_VERSION, pedzone));
+  refuse_beside_slurm(store.folder());  // submitted since, by somebody who had the lock
   store.clear_rubbish();
+  if (options.slurm.wanted &&
+      submit_study(store, plan, options.retry_failed, options.slurm.sbatch)) {
+    return 0;
+  }
   Workshop workshop{store, plan, pedzone, {}};
   const DriverResult result = make_missing(options, workshop);
   const Records records = store.records(plan);
@@ -66,7 +74,14 @@ int work(const StudyRunOptions& options) {
 
 int study_run(const StudyRunOptions& options) {
   int code = 0;
-  const int error = guarded([&] { code = work(options); });
+  const int error = guarded([&] {
+    try {
+      code = work(options);
+    } catch (const std::exception&) {
+      check_disk(options.results);  // says it better
+      throw;
+    }
+  });
   return error != 0 ? error : code;
 }
 

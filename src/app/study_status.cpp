@@ -41,6 +41,7 @@ int status(const std::string& results) {
   if (left > 0.0) fmt::print("About {} of one core's time left.\n", clock_text(left));
   const std::string holder = lock_holder(store.folder());
   if (!holder.empty()) fmt::print("At work: {}.\n", holder);
+  print_slurm_jobs(store);
   print_troubles(store, plan, records);
   return counts.failed > 0 ? kExitSomeFailed : 0;
 }

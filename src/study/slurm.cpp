@@ -169,7 +169,11 @@ void submit_both(const std::string& results, const SlurmOptions& options, SlurmA
 
 }  // namespace
 
-void check_slurm(const SlurmOptions& options) {
+void check_slurm(const SlurmOptions& options, const std::string& results) {
+  if (results.find('\\') != std::string::npos) {  // sbatch drops it from paths
+    throw InputError("cannot be used with Slurm",
+                     {.element = "option --out", .value = results, .allowed = "no backslash"});
+  }
   std::vector<std::string> words = {"--test-only", "--ntasks=1"};
   std::ranges::copy(sbatch_words(options), std::back_inserter(words));
   words.push_back("--wrap=true");
@@ -179,10 +183,6 @@ void check_slurm(const SlurmOptions& options) {
 SlurmArray submit_array(const std::string& results, const std::vector<std::string>& runs,
                         const SlurmOptions& options, const std::vector<std::string>& task,
                         const std::vector<std::string>& aggregate) {
-  if (results.find('\\') != std::string::npos) {  // sbatch drops it from paths
-    throw InputError("cannot be used with Slurm",
-                     {.element = "option --out", .value = results, .allowed = "no backslash"});
-  }
   name_jobs(results);
   SlurmArray array;
   array.folder = array_folder(results, last_number(results) + 1);

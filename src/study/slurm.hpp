@@ -22,8 +22,9 @@ struct SlurmOptions {
   std::vector<std::string> sbatch;  ///< more options of sbatch
 };
 
-/// Throws InputError where Slurm is not there or refuses such jobs, with its own words.
-void check_slurm(const SlurmOptions& options);
+/// Throws InputError where Slurm is not there or refuses such jobs, with its own words, or cannot
+/// have its files in the study's directory `results`.
+void check_slurm(const SlurmOptions& options, const std::string& results);
 
 struct SlurmArray {
   std::string job, aggregate;  ///< their ids

@@ -52,7 +52,9 @@ std::vector<SlurmJob> slurm_jobs(const std::string& results) {
   if (!listed) return {};
   if (listed->code != 0) {
     throw InputError("Slurm does not say whether the study has jobs: " + slurm_words(listed->error),
-                     {.file = results, .allowed = "try again when squeue answers"});
+                     {.file = results,
+                      .allowed = "try again when squeue answers; where its jobs are known to "
+                                 "be over, remove the folder slurm in it"});
   }
   std::vector<SlurmJob> jobs;
   for (const std::string& line : split(listed->out, '\n')) {

@@ -45,8 +45,10 @@ bool is_utf8(std::string_view text) {
 /// Reads one study file.
 class Reader {
  public:
-  Reader(const std::string& file, const std::string& folder) : file_(file, {"study"}) {
+  Reader(const std::string& file, const std::string& folder, const std::string& id)
+      : file_(file, {"study"}) {
     study_.file = file;
+    study_.id = id.empty() ? stem_of(file) : id;
     const fs::path place = folder.empty() ? fs::absolute(file).parent_path() : fs::absolute(folder);
     study_.folder = place.lexically_normal().string();
   }
@@ -57,7 +59,7 @@ class Reader {
     file_.check_names(
         root, {"id", "title", "question", "seeds", "models", "reference", "end", "timeLimit"},
         {"scenario", "factor", "combination"});
-    study_.id = word(root, "id", stem_of(study_.file));
+    study_.id = word(root, "id", study_.id);
     study_.title = root.attribute("title").value();
     study_.question = root.attribute("question").value();
     read_seeds(root);
@@ -203,8 +205,8 @@ std::string Study::resolve(const std::string& path) const {
   return (fs::path(folder) / path).lexically_normal().string();
 }
 
-Study read_study(const std::string& file, const std::string& folder) {
-  return Reader(file, folder).read();
+Study read_study(const std::string& file, const std::string& folder, const std::string& id) {
+  return Reader(file, folder, id).read();
 }
 
 }  // namespace pedzone

@@ -63,6 +63,13 @@ def free_ports(number):
                 opened.close()
 
 
+def kill(process):
+    try:
+        os.kill(process, signal.SIGKILL)
+    except ProcessLookupError:
+        pass  # it has ended by itself
+
+
 class SlurmCluster:
     """`environment` is what a client of the cluster needs, `folder` holds the daemons' logs."""
 
@@ -87,9 +94,11 @@ class SlurmCluster:
         return self
 
     def __exit__(self, *_):
-        self.kill_jobs()
-        for name in list(self._daemons):
-            self._kill(name)
+        while left := self.processes():  # jobs and their daemons, too: those survive slurmd
+            for process in left:
+                kill(process)
+            for daemon in self._daemons.values():
+                daemon.wait()
         self._temporary.cleanup()
 
     # What a test does to the cluster.
@@ -106,28 +115,22 @@ class SlurmCluster:
         """SIGKILL for the node's daemon; its jobs' processes live on."""
         self._kill(node)
 
-    def job_processes(self):
-        """Ids of the processes of all jobs: those with this cluster's file in their environment
-        and a job's number."""
-        wanted = f"SLURM_CONF={self.config}".encode()
+    def processes(self, mark="SLURM_CONF="):
+        """Ids of this cluster's processes: they know its configuration. `mark`: how a variable of
+        their environment begins; "SLURM_JOB_ID=" leaves what jobs have started, and
+        "SLURM_ARRAY_TASK_ID=" what tasks of arrays have."""
         found = []
         for process in Path("/proc").iterdir():
-            if process.name.isdigit() and int(process.name) != os.getpid():
-                try:
-                    words = (process / "environ").read_bytes().split(b"\0")
-                except OSError:
-                    continue  # it has ended
-                if wanted in words and any(word.startswith(b"SLURM_JOB_ID=") for word in words):
-                    found.append(int(process.name))
-        return found
-
-    def kill_jobs(self):
-        self.run("scancel", "--user=root")
-        for process in self.job_processes() + self._children_of_daemons():
+            if not process.name.isdigit():
+                continue
             try:
-                os.kill(process, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
+                words = (process / "environ").read_bytes().split(b"\0")
+            except OSError:
+                continue  # it has ended
+            if (f"SLURM_CONF={self.config}".encode() in words
+                    and any(word.startswith(mark.encode()) for word in words)):
+                found.append(int(process.name))
+        return found
 
     def jobs(self):
         """(job, state) of all array tasks and jobs that are queued or running."""
@@ -164,20 +167,6 @@ class SlurmCluster:
         daemon = self._daemons.pop(name)
         daemon.kill()
         daemon.wait()
-
-    def _children_of_daemons(self):
-        """slurmstepd, one a job: it belongs to the cluster by its command's working folder."""
-        found = []
-        for process in Path("/proc").iterdir():
-            if process.name.isdigit():
-                try:
-                    name = (process / "comm").read_text().strip()
-                    folder = os.readlink(process / "cwd")
-                except OSError:
-                    continue
-                if name == "slurmstepd" and folder.startswith(str(self.folder)):
-                    found.append(int(process.name))
-        return found
 
     def _start_munge(self):
         munge = self.folder / "munge"

@@ -184,13 +184,35 @@ TEST_F(StudyFile, scenarios_are_looked_at) {
 }
 
 TEST_F(StudyFile, a_run_must_end) {
-  write("endless.sumocfg", "<configuration><net-file value='" PEDZONE_SCENARIOS
-                           "/../networks/plaza/plaza.net.xml'/></configuration>");
+  write("people.rou.xml", "<routes><person id='p' depart='0'/></routes>");
+  write("endless.sumocfg",
+        "<configuration><route-files value='people.rou.xml'/>"
+        "<net-file value='" PEDZONE_SCENARIOS
+        "/../networks/plaza/plaza.net.xml'/></configuration>");
   EXPECT_EQ(
       error("<study><scenario file='endless.sumocfg'/></study>"),
       "1: <scenario> attribute file: 'endless.sumocfg' does not end; allowed: a scenario with "
       "<end value=\"...\"/>, or attribute end of <study>");
   EXPECT_EQ(error("<study end='10'><scenario file='endless.sumocfg'/></study>"), "no error");
+}
+
+TEST_F(StudyFile, there_must_be_somebody_to_walk) {
+  write("empty.sumocfg", "<configuration><end value='5'/><net-file value='" PEDZONE_SCENARIOS
+                         "/../networks/plaza/plaza.net.xml'/></configuration>");
+  const std::string empty = "<study><scenario file='empty.sumocfg'/>";
+  EXPECT_EQ(error(empty + "</study>"),
+            folder_ +
+                "/empty.sumocfg: <route-files>: names no person; allowed: route or additional "
+                "files with <person> or <personFlow>");
+  EXPECT_EQ(error(empty + "<factor id='a' panel='number' values='5 10'/></study>"), "no error");
+}
+
+TEST_F(StudyFile, a_kept_copy_keeps_id_and_folder) {
+  const std::string text = "<study><scenario file='plaza/plaza-low.sumocfg'/></study>";
+  const Study study = read_study(write("study.xml", text), PEDZONE_SCENARIOS, "town");
+  EXPECT_EQ(study.id, "town");
+  EXPECT_EQ(study.resolve("a/../b.xml"), PEDZONE_SCENARIOS "/b.xml");
+  EXPECT_EQ(study.resolve("/a/b.xml"), "/a/b.xml");
 }
 
 TEST_F(StudyFile, options_that_a_scenario_cannot_have_are_refused) {

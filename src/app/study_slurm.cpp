@@ -1,0 +1,90 @@
+#include "app/study_slurm.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "study/driver.hpp"
+#include "study/slurm_jobs.hpp"
+#include "study/versions.hpp"
+
+namespace pedzone {
+namespace {
+
+/// For the aggregate job, that it can submit what is missing in the same way.
+std::vector<std::string> aggregate_command(const std::string& results, const SlurmOptions& options,
+                                           int round) {
+  std::vector<std::string> words = {this_program(),
+                                    "study",
+                                    "aggregate",
+                                    results,
+                                    "--slurm",
+                                    "--round",
+                                    std::to_string(round),
+                                    "--per-task",
+                                    std::to_string(options.per_task)};
+  if (!options.partition.empty()) words.push_back("--partition=" + options.partition);
+  if (!options.time.empty()) words.push_back("--time=" + options.time);
+  for (const std::string& option : options.sbatch) words.push_back("--sbatch=" + option);
+  return words;
+}
+
+}  // namespace
+
+void add_slurm_options(CLI::App& run, StudySlurmOptions& options) {
+  const std::string group = "On a Slurm cluster";
+  CLI::Option* slurm = run.add_flag("--slurm", options.wanted,
+                                    "Make the runs as jobs of the cluster, from the machine where "
+                                    "its jobs are submitted; nodes share the folders");
+  SlurmOptions& sbatch = options.sbatch;
+  for (CLI::Option* option :
+       {run.add_option("--partition", sbatch.partition, "Partition [default: Slurm's]"),
+        run.add_option("--time", sbatch.time,
+                       "Limit of a task as sbatch takes it [default: the partition's]"),
+        run.add_option("--per-task", sbatch.per_task, "Runs of a task, one after the other")
+            ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
+            ->capture_default_str(),
+        run.add_option("--sbatch", sbatch.sbatch,
+                       "An option of sbatch, e.g. --sbatch=--account=traffic; may be repeated")
+            ->allow_extra_args(false)}) {
+    option->needs(slurm)->group(group);
+  }
+  slurm->group(group);
+}
+
+void submit_runs(const Store& store, const std::vector<std::string>& runs,
+                 const SlurmOptions& options, int round) {
+  const SlurmArray array =
+      submit_array(store.folder(), runs, options, {this_program(), "study", "task", store.folder()},
+                   aggregate_command(store.folder(), options, round));
+  fmt::print(
+      "Submitted {} runs to Slurm: job {} with {} tasks, up to {} runs each, then job {}\n"
+      "(tables and report). What they print: {}/*.log\n",
+      runs.size(), array.job, array.tasks, array.per_task, array.aggregate, array.folder);
+}
+
+bool submit_study(const Store& store, const Plan& plan, bool retry_failed,
+                  const SlurmOptions& options) {
+  const Records records = store.records(plan);
+  std::vector<std::string> runs;
+  for (const std::size_t run : missing_runs(records, retry_failed)) {
+    runs.push_back(plan.runs[run].id);
+    if (records[run]) store.discard(runs.back());  // tasks leave alone what has failed
+  }
+  if (runs.empty()) return false;
+  submit_runs(store, runs, options, 1);
+  fmt::print("To follow: pedzone study status {}\nTo cancel: scancel --name={}\n", store.folder(),
+             slurm_name(store.folder()));
+  return true;
+}
+
+void print_slurm_jobs(const Store& store) {
+  try {
+    for (const std::string& line : slurm_summary(slurm_jobs(store.folder()))) {
+      fmt::print("With Slurm: {}\n", line);
+    }
+  } catch (const InputError& error) {
+    fmt::print("{}\n", error.what());
+  }
+}
+
+}  // namespace pedzone

@@ -1,0 +1,37 @@
+// `pedzone study` on a Slurm cluster: what the user says, and the commands that jobs are.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "study/slurm.hpp"
+#include "study/store.hpp"
+
+namespace pedzone {
+
+struct StudySlurmOptions {
+  bool wanted = false;  ///< --slurm
+  SlurmOptions sbatch;
+};
+
+/// Adds --slurm and what goes with it to `study run`.
+void add_slurm_options(CLI::App& run, StudySlurmOptions& options);
+
+/// Adds the commands of jobs to `study`; help does not list them.
+void add_slurm_jobs(CLI::App& study, int& code);
+
+/// Submits runs of a study, whose lock is held, and says so. `round`: how many arrays there have
+/// been for them, this one included. Throws InputError.
+void submit_runs(const Store& store, const std::vector<std::string>& runs,
+                 const SlurmOptions& options, int round);
+
+/// Submits what is missing of a study, whose lock is held, and says how to follow and to cancel it;
+/// false where nothing is missing. Throws InputError.
+bool submit_study(const Store& store, const Plan& plan, bool retry_failed,
+                  const SlurmOptions& options);
+
+/// Prints a line for each job that a study has with Slurm.
+void print_slurm_jobs(const Store& store);
+
+}  // namespace pedzone
