@@ -12,6 +12,7 @@
 #include "output/complete_file.hpp"
 #include "study/process.hpp"
 #include "study/run_measures.hpp"
+#include "study/shell_word.hpp"
 #include "sumo/scenario.hpp"
 #include "zone/zone_file.hpp"
 
@@ -39,11 +40,7 @@ void print_to_log(const std::string& folder) {
 /// As one would type it, for the log.
 std::string shell_text(const std::vector<std::string>& command) {
   std::string text = "$";
-  for (const std::string& word : command) {
-    std::string quoted;
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    text += " '" + quoted + "'";
-  }
+  for (const std::string& word : command) text += " " + shell_word(word);
   return text;
 }
 
