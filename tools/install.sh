@@ -17,14 +17,18 @@ packages=(
   libpugixml-dev libexpat1-dev zlib1g-dev  # SUMO's XML, held and streamed, plain and compressed
   nlohmann-json3-dev                # summaries
   libssl-dev                        # checksums of what a study ran on
+  libkainjow-mustache-dev           # the template of a study's report
   libtbb-dev                        # threads
   libboost-dev                      # distributions; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
   python3 python3-shapely python3-numpy                         # independent checks
   librsvg2-bin                      # the picture as PNG
   chromium chromium-driver          # tests of pages
+  poppler-utils                     # tests of pages on paper
   slurmctld slurmd slurm-client munge  # tests of studies on a cluster, which they start themselves
 )
+# Fetches the libraries that draw in a study's report; any npm will do.
+command -v npm >/dev/null || packages+=(nodejs npm)
 
 missing=()
 installed=$'\n'$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)$'\n'

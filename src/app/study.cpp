@@ -23,11 +23,14 @@ constexpr const char* kRunFooter =
     "  pedzone study run study.xml --out results/      # the same again goes on where it stopped\n"
     "  pedzone study status results/                   # how far it is, and what failed\n\n"
     "A study file names scenarios, models, seeds, and what varies:\n"
-    "  <study seeds=\"1-50\" models=\"striping heuristic ./mine.so\" end=\"900\" timeLimit=\"600\">\n"
+    "  <study seeds=\"1-50\" models=\"striping heuristic ./mine.so\" end=\"900\" "
+    "timeLimit=\"600\">\n"
     "    <scenario file=\"town.sumocfg\" zone=\"town.zone.xml\" options=\"--step-length 0.2\"/>\n"
     "    <factor id=\"sight\" parameter=\"sight\" values=\"5 10\"/>   <!-- parameter of zones -->\n"
-    "    <factor id=\"weather\" zone=\"weather\" values=\"fair rain\"/>  <!-- attribute of zones -->\n"
-    "    <factor id=\"people\" panel=\"number\" values=\"50 200\"/>      <!-- of <pedestrians> -->\n"
+    "    <factor id=\"weather\" zone=\"weather\" values=\"fair rain\"/>  <!-- attribute of zones "
+    "-->\n"
+    "    <factor id=\"people\" panel=\"number\" values=\"50 200\"/>      <!-- of <pedestrians> "
+    "-->\n"
     "    <factor id=\"traffic\" sumo=\"scale\" values=\"1 2\"/>          <!-- option of SUMO -->\n"
     "  </study>\n"
     "All combinations are run, with each seed. Paths are relative to the study file.\n\n"
@@ -74,12 +77,11 @@ void add_study(CLI::App& app, int& code) {
       "Example:\n  pedzone study status results/\n\n"
       "Also while it runs. Exit codes: 0 nothing failed, 2 input at fault, 4 some runs failed.",
       study_status, code);
-  add_results_command(
-      *study, "report", "Write the report and the tables of what is done so far",
-      "Example:\n  pedzone study report results/\n\n"
-      "Writes report.html, summary.csv, summary.json and runs.csv there.\n"
-      "Exit codes: 0 done, 2 input at fault, 4 some runs failed.",
-      study_report, code);
+  add_results_command(*study, "report", "Write the report and the tables of what is done so far",
+                      "Example:\n  pedzone study report results/\n\n"
+                      "Writes report.html, summary.csv, summary.json and runs.csv there.\n"
+                      "Exit codes: 0 done, 2 input at fault, 4 some runs failed.",
+                      study_report, code);
   add_slurm_jobs(*study, code);
 }
 

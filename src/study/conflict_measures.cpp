@@ -38,11 +38,9 @@ void ConflictMeasures::add(const Conflict& conflict) {
   keep(conflict.ttc, ttc_);
   keep(conflict.pet, pet_);
   keep(conflict.drac, drac_);
-  if (conflict.contact) {
-    clearance_.push_back(0.0);
-  } else {
-    keep(conflict.clearance, clearance_);
-  }
+  // Bodies overlap a little before it is told as a contact.
+  if (conflict.contact) clearance_.push_back(0.0);
+  if (conflict.clearance) clearance_.push_back(std::max(0.0, conflict.clearance->value));
 }
 
 void ConflictMeasures::finish(std::map<std::string, double>& values) const {

@@ -56,7 +56,7 @@ class Driver {
     try {
       loop();
     } catch (const std::exception&) {
-      check_disk(workshop_.store);  // says it better
+      check_disk(workshop_.store.folder());  // says it better
       throw;
     }
     return result_;
@@ -112,7 +112,7 @@ class Driver {
       events_.over(run, RunStatus::kDone, "", active.age());
       return;
     }
-    check_disk(workshop_.store);  // while what the run has written is still there
+    check_disk(workshop_.store.folder());  // while what the run has written is still there
     const std::string why =
         late ? fmt::format("took longer than {} s", workshop_.plan.study.time_limit)
              : failure_sentence(active.folder, ending);

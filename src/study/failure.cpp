@@ -42,7 +42,14 @@ std::string failure_sentence(const std::string& folder, const Ending& ending) {
 
 void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& given_up,
                     const std::string& folder) {
-  RunRecord record = blank_record(workshop, run);
+  RunRecord record;
+  try {
+    record = blank_record(workshop, run);
+  } catch (const InputError&) {  // gone: that is why it has failed
+    record.id = run.id;
+    record.definition = run.definition;
+    record.versions = workshop.store.versions();
+  }
   record.status = given_up.status;
   record.failure = given_up.why + "\n" + end_of_log(folder);
   record.attempts = given_up.attempts;
@@ -56,10 +63,11 @@ void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& gi
   workshop.store.finish(folder, run.id);
 }
 
-void check_disk(const Store& store) {
+void check_disk(const std::string& results) {
   // What is free by the file system's own account is not always to be had: quotas, reserves.
-  const std::string probe = store.folder() + "/runs/.space";
+  const std::string probe = results + "/runs/.space";
   const int file = open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (file < 0 && errno == ENOENT) return;  // there are no results
   const std::string some(kProbe, '\0');
   const bool space = file >= 0 && write(file, some.data(), some.size()) == ssize_t(some.size()) &&
                      fsync(file) == 0;
@@ -69,7 +77,7 @@ void check_disk(const Store& store) {
   if (space) return;
   throw InputError("cannot be written to (" + std::string(std::strerror(why)) + ")",
                    {.element = "results",
-                    .value = store.folder(),
+                    .value = results,
                     .allowed = "space for the outputs of the runs; what is done is kept, and the "
                                "same command goes on from there"});
 }

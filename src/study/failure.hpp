@@ -23,7 +23,7 @@ struct GivenUp {
 void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& given_up,
                     const std::string& folder);
 
-/// Throws InputError where there is no space left in a study's directory.
-void check_disk(const Store& store);
+/// Throws InputError where a study's directory takes no more: no space left, and the like.
+void check_disk(const std::string& results);
 
 }  // namespace pedzone

@@ -8,7 +8,7 @@ bool is_done(const std::optional<RunRecord>& record) {
   return record && record->status == RunStatus::kDone;
 }
 
-std::string_view status_name(const std::optional<RunRecord>& record) {
+std::string_view table_status(const std::optional<RunRecord>& record) {
   if (is_done(record)) return "done";
   return record && record->status == RunStatus::kFailed ? "failed" : "missing";
 }

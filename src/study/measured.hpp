@@ -11,7 +11,7 @@ namespace pedzone {
 
 bool is_done(const std::optional<RunRecord>& record);
 /// For tables: done, failed, or missing (not run yet, or to be run again).
-std::string_view status_name(const std::optional<RunRecord>& record);
+std::string_view table_status(const std::optional<RunRecord>& record);
 /// A measure of a run that is done; unset where it is undefined.
 std::optional<double> measured(const std::optional<RunRecord>& record, const std::string& key);
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "core/random.hpp"
 #include "study/setting.hpp"
-#include "study/sumo_options.hpp"
+#include "sumo/scenario.hpp"
 
 namespace pedzone {
 namespace {
@@ -38,14 +40,11 @@ std::vector<Condition> conditions_of(const Study& study) {
 Json definition_of(const Study& study, const Condition& condition, RunKind kind,
                    const std::string& model, std::uint64_t seed) {
   const StudyScenario& scenario = study.scenarios[condition.scenario];
-  SumoOptions options(scenario.sumo_options);
+  const SumoOptions options = options_of(study, condition);
   std::map<std::string, std::map<std::string, std::string>> set;  // order of factors: no matter
   for (const Setting& setting : settings_of(study, condition)) {
-    if (setting.kind == SettingKind::kSumo) {
-      options.set(setting.key, setting.value);
-    } else if (knows_setting(model, setting)) {
-      set[attribute_of(setting.kind)][setting.key] = setting.value;
-    }
+    if (setting.kind == SettingKind::kSumo || !knows_setting(model, setting)) continue;
+    set[attribute_of(setting.kind)][setting.key] = setting.value;
   }
   std::map<std::string, std::string> sorted;
   for (std::size_t i = 0; i < options.words().size(); i += 2) {
@@ -95,7 +94,11 @@ class RunList {
     run.definition = definition_of(plan_.study, plan_.conditions[condition], kind, model, seed);
     run.id = id_of(run.definition);
     const auto [known, is_new] = index_.try_emplace(run.id, plan_.runs.size());
-    if (is_new) plan_.runs.push_back(std::move(run));
+    if (is_new) {
+      plan_.runs.push_back(std::move(run));
+    } else if (plan_.runs[known->second].definition != run.definition) {
+      throw std::logic_error("two runs of a study have the id " + run.id);
+    }
     return known->second;
   }
 
@@ -104,7 +107,35 @@ class RunList {
   std::unordered_map<std::string, std::size_t> index_;
 };
 
+/// Throws InputError for what only a whole condition shows: panels that make no people, files of
+/// options that are not there, nobody to walk.
+void check_conditions(const Plan& plan) {
+  std::set<std::size_t> peopled;  // scenarios that have persons
+  for (const Condition& condition : plan.conditions) {
+    const StudyScenario& scenario = plan.study.scenarios[condition.scenario];
+    const std::vector<Setting> settings = settings_of(plan.study, condition);
+    const bool plain = std::ranges::none_of(settings, [](const Setting& setting) {
+      return setting.kind == SettingKind::kPanel || names_input_files(setting.key);
+    });
+    if (plain && peopled.contains(condition.scenario)) continue;
+    const Scenario read = read_any_scenario(
+        plan.study.resolve(scenario.file),
+        with_absolute_files(options_of(plan.study, condition), plan.study).words());
+    if (!zone_file_of(plan.study, scenario, settings).panels.empty()) continue;
+    require_persons(read);
+    peopled.insert(condition.scenario);
+  }
+}
+
 }  // namespace
+
+SumoOptions options_of(const Study& study, const Condition& condition) {
+  SumoOptions options(study.scenarios[condition.scenario].sumo_options);
+  for (const Setting& setting : settings_of(study, condition)) {
+    if (setting.kind == SettingKind::kSumo) options.set(setting.key, setting.value);
+  }
+  return options;
+}
 
 std::vector<Setting> settings_of(const Study& study, const Condition& condition) {
   std::vector<Setting> settings;
@@ -134,10 +165,7 @@ Plan make_plan(Study study) {
   Plan plan;
   plan.study = std::move(study);
   plan.conditions = conditions_of(plan.study);
-  for (const Condition& condition : plan.conditions) {
-    zone_file_of(plan.study, plan.study.scenarios[condition.scenario],
-                 settings_of(plan.study, condition));  // for what it refuses
-  }
+  check_conditions(plan);
   RunList runs(plan);
   const auto add_all = [&](RunKind kind, std::uint64_t seed) {
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/study_file.hpp"
+#include "study/sumo_options.hpp"
 
 namespace pedzone {
 
@@ -52,6 +53,8 @@ struct Plan {
 
 /// The condition's settings for its scenario, in the order of the factors.
 std::vector<Setting> settings_of(const Study& study, const Condition& condition);
+/// The options for SUMO, those of the scenario with those settings.
+SumoOptions options_of(const Study& study, const Condition& condition);
 /// Whether the setting changes anything for the model: SUMO's own know neither parameters nor
 /// weather.
 bool knows_setting(const std::string& model, const Setting& setting);
@@ -75,8 +78,12 @@ struct RunCommands {
   std::vector<File> files;                         ///< to be written before
   std::vector<std::vector<std::string>> commands;  ///< program and arguments; in turn
   std::vector<std::string> sumo_options;           ///< as SUMO gets them, paths absolute
-  std::vector<std::string> inputs;  ///< files whose content decides what comes out; absolute
+  std::vector<std::string> inputs;                 ///< run_inputs()
 };
+
+/// The files whose content decides what comes out of a run; absolute, ascending. Much cheaper than
+/// run_commands(). Throws InputError.
+std::vector<std::string> run_inputs(const Plan& plan, const PlannedRun& run);
 
 /// The commands of a run whose outputs go to the absolute path `folder`: fcd.xml.gz, tripinfo.xml,
 /// with pedzone also summary.json and trajectories.csv. They are to be started in Study::folder.

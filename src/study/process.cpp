@@ -73,9 +73,10 @@ int become(const std::vector<std::string>& command, const std::string& folder) {
 
 }  // namespace
 
+int Ending::exit_code() const { return signal != 0 ? kSignalled + signal : code; }
+
 bool Ending::from_outside() const {
-  const int died_of = signal != 0 ? signal : code - kSignalled;
-  return std::ranges::find(kOutside, died_of) != kOutside.end();
+  return std::ranges::find(kOutside, exit_code() - kSignalled) != kOutside.end();
 }
 
 std::string Ending::text() const {

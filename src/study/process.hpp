@@ -16,6 +16,8 @@ struct Ending {
   int signal = 0;  ///< that it died of; 0: none
 
   bool good() const { return code == 0 && signal == 0; }
+  /// As shells have it: 128 + signal where there is one.
+  int exit_code() const;
   /// Ended by somebody else (killed, interrupted, out of memory), be it itself or, as its exit code
   /// 128 + signal says, what it had started.
   bool from_outside() const;

@@ -66,10 +66,9 @@ int decimals_of(const Comparison& comparison) {
 }
 
 std::optional<double> percent_of(const Comparison& comparison) {
-  const std::optional<double>& mean = comparison.reference.mean;
-  if (!mean || *mean == 0.0 || comparison.difference.n == 0) return {};
   constexpr double kPercent = 100.0;
-  return kPercent * comparison.difference.mean / std::abs(*mean);
+  if (!comparison.relative) return {};
+  return kPercent * *comparison.relative;
 }
 
 std::string percent_text(double percent) {

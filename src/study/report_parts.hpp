@@ -33,6 +33,9 @@ const RunRecord* done_run(const Input& input, std::size_t condition, const std::
 std::vector<std::string> run_folders(const Input& input, std::size_t condition,
                                      const std::string& model);
 
+/// What is said of a model in one condition.
+Json condition_verdict(const Input& input, std::size_t condition, const std::string& model);
+
 /// For the template. Strings are plain text unless a name ends in `_html`.
 Json verdict_part(const Input& input);
 Json setup_part(const Input& input);

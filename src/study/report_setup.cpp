@@ -23,7 +23,7 @@ std::string seeds_text(const std::vector<std::uint64_t>& seeds) {
                               : fmt::format("{} to {}", seeds[i], seeds[last]));
     i = last + 1;
   }
-  return fmt::format("{} ({})", seeds.size(), fmt::join(parts, ", "));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string setting_text(const Setting& setting) {
@@ -80,42 +80,25 @@ std::vector<std::string> unknown_to_sumo(const Study& study) {
   return {keys.begin(), keys.end()};
 }
 
-/// How many pairs had the same people and vehicles to move.
+/// Whether the models of a pair had the same people and vehicles to move.
 Json fairness(const Input& input) {
   const Plan& plan = input.plan;
-  std::size_t pairs = 0, equal = 0;
-  std::vector<std::string> examples;
-  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
-    for (const std::string& model : others(plan)) {
-      for (const std::uint64_t seed : plan.study.seeds) {
-        const RunRecord* a = done_run(input, i, plan.study.reference, seed);
-        const RunRecord* b = done_run(input, i, model, seed);
-        if (a == nullptr || b == nullptr) continue;
-        ++pairs;
-        if (a->demand == b->demand) {
-          ++equal;
-        } else if (examples.size() < kMostExamples) {
-          examples.push_back(fmt::format("{}, {}, seed {}", plan.conditions[i].name, model, seed));
-        }
-      }
-    }
+  std::vector<std::string> unequal;
+  for (const UnequalDemand& one : unequal_demands(plan, input.records)) {
+    unequal.push_back(fmt::format("{} of {} in {} (seeds {})", one.what, one.model,
+                                  plan.conditions[one.condition].name, seeds_text(one.seeds)));
   }
-  std::string text;
-  if (pairs == 0) {
-    text = "No pair of runs is complete yet.";
-  } else if (equal == pairs) {
-    text = fmt::format(
-        "In {} both models had the same people and the same vehicles to move, with "
-        "the same intended departures and types.",
-        pairs == 1 ? "the one pair of runs" : fmt::format("all {} pairs", pairs));
-  } else {
-    text = fmt::format(
-        "In {} of {} pairs the two models did not have the same people and vehicles "
-        "to move: {}{}.",
-        pairs - equal, pairs, fmt::join(examples, "; "),
-        pairs - equal > examples.size() ? "; ..." : "");
+  if (unequal.empty()) {
+    return {{"text",
+             "Within each pair both models had the same people and the same vehicles to "
+             "move, with the same intended departures and types."},
+            {"warning", false}};
   }
-  return {{"text", text}, {"warning", equal < pairs}};
+  const std::size_t more = unequal.size() - std::min(unequal.size(), kMostExamples);
+  unequal.resize(unequal.size() - more);
+  std::string text = "The models did not have the same to move: " + joined(unequal);
+  if (more > 0) text += fmt::format(", and {}", count_text(more, "case more", "cases more"));
+  return {{"text", text + "."}, {"warning", true}};
 }
 
 Json unequal(const Study& study) {
@@ -169,7 +152,7 @@ Json setup_part(const Input& input) {
           {"varies", !study.factors.empty()},
           {"conditions", input.plan.conditions.size()},
           {"several", several(input.plan.conditions.size())},
-          {"seeds", seeds_text(study.seeds)},
+          {"seeds", fmt::format("{} ({})", study.seeds.size(), seeds_text(study.seeds))},
           {"end", study.end ? digits_text(study.end) + " s" : std::string("the scenario's")},
           {"runs", runs},
           {"incomplete", failed + missing > 0},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "study/measure_list.hpp"
+#include "study/report_finding.hpp"
 #include "study/report_numbers.hpp"
 #include "study/report_parts.hpp"
 
@@ -11,60 +12,8 @@ namespace pedzone::report {
 namespace {
 
 constexpr std::size_t kMostRows = 2000;  // of the table of everything; more are in summary.csv
-constexpr std::size_t kMostColumns = 4;  // of the overview: more become its rows
 constexpr double kMostPercent = 100.0;   // of an axis: what is farther out gets an arrow head
 constexpr double kAxes[] = {5, 10, 20, 50, kMostPercent};  // [%]
-
-const char* tone_class(Sentence::Tone tone) {
-  switch (tone) {
-    case Sentence::Tone::kBetter:
-      return "better";
-    case Sentence::Tone::kWorse:
-      return "worse";
-    case Sentence::Tone::kWarning:
-      return "warning";
-    case Sentence::Tone::kPlain:
-      break;
-  }
-  return "plain";
-}
-
-std::string finding_text(const Comparison& one) {
-  switch (one.finding) {
-    case Finding::kDifferent: {
-      const Sentence::Tone tone = tone_of(one);
-      std::string text = one.difference.mean < 0.0 ? "lower" : "higher";
-      if (tone == Sentence::Tone::kBetter) text += ": better";
-      if (tone == Sentence::Tone::kWorse) text += ": worse";
-      return text;
-    }
-    case Finding::kNotShown:
-      return "no difference shown";
-    case Finding::kInconclusive:
-      return "cannot say";
-    case Finding::kSame:
-      return "equal";
-    case Finding::kTooFew:
-      break;
-  }
-  return "too few pairs";
-}
-
-std::string finding_class(const Comparison& one) {
-  switch (one.finding) {
-    case Finding::kDifferent:
-      return std::string("different ") + tone_class(tone_of(one));
-    case Finding::kNotShown:
-      return "not-shown";
-    case Finding::kInconclusive:
-      return "inconclusive";
-    case Finding::kSame:
-      return "same";
-    case Finding::kTooFew:
-      break;
-  }
-  return "too-few";
-}
 
 std::string p_text(const std::optional<double>& p) {
   constexpr double kLeast = 0.001;
@@ -76,83 +25,6 @@ std::string interval_text(const std::optional<Interval>& interval, int decimals)
   if (!interval) return digits_text({});
   return fmt::format("[{}, {}]", signed_text(interval->low, decimals),
                      signed_text(interval->high, decimals));
-}
-
-// The overview
-
-/// What a cell of the overview says: the change in percent, or that there is none.
-std::string overview_text(const Comparison& one) {
-  switch (one.finding) {
-    case Finding::kDifferent: {
-      const auto percent = percent_of(one);
-      return percent ? signed_percent(*percent)
-                     : signed_text(one.difference.mean, decimals_of(one));
-    }
-    case Finding::kNotShown:
-      return "\u2248";
-    case Finding::kInconclusive:
-      return "?";
-    case Finding::kSame:
-      return "=";
-    case Finding::kTooFew:
-      break;
-  }
-  return "\u2013";
-}
-
-Json overview_cell(const Comparison* one) {
-  if (one == nullptr) return {{"text", "\u2013"}, {"class", "too-few"}, {"say", "too few pairs"}};
-  return {
-      {"text", overview_text(*one)}, {"class", finding_class(*one)}, {"say", finding_text(*one)}};
-}
-
-std::vector<const Measure*> primary_measures() {
-  std::vector<const Measure*> measures;
-  for (const Measure& one : measure_list()) {
-    if (one.primary) measures.push_back(&one);
-  }
-  return measures;
-}
-
-struct Column {
-  std::string name;
-  std::vector<Comparison> comparisons;
-};
-
-Json overview(const Input& input) {
-  std::vector<Column> columns;
-  const std::vector<std::string> models = others(input.plan);
-  for (std::size_t i = 0; i < input.plan.conditions.size(); ++i) {
-    for (const std::string& model : models) {
-      const std::string& condition = input.plan.conditions[i].name;
-      columns.push_back({input.plan.conditions.size() == 1 ? model
-                         : models.size() == 1              ? condition
-                                                           : condition + ": " + model,
-                         comparisons_of(input, i, model)});
-    }
-  }
-  const std::vector<const Measure*> measures = primary_measures();
-  const auto cell = [&](const Measure& measure, const Column& column) {
-    const auto found = std::ranges::find(column.comparisons, measure.key, &Comparison::measure);
-    return overview_cell(found == column.comparisons.end() ? nullptr : &*found);
-  };
-  Json head = Json::array(), rows = Json::array();
-  if (columns.size() <= kMostColumns) {
-    for (const Column& column : columns) head.push_back(column.name);
-    for (const Measure* measure : measures) {
-      Json cells = Json::array();
-      for (const Column& column : columns) cells.push_back(cell(*measure, column));
-      rows.push_back({{"name", measure_label(*measure)}, {"cells", cells}});
-    }
-  } else {
-    for (const Measure* measure : measures) head.push_back(measure_label(*measure));
-    for (const Column& column : columns) {
-      Json cells = Json::array();
-      for (const Measure* measure : measures) cells.push_back(cell(*measure, column));
-      rows.push_back({{"name", column.name}, {"cells", cells}});
-    }
-  }
-  return {{"head", head}, {"rows", rows}, {"wide", columns.size() > kMostColumns}};
 }
 
 // Differences with their intervals drawn
@@ -309,59 +181,7 @@ Json glossary() {
   return groups;
 }
 
-Json sentence_json(const Sentence& sentence) {
-  return {{"head", sentence.head}, {"rest", sentence.rest}, {"class", tone_class(sentence.tone)}};
-}
-
-/// Sentences on one condition.
-Json condition_verdict(const Input& input, std::size_t condition, const std::string& model) {
-  const Verdict verdict = verdict_of(comparisons_of(input, condition, model));
-  Json found = Json::array(), others = Json::array();
-  for (const Sentence& one : verdict.different) found.push_back(sentence_json(one));
-  for (const Sentence* one :
-       {&verdict.inconclusive, &verdict.not_shown, &verdict.same, &verdict.too_few}) {
-    if (!one->head.empty()) others.push_back(sentence_json(*one));
-  }
-  const bool none = found.empty();
-  return {{"found", found}, {"others", others}, {"none", none}};
-}
-
-/// Sentences over all conditions.
-Json overall_verdict(const Input& input, const std::string& model) {
-  std::vector<Comparison> all;
-  for (const Comparison& one : input.comparisons) {
-    if (one.model == model) all.push_back(one);
-  }
-  Json found = Json::array();
-  for (const Measure* measure : primary_measures()) {
-    const Sentence sentence = overall_sentence(all, measure->key);
-    if (!sentence.head.empty()) found.push_back(sentence_json(sentence));
-  }
-  const bool none = found.empty();
-  return {{"found", found}, {"others", Json::array()}, {"none", none}};
-}
-
 }  // namespace
-
-Json verdict_part(const Input& input) {
-  const Plan& plan = input.plan;
-  Json free = Json::array(), models = Json::array();
-  for (const std::string& model : others(plan)) {
-    std::vector<FreeSpeed> speeds;
-    for (const FreeSpeed& one : input.speeds) {
-      if (one.model == model) speeds.push_back(one);
-    }
-    for (const Sentence& one : free_speed_sentences(speeds, plan)) {
-      free.push_back(sentence_json(one));
-    }
-    Json part = plan.conditions.size() == 1 ? condition_verdict(input, 0, model)
-                                            : overall_verdict(input, model);
-    part["model"] = model;
-    part["reference"] = plan.study.reference;
-    models.push_back(part);
-  }
-  return {{"free", free}, {"models", models}, {"overview", overview(input)}};
-}
 
 Json tables_part(const Input& input) {
   Json tables = differences(input);

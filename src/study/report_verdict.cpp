@@ -108,7 +108,7 @@ constexpr ListKind kInconclusiveKind{Finding::kInconclusive, "Cannot say",
                                      " from so few runs whether there is a difference in ", "."};
 constexpr ListKind kSameKind{Finding::kSame, "Equal in every pair of runs", ": ", "."};
 constexpr ListKind kTooFewKind{Finding::kTooFew, "Not compared",
-                               ", as fewer than two pairs of runs have it: ", "."};
+                               ", as fewer than three pairs of runs have it: ", "."};
 
 Sentence list_sentence(std::span<const Comparison> comparisons, const ListKind& kind) {
   std::vector<std::string> items;

@@ -19,19 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files in a list as SUMO takes it, absolute.
-std::string resolve_list(const Study& study, const std::string& list) {
-  std::string resolved;
-  for (const std::string& file : split_words(list, ',')) {
-    resolved += (resolved.empty() ? "" : ",") + study.resolve(file);
-  }
-  return resolved;
-}
-
-std::string joined(const std::vector<std::string>& files) {
-  return fmt::format("{}", fmt::join(files, ","));
-}
-
 /// Puts the commands of one run together.
 class Commands {
  public:
@@ -46,10 +33,7 @@ class Commands {
         zone_text_(zone_text(plan, run)),
         settings_(known_settings(plan, run)),
         end_(study_.end) {
-    for (const auto& [name, value] : run.definition.at("sumo").items()) {
-      const std::string text = value.get<std::string>();
-      options_.set(name, names_input_files(name) ? resolve_list(study_, text) : text);
-    }
+    options_ = with_absolute_files(options_of(study_, plan.conditions[run.condition]), study_);
     read_ = read_any_scenario(config_, options_.words());
     if (!zone_text_.empty()) commands_.files.push_back({kZoneFile, zone_text_});
   }
@@ -65,9 +49,33 @@ class Commands {
     } else {
       commands_.commands.push_back(pedzone());
     }
-    name_inputs();
     commands_.sumo_options = options_.words();
+    commands_.inputs = inputs();
     return std::move(commands_);
+  }
+
+  /// All files that are read.
+  std::vector<std::string> inputs() const {
+    std::vector<std::string> files{config_, read_.net_file};
+    for (const auto* more : {&read_.route_files, &read_.additional_files}) {
+      files.insert(files.end(), more->begin(), more->end());
+    }
+    for (std::size_t i = 0; i < options_.words().size(); i += 2) {
+      if (!names_input_files(options_.words()[i].substr(2))) continue;
+      for (const auto& file : split_words(options_.words()[i + 1], ',')) files.push_back(file);
+    }
+    if (!scenario_.zone_file.empty()) {
+      const std::string zone_file = study_.resolve(scenario_.zone_file);
+      files.push_back(zone_file);
+      for (const pugi::xml_node& node : XmlFile(zone_file).root().children("vehiclePath")) {
+        files.push_back(fs::path(zone_file).parent_path() / node.attribute("file").value());
+      }
+    }
+    if (names_plugin(run_.model)) files.push_back(study_.resolve(run_.model));
+    for (std::string& file : files) file = fs::path(file).lexically_normal().string();
+    std::ranges::sort(files);
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    return files;
   }
 
  private:
@@ -127,7 +135,8 @@ class Commands {
       commands_.files.push_back({name, std::move(*demand.additional[i])});
       files[i] = in_folder(name);
     }
-    if (files != read_.additional_files) options_.set("additional-files", joined(files));
+    if (files != read_.additional_files)
+      options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 
   /// The panel's people as a file: SUMO's own models are given them so, and the measures learn who
@@ -150,7 +159,7 @@ class Commands {
   void add_people() {
     std::vector<std::string> files = read_.additional_files;
     files.push_back(in_folder(kPeopleFile));
-    options_.set("additional-files", joined(files));
+    options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 
   std::vector<std::string> sumo() {
@@ -179,27 +188,6 @@ class Commands {
     command.insert(command.end(), options_.words().begin(), options_.words().end());
   }
 
-  /// `name_inputs`: all files that are read.
-  void name_inputs() {
-    std::vector<std::string>& inputs = commands_.inputs;
-    inputs = {config_, read_.net_file};
-    for (const auto* files : {&read_.route_files, &read_.additional_files}) {
-      inputs.insert(inputs.end(), files->begin(), files->end());
-    }
-    if (!scenario_.zone_file.empty()) {
-      const std::string zone_file = study_.resolve(scenario_.zone_file);
-      inputs.push_back(zone_file);
-      for (const pugi::xml_node& node : XmlFile(zone_file).root().children("vehiclePath")) {
-        inputs.push_back((fs::path(zone_file).parent_path() / node.attribute("file").value())
-                             .lexically_normal()
-                             .string());
-      }
-    }
-    if (names_plugin(run_.model)) inputs.push_back(study_.resolve(run_.model));
-    std::ranges::sort(inputs);
-    inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
-  }
-
   const Study& study_;
   const PlannedRun& run_;
   const std::string pedzone_, folder_;
@@ -213,6 +201,10 @@ class Commands {
 };
 
 }  // namespace
+
+std::vector<std::string> run_inputs(const Plan& plan, const PlannedRun& run) {
+  return Commands(plan, run, "", "").inputs();
+}
 
 RunCommands run_commands(const Plan& plan, const PlannedRun& run, const std::string& pedzone,
                          const std::string& folder) {

@@ -1,10 +1,10 @@
 #include "study/setting.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <string_view>
 
 #include "core/xml.hpp"
+#include "study/joined.hpp"
 #include "study/sumo_options.hpp"
 #include "world/parameters.hpp"
 #include "world/weather.hpp"
@@ -17,15 +17,6 @@ namespace {
 /// Attributes of <zone> that may vary. What walks the zone is said by the study's models.
 constexpr std::string_view kZoneAttributes[] = {"edges",    "edgeTypes", "lanes",
                                                 "polygons", "openSpace", "weather"};
-
-template <class List, class Name = std::identity>
-std::string joined(const List& list, Name name = {}) {
-  std::string text;
-  for (const auto& item : list) {
-    text += (text.empty() ? "" : ", ") + std::string(std::invoke(name, item));
-  }
-  return text;
-}
 
 void check_number(const std::string& value, const NumberRange& range) {
   double number = 0.0;

@@ -132,7 +132,7 @@ Store Store::create(const std::string& folder, const Study& study,
                           versions};
   check_folder(folder, identity);
   make_folders(folder);
-  Store store(fs::canonical(folder).string(), identity.folder, versions);
+  Store store(fs::canonical(folder).string(), identity.study, identity.folder, versions);
   store.lock_ = std::make_shared<const DirectoryLock>(store.folder_, "pedzone study run");
   check_folder(folder, identity);  // another driver may have been faster
   make_folders(store.folder_ + "/runs");
@@ -146,10 +146,12 @@ Store Store::open(const std::string& folder) {
   if (!identity) {
     throw refusal(folder, "holds no study", "a folder made by pedzone study run --out");
   }
-  return {fs::canonical(folder).string(), identity->folder, identity->versions};
+  return {fs::canonical(folder).string(), identity->study, identity->folder, identity->versions};
 }
 
-Plan Store::plan() const { return make_plan(read_study(folder_ + "/study.xml", study_folder_)); }
+Plan Store::plan() const {
+  return make_plan(read_study(folder_ + "/study.xml", study_folder_, study_));
+}
 
 Records Store::records(const Plan& plan) const {
   Records records(plan.runs.size());
@@ -157,8 +159,12 @@ Records Store::records(const Plan& plan) const {
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     const std::string file = run_folder(plan.runs[i].id) + "/record.json";
     if (!fs::exists(file)) continue;
-    RunRecord record = read_record(file);
-    if (sums.match(record.inputs)) records[i] = std::move(record);
+    try {
+      RunRecord record = read_record(file);
+      if (sums.match(record.inputs)) records[i] = std::move(record);
+    } catch (const InputError&) {
+      // Cut off where the machine lost its power: as good as none.
+    }
   }
   return records;
 }

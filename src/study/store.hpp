@@ -48,12 +48,16 @@ class Store {
   void clear_rubbish() const;
 
  private:
-  Store(std::string folder, std::string study_folder, std::map<std::string, std::string> versions)
+  Store(std::string folder, std::string study, std::string study_folder,
+        std::map<std::string, std::string> versions)
       : folder_(std::move(folder)),
+        study_(std::move(study)),
         study_folder_(std::move(study_folder)),
         versions_(std::move(versions)) {}
 
-  std::string folder_, study_folder_;
+  std::string folder_;
+  std::string study_;         ///< id
+  std::string study_folder_;  ///< where the study file's relative paths begin
   std::map<std::string, std::string> versions_;
   std::shared_ptr<const DirectoryLock> lock_;
 };

@@ -66,9 +66,11 @@ struct Study {
   std::string resolve(const std::string& path) const;
 };
 
-/// Reads a study file. `folder`: where its relative paths begin; empty: where it lies.
+/// Reads a study file. `folder`: where its relative paths begin; empty: where it lies. `id`: of the
+/// study where the file gives none; empty: the file's name.
 /// Throws InputError naming file, line, element, value and what is allowed: unknown models, factors
 /// and options, empty lists, ids that occur twice, scenarios that are not there.
-Study read_study(const std::string& file, const std::string& folder = "");
+Study read_study(const std::string& file, const std::string& folder = "",
+                 const std::string& id = "");
 
 }  // namespace pedzone

@@ -103,7 +103,7 @@ Json runs_json(const Plan& plan, const Records& records) {
     entry["kind"] = planned.kind == RunKind::kFreeSpeed ? "freeSpeed" : "study";
     entry["model"] = planned.model;
     entry["seed"] = planned.seed;
-    entry["status"] = status_name(records[run]);
+    entry["status"] = table_status(records[run]);
     const std::string failure = records[run] ? records[run]->failure : "";
     entry["failure"] = failure.substr(0, failure.find('\n'));  // the log's end follows
     open.push_back(std::move(entry));

@@ -202,6 +202,20 @@ bool names_input_files(std::string_view option) {
   return option == "net-file" || option.ends_with("-files") || option.ends_with("input-file");
 }
 
+SumoOptions with_absolute_files(const SumoOptions& options, const Study& study) {
+  SumoOptions resolved;
+  for (std::size_t i = 0; i < options.words().size(); i += 2) {
+    const std::string name = options.words()[i].substr(2);
+    const std::string& value = options.words()[i + 1];
+    std::string list;
+    for (const std::string& file : split_words(value, ',')) {
+      list += (list.empty() ? "" : ",") + study.resolve(file);
+    }
+    resolved.set(name, names_input_files(name) ? list : value);
+  }
+  return resolved;
+}
+
 bool names_output_file(std::string_view option) {
   if (option.ends_with("-output") || option == "netstate-dump") return true;
   return option == "log" || option == "message-log" || option == "error-log";

@@ -8,6 +8,8 @@
 
 namespace pedzone {
 
+struct Study;
+
 /// Why an option cannot be set.
 struct SumoOptionError {
   std::string problem, value, allowed;
@@ -46,6 +48,8 @@ SumoOptions parse_sumo_options(const std::vector<std::string>& words);
 
 /// Whether an option's value is a file, or files separated by commas, that SUMO reads.
 bool names_input_files(std::string_view option);
+/// The options with such files absolute; as written they are relative to the study's folder.
+SumoOptions with_absolute_files(const SumoOptions& options, const Study& study);
 /// Whether an option's value is a file that SUMO writes.
 bool names_output_file(std::string_view option);
 

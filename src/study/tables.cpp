@@ -105,7 +105,7 @@ std::string run_row(const Plan& plan, const Records& records, std::size_t condit
   const auto& record = records[plan.run_of(RunKind::kStudy, condition, model, seed)];
   Row row;
   put_condition(plan, condition, row);
-  row.text(model).count(seed).text(status_name(record));
+  row.text(model).count(seed).text(table_status(record));
   for (const Measure& measure : measure_list()) {
     row.number(measured(record, std::string(measure.key)));
   }

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
+#include "study/free_speed_measure.hpp"
 #include "study/process.hpp"
 #include "study/run_measures.hpp"
 #include "study/shell_word.hpp"
@@ -59,8 +60,7 @@ void simulate(const RunCommands& commands, const std::string& where, const std::
     const Ending ending = run_program(command, where);
     if (ending.good()) continue;
     const std::string program = command.front().substr(command.front().rfind('/') + 1);
-    const int signal = ending.signal != 0 ? ending.signal : ending.code - 128;
-    throw Failure{program + " " + ending.text(), ending.from_outside() ? 128 + signal : 1};
+    throw Failure{program + " " + ending.text(), ending.from_outside() ? ending.exit_code() : 1};
   }
 }
 
@@ -77,7 +77,12 @@ Place place_of(const RunOutputs& outputs) {
 }
 
 void measure(const RunOutputs& outputs, RunKind kind, RunRecord& record) {
-  if (kind == RunKind::kFreeSpeed) return;
+  if (kind == RunKind::kFreeSpeed) {
+    const std::string trajectories = outputs.folder + "/trajectories.csv";  // pedzone's only
+    record.measures = free_speeds_of(outputs.folder + "/fcd.xml.gz",
+                                     std::filesystem::exists(trajectories) ? trajectories : "");
+    return;
+  }
   RunMeasures measures = measure_run(outputs, place_of(outputs));
   record.measures = std::move(measures.values);
   record.demand = std::move(measures.demand);
@@ -88,28 +93,36 @@ RunOutputs outputs_of(const Workshop& workshop, const PlannedRun& run, const Run
   const Study& study = workshop.plan.study;
   const std::size_t scenario = workshop.plan.conditions[run.condition].scenario;
   const std::string people = folder + "/" + kPeopleFile;
-  RunOutputs outputs{folder, study.resolve(study.scenarios[scenario].file), commands.sumo_options,
-                     {}};
+  RunOutputs outputs{
+      folder, study.resolve(study.scenarios[scenario].file), commands.sumo_options, {}};
   if (std::filesystem::exists(people)) outputs.types.push_back(people);
   return outputs;
 }
 
-void note_inputs(Workshop& workshop, const RunCommands& commands, RunRecord& record) {
-  record.commands = commands.commands;
-  for (const std::string& input : commands.inputs) record.inputs[input] = workshop.sums.of(input);
+/// The commands as one would repeat them: with outputs in the run's place, not where they were
+/// made.
+std::vector<std::vector<std::string>> in_place(std::vector<std::vector<std::string>> commands,
+                                               const std::string& folder,
+                                               const std::string& place) {
+  for (std::vector<std::string>& command : commands) {
+    for (std::string& word : command) {
+      for (std::size_t at = 0; (at = word.find(folder, at)) != std::string::npos;) {
+        word.replace(at, folder.size(), place);
+        at += place.size();
+      }
+    }
+  }
+  return commands;
 }
 
 void make(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
   const auto begin = std::chrono::steady_clock::now();
-  RunRecord record;
-  record.id = run.id;
-  record.definition = run.definition;
-  record.versions = workshop.store.versions();
-  record.attempts = attempt;
+  RunRecord record = blank_record(workshop, run);  // inputs as they are before anybody reads them
   const RunCommands commands = run_commands(workshop.plan, run, workshop.pedzone, folder);
-  note_inputs(workshop, commands, record);  // as they are before anybody reads them
+  record.commands = in_place(commands.commands, folder, workshop.store.run_folder(run.id));
   simulate(commands, workshop.plan.study.folder, folder);
   measure(outputs_of(workshop, run, commands, folder), run.kind, record);
+  record.attempts = attempt;
   record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_file(folder + "/record.json", record_text(record));
   workshop.store.finish(folder, run.id);
@@ -128,13 +141,8 @@ RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
   record.id = run.id;
   record.definition = run.definition;
   record.versions = workshop.store.versions();
-  try {
-    note_inputs(workshop,
-                run_commands(workshop.plan, run, workshop.pedzone,
-                             workshop.store.run_folder(run.id)),
-                record);
-  } catch (const InputError&) {
-    // That is why it is blank.
+  for (const std::string& input : run_inputs(workshop.plan, run)) {
+    record.inputs[input] = workshop.sums.of(input);
   }
   return record;
 }

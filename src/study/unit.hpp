@@ -20,7 +20,8 @@ struct Workshop {
 inline constexpr const char* kLogFile = "log.txt";
 inline constexpr const char* kFailureFile = "failure.txt";  ///< why it failed, in a sentence
 
-/// The record of a run of which nothing is known but what goes into it.
+/// The record of a run of which nothing is known but what goes into it. Throws InputError where
+/// that cannot be read.
 RunRecord blank_record(Workshop& workshop, const PlannedRun& run);
 
 /// Makes a run in `folder`, which has been made for it, and puts it into its place. Writes whatever

@@ -1,9 +1,27 @@
 #include "study/zone_walks.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pedzone {
+namespace {
+
+/// Length [m] of a shortest way, infinite where there is none. It ends with the part from the last
+/// place with room for the body, which the way finder leaves out.
+double shortest_way(const WayFinder& ways, const Vec2& from, const Vec2& to) {
+  const std::optional<Polyline> way = ways.way(from, to);
+  if (!way) return std::numeric_limits<double>::infinity();
+  double length = 0.0;
+  Vec2 last = from;
+  for (const Vec2& point : *way) {
+    length += (point - last).norm();
+    last = point;
+  }
+  return length + (to - last).norm();
+}
+
+}  // namespace
 
 ZoneWalks::ZoneWalks(const Trips& trips, const std::vector<Zone>& zones, double free_share)
     : zones_(zones), free_share_(free_share), persons_(trips.persons.size()) {}
@@ -57,7 +75,7 @@ void ZoneWalks::close(Person& person) {
   const Visit visit = std::exchange(person.visit, {});
   if (visit.zone == Walker::kNowhere) return;
   person.total.add(visit.inside);
-  const double shortest = zones_[visit.zone].ways.distance(visit.entry, visit.exit);
+  const double shortest = shortest_way(zones_[visit.zone].ways, visit.entry, visit.exit);
   if (!std::isfinite(shortest)) return;
   person.shortest += shortest;
   person.walked += visit.inside.walked;

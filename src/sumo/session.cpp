@@ -1,10 +1,8 @@
 #include "sumo/session.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-
 #include "core/error.hpp"
 #include "sumo/api.hpp"
+#include "sumo/sumo_home.hpp"
 
 namespace pedzone {
 namespace {
@@ -18,18 +16,6 @@ auto translated(const std::string& doing, Call call) {
     throw SumoError("SUMO failed " + doing + ": " + error.what());
   } catch (...) {
     throw SumoError("SUMO failed " + doing);
-  }
-}
-
-/// Without SUMO_HOME, SUMO looks on the net for the schemas that most files name, and refuses them.
-void find_sumo_data() {
-  const char* set = std::getenv("SUMO_HOME");
-  if (set != nullptr && *set != '\0') return;
-  for (const char* place : {"/usr/share/sumo", "/usr/local/share/sumo", "/opt/sumo/share/sumo"}) {
-    if (std::filesystem::exists(std::string(place) + "/data/xsd")) {
-      setenv("SUMO_HOME", place, 1);
-      return;
-    }
   }
 }
 

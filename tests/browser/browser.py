@@ -178,5 +178,16 @@ class Browser:
                 found.append(event["params"]["request"]["url"])
         return found
 
+    def enter_frame(self, selector):
+        self._call("POST", "/frame", {"id": {_ELEMENT: self.element(selector)}})
+
+    def leave_frame(self):
+        self._call("POST", "/frame", {"id": None})
+
+    def print_page(self, path):
+        """As a PDF file: A4, with the margins and backgrounds of the page itself."""
+        Path(path).write_bytes(base64.b64decode(self._call("POST", "/print", {
+            "background": True, "page": {"width": 21.0, "height": 29.7}, "shrinkToFit": False})))
+
     def screenshot(self, path):
         Path(path).write_bytes(base64.b64decode(self._call("GET", "/screenshot")))

@@ -37,7 +37,7 @@ Conflict everything() {
   one.first = First::kVehicle;
   one.aware = false;
   one.ttc = Extreme{0.25, 3.5, {-1.25, 1e5}, EncounterType::kHeadOn, 1.5, 4.0, 5.5};
-  one.drac = Extreme{3.5, 3.25, {1, 2}, EncounterType::kParked, 1, 2, 3};
+  one.drac = Extreme{7.5e14, 3.25, {1, 2}, EncounterType::kParked, 1, 2, 3};
   one.pet = Extreme{0, 4, {3, 4}, EncounterType::kFollowing, 1, 2, 3};
   one.clearance = Extreme{-0.5, 5, {5, 6}, EncounterType::kFromBehind, 1, 2, 3};
   one.contact = Extreme{0.75, 6, {7, 8}, EncounterType::kCrossingRight, 1, 2, 3};

@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+"""The report of a real study in Chromium, on paper too, against the study's own tables.
+
+usage: test_report.py PEDZONE_PROGRAM SCENARIOS_FOLDER
+"""
+
+import csv
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+from browser import Browser
+
+PEDZONE = SCENARIOS = None  # set from the command line
+
+HOSTILE = """</script><script>window.injected = 1</script><img src=x onerror="window.injected=2">"""
+SEEDS = (1, 2, 3, 4)
+MODELS = ("striping", "heuristic")
+LEVELS = ("as it is", HOSTILE)
+STUDY = f"""<study id="page" title={quoteattr("Plaza " + HOSTILE)} question={quoteattr(HOSTILE)}
+       seeds="1-4" end="60">
+  <scenario id="plaza" file={quoteattr("@scenario@")}/>
+  <factor id="demand"><level name="as it is"/>
+    <level name={quoteattr(HOSTILE)}><set sumo="scale" value="2"/></level></factor>
+</study>"""
+
+READY = """while (!(window.report && window.report.ready))
+             await new Promise((done) => setTimeout(done, 20));
+           await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));"""
+
+
+def call(*words, folder, timeout=900):
+    environment = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
+    return subprocess.run(list(map(str, words)), cwd=folder, check=True, capture_output=True,
+                          timeout=timeout, env=environment, stdin=subprocess.DEVNULL).stdout
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.directory = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.directory.cleanup)
+        cls.folder = folder = Path(cls.directory.name)
+        (folder / "page.study.xml").write_text(
+            STUDY.replace("@scenario@", str(SCENARIOS / "plaza/plaza-low.sumocfg")))
+        call(PEDZONE, "study", "run", "page.study.xml", "--out", "results", "--jobs", "2",
+             folder=folder)
+        call(PEDZONE, "study", "report", "results", folder=folder)
+        cls.page = folder / "results/report.html"
+        with open(folder / "results/runs.csv", newline="") as file:
+            cls.runs = [row for row in csv.DictReader(file) if row["kind"] == "study"]
+        cls.browser = Browser().__enter__()
+        cls.addClassCleanup(cls.browser.__exit__, None, None, None)
+
+    def open(self, width=1280, height=900, mobile=False):
+        self.browser.resize(width, height, mobile)
+        self.browser.open(self.page)
+        self.browser.run(READY)
+
+    def ask(self, expression, *arguments):
+        return self.browser.run("return " + expression, *arguments)
+
+    def values(self, level, model, measure):
+        found = [float(row[measure]) for row in self.runs
+                 if (row["factor.demand"], row["model"]) == (level, model) and row[measure]]
+        self.assertEqual(len(found), len(SEEDS), (level, model, measure))
+        return found
+
+    # It needs nothing else
+
+    def test_nothing_is_fetched_and_nothing_complains(self):
+        self.open()
+        self.assertEqual(self.browser.requests(), [self.browser.address])
+        self.assertEqual(self.browser.messages(), [])
+
+    # It says what the tables say
+
+    def test_means_and_differences_are_those_of_the_runs(self):
+        self.open()
+        tables = self.ask("""[...document.querySelectorAll(".forests")].map((table) => ({
+            rows: [...table.tBodies[0].rows].map((row) => [...row.cells].map(
+                (cell) => cell.textContent))}))""")
+        self.assertEqual(len(tables), len(LEVELS))
+        shown = {"people's travel time s": "person.travelTime",
+                 "people's speed in the zone m/s": "person.speed",
+                 "vehicles' stops": "vehicle.stops"}
+        number = r"[−+]?[0-9.]+"
+        for level, table in zip(LEVELS, tables):
+            rows = {row[0]: row for row in table["rows"]}
+            for name, measure in shown.items():
+                reference, model = (self.values(level, one, measure) for one in MODELS)
+                for text, expected in ((rows[name][1], statistics.mean(reference)),
+                                       (rows[name][2], statistics.mean(model)),
+                                       (re.match(number, rows[name][3])[0],
+                                        statistics.mean(model) - statistics.mean(reference))):
+                    digits = len(text.partition(".")[2])
+                    self.assertAlmostEqual(float(text.replace("−", "-")), expected,
+                                           delta=0.51 * 10 ** -digits, msg=(level, name, text))
+
+    def test_the_free_speed_comes_first(self):
+        self.open()
+        first = self.ask("""document.querySelector("#verdict p").textContent""")
+        self.assertRegex(first, "(?i)with interaction switched off, heuristic walks "
+                                "(as fast as|[0-9.]+ % (slower|faster) than) striping")
+
+    # Its charts hold the runs
+
+    def test_distributions_have_a_point_for_each_run_and_a_box_for_each_model(self):
+        self.open()
+        charts = self.ask("""[...document.querySelectorAll("#distribution-charts .chart")].map(
+            (chart) => ({title: chart.querySelector("h4").textContent,
+                         points: chart.querySelectorAll(".mark-symbol path").length,
+                         boxes: chart.querySelectorAll(".mark-rect path").length}))""")
+        titles = {one["title"]: one for one in charts}
+        for title, measure in (("People's travel time", "person.travelTime"),
+                               ("Vehicles' stops", "vehicle.stops")):
+            runs = [row for row in self.runs if row[measure]]
+            self.assertEqual(titles[title]["points"], len(runs), titles)
+            self.assertGreaterEqual(titles[title]["boxes"], len(LEVELS) * len(MODELS), titles)
+
+    def test_lines_over_time_are_drawn_in_the_models_colours(self):
+        self.open()
+        found = self.browser.run("""
+            const rgb = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
+            const style = getComputedStyle(document.documentElement);
+            const colours = ["--model-0", "--model-1"].map(
+                (name) => rgb(style.getPropertyValue(name).trim()));
+            return [...document.querySelectorAll("[data-series] canvas")].map((canvas) => {
+                const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width,
+                                                                    canvas.height);
+                const counts = colours.map(() => 0);
+                for (let i = 0; i < data.length; i += 4) {
+                    colours.forEach((colour, k) => {
+                        if (data[i + 3] > 200 && colour.every(
+                                (part, j) => Math.abs(part - data[i + j]) < 6)) ++counts[k];
+                    });
+                }
+                return counts;
+            });""")
+        self.assertGreaterEqual(len(found), 4)
+        for counts in found:
+            self.assertGreater(min(counts), 40, found)
+
+    def test_conditions_that_are_opened_are_drawn(self):
+        self.open()
+        drawn = """[...document.querySelectorAll("details.condition")].map(
+                   (one) => one.querySelectorAll("canvas").length)"""
+        before = self.ask(drawn)
+        self.assertEqual(before[1], 0)
+        self.browser.click("details.condition:nth-of-type(2) > summary")
+        self.browser.run(READY)
+        self.assertEqual(self.ask(drawn), [before[0], before[0]])
+
+    def test_maps_lie_over_the_place_and_share_a_scale(self):
+        self.open()
+        maps = self.ask("""[...document.querySelectorAll(".maps")].map((figure) => ({
+            legend: figure.querySelectorAll(".legend span").length,
+            colours: [...figure.querySelectorAll(".legend path")].map((one) =>
+                one.getAttribute("fill")),
+            pictures: [...figure.querySelectorAll("svg.map")].map((map) => ({
+                ground: !!document.querySelector(map.querySelector("use").getAttribute("href")
+                                                 + " path"),
+                box: map.getAttribute("viewBox"),
+                fills: [...map.querySelectorAll(":scope > path[fill]")].map((one) =>
+                    one.getAttribute("fill"))}))}))""")
+        self.assertGreaterEqual(len(maps), len(LEVELS))
+        for figure in maps:
+            self.assertEqual(len(figure["pictures"]), len(MODELS))
+            self.assertEqual(len({one["box"] for one in figure["pictures"]}), 1)
+            for picture in figure["pictures"]:
+                self.assertTrue(picture["ground"])
+                self.assertLessEqual(set(picture["fills"]), set(figure["colours"]))
+        density = maps[0]["pictures"]
+        self.assertTrue(all(one["fills"] for one in density), "somebody was everywhere")
+
+    # It plays
+
+    def test_a_scene_plays_when_it_is_opened(self):
+        self.open()
+        self.assertGreater(self.ask("""document.querySelectorAll(".scene").length"""), 0)
+        self.assertEqual(self.ask("document.querySelectorAll('iframe').length"), 0)
+        self.browser.click(".scene button")
+        self.browser.enter_frame(".scene iframe")
+        try:
+            state = self.browser.run("""
+                while (!window.pedzone) await new Promise((done) => setTimeout(done, 20));
+                const begin = pedzone.clock.time;
+                pedzone.clock.play(true);
+                while (pedzone.clock.time < begin + 0.5)
+                    await new Promise((done) => requestAnimationFrame(done));
+                return pedzone.state();""")
+        finally:
+            self.browser.leave_frame()
+        self.assertTrue(state["panels"][0]["persons"])
+        self.assertEqual(self.browser.messages(), [])
+
+    # Whoever made the input
+
+    def test_hostile_names_are_text(self):
+        self.open()
+        self.assertEqual(self.ask("document.querySelector('h1').textContent"), "Plaza " + HOSTILE)
+        self.assertEqual(self.ask("document.title"), "Plaza " + HOSTILE)
+        self.assertIn(HOSTILE, self.ask("document.querySelector('#setup').textContent"))
+        self.assertEqual(self.ask("""[window.injected, document.images.length,
+            document.querySelectorAll("[onerror]").length]"""), [None, 0, 0])
+
+    # Wherever it is shown
+
+    def test_on_a_phone_nothing_scrolls_sideways(self):
+        for width in (390, 320):
+            self.open(width, 844, True)
+            self.assertEqual(self.ask("innerWidth"), width)
+            self.assertLessEqual(
+                self.ask("""Math.max(document.documentElement.scrollWidth,
+                                     document.body.scrollWidth)"""), width)
+
+    def test_light_and_dark(self):
+        self.addCleanup(self.browser.prefer, "light")
+        luminance = """return ["backgroundColor", "color"].map((name) =>
+            getComputedStyle(document.body)[name].match(/[0-9]+/g).slice(0, 3)
+                .reduce((sum, part) => sum + Number(part), 0) / 765)"""
+        for scheme, dark in (("dark", True), ("light", False)):
+            self.browser.prefer(scheme)
+            self.open()
+            ground, ink = self.browser.run(luminance)
+            self.assertEqual(ground < ink, dark)
+            self.assertGreater(abs(ground - ink), 0.6)
+
+    def test_on_paper(self):
+        self.open()
+        paper = self.folder / "report.pdf"
+        self.browser.print_page(paper)
+        text = call("pdftotext", "-layout", paper, "-", folder=self.folder).decode()
+        pages = text.rstrip("\f").split("\f")
+        self.assertGreater(len(pages), 2)
+        self.assertIn("What the study found", pages[0])
+        self.assertIn("pedzone study run", text)
+        call("pdftoppm", "-r", "40", "-gray", paper, "page", folder=self.folder)
+        pictures = sorted(self.folder.glob("page-*.pgm"))
+        self.assertEqual(len(pictures), len(pages))
+        for picture in pictures:
+            _, size, _, pixels = picture.read_bytes().split(b"\n", 3)
+            width, height = map(int, size.split())
+            self.assertEqual((width, height), (331, 468), "A4")
+            inked = sum(pixel < 200 for pixel in pixels)
+            self.assertGreater(inked, 0.002 * width * height, f"{picture.name} is blank")
+
+
+if __name__ == "__main__":
+    PEDZONE = str(Path(sys.argv[1]).resolve())
+    SCENARIOS = Path(sys.argv[2]).resolve()
+    del sys.argv[1:3]
+    unittest.main()

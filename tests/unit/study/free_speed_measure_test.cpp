@@ -1,0 +1,64 @@
+#include "study/free_speed_measure.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "core/error.hpp"
+#include "temporary_file.hpp"
+
+namespace pedzone {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::Pair;
+
+/// A person for 60 s: 20 s on an edge at 1.2 m/s, 20 s over a walking area at 2 m/s, 15 s on the
+/// next edge at 1.2 m/s, then standing.
+std::string recording() {
+  std::string text = "<fcd-export>\n";
+  double x = 0.0;
+  for (int time = 0; time <= 60; ++time) {
+    const char* edge = time <= 20 ? "a" : time <= 40 ? ":j_w0" : "b";
+    if (time > 0) x += time <= 20 ? 1.2 : time <= 40 ? 2.0 : time <= 55 ? 1.2 : 0.0;
+    text += fmt::format(
+        "<timestep time=\"{}\"><vehicle id=\"v\" x=\"0\" y=\"0\"/>"
+        "<person id=\"p\" x=\"{:.3f}\" y=\"1\" speed=\"9\" edge=\"{}\"/></timestep>\n",
+        time, x, edge);
+  }
+  return text + "</fcd-export>";
+}
+
+TEST(FreeSpeed, of_sumos_models_is_that_on_edges) {
+  const TemporaryFile fcd("fcd", recording());
+  EXPECT_THAT(free_speeds_of(fcd.path(), ""), ElementsAre(Pair("p", DoubleNear(1.2, 1e-6))));
+}
+
+TEST(FreeSpeed, of_pedzone_is_that_while_it_walks_the_person) {
+  const TemporaryFile fcd("fcd", recording());
+  std::string rows = "time,id,x,y,vx,vy,heading,activity,pastime\n";
+  for (int time = 10; time <= 30; ++time) {
+    rows += fmt::format("{}.00,p,0,0,0,0,0,walking,\n", time);
+  }
+  const TemporaryFile trajectories("csv", rows);
+  // 10 s at 1.2 m/s and 10 s at 2 m/s.
+  EXPECT_THAT(free_speeds_of(fcd.path(), trajectories.path()),
+              ElementsAre(Pair("p", DoubleNear(1.6, 1e-6))));
+}
+
+TEST(FreeSpeed, of_few_seconds_is_none) {
+  const TemporaryFile fcd("fcd", recording());
+  const TemporaryFile trajectories("csv",
+                                   "time,id,x,y,vx,vy,heading,activity,pastime\n"
+                                   "5.00,p,0,0,0,0,0,walking,\n6.00,p,0,0,0,0,0,walking,\n");
+  EXPECT_TRUE(free_speeds_of(fcd.path(), trajectories.path()).empty());
+}
+
+TEST(FreeSpeed, of_a_file_cut_off_is_refused) {
+  const std::string text = recording();
+  const TemporaryFile fcd("fcd", text.substr(0, text.size() / 2));
+  EXPECT_THROW(free_speeds_of(fcd.path(), ""), InputError);
+}
+
+}  // namespace
+}  // namespace pedzone

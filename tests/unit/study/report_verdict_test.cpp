@@ -1,0 +1,184 @@
+#include "study/report_verdict.hpp"
+
+#include <gmock/gmock.h>
+
+#include "study/report_numbers.hpp"
+
+namespace pedzone {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A comparison with these means [unit of the measure] and half width of the interval.
+Comparison comparison(const std::string& measure, double reference, double sample, double half,
+                      Finding finding, std::size_t pairs = 30) {
+  Comparison one;
+  one.model = "heuristic";
+  one.measure = measure;
+  one.finding = finding;
+  one.reference.mean = reference;
+  one.sample.mean = sample;
+  one.difference.n = pairs;
+  one.difference.mean = sample - reference;
+  if (pairs > 1)
+    one.difference.student = Interval{sample - reference - half, sample - reference + half};
+  if (reference != 0.0) one.relative = (sample - reference) / reference;
+  return one;
+}
+
+Plan plan_of(std::size_t conditions) {
+  Plan plan;
+  plan.study.reference = "striping";
+  plan.study.models = {"striping", "heuristic"};
+  for (std::size_t i = 0; i < conditions; ++i)
+    plan.conditions.push_back({0, {}, "demand=" + std::to_string(i)});
+  return plan;
+}
+
+std::string text(const Sentence& sentence) { return sentence.head + sentence.rest; }
+
+TEST(Verdict, says_by_how_much_and_how_sure_and_for_whom_it_is_good) {
+  const Sentence less =
+      difference_sentence(comparison("person.travelTime", 84.2, 72.1, 3.0, Finding::kDifferent));
+  EXPECT_EQ(text(less),
+            "People's trips are 12.1 s [9.1, 15.1] shorter (from 84.2 to 72.1 s: −14 %; "
+            "30 pairs of runs)");
+  EXPECT_EQ(less.tone, Sentence::Tone::kBetter);
+
+  const Sentence more =
+      difference_sentence(comparison("person.speed", 1.2, 1.25, 0.01, Finding::kDifferent));
+  EXPECT_EQ(more.head, "People walk 0.050 m/s [0.040, 0.060] faster in the zone");
+  EXPECT_EQ(more.tone, Sentence::Tone::kBetter);
+  EXPECT_THAT(more.rest, HasSubstr("+4.2 %"));
+
+  const Sentence worse =
+      difference_sentence(comparison("vehicle.delay", 10.0, 30.0, 4.0, Finding::kDifferent));
+  EXPECT_EQ(worse.head, "Vehicles' delay is 20.0 s [16.0, 24.0] longer");
+  EXPECT_EQ(worse.tone, Sentence::Tone::kWorse);
+}
+
+TEST(Verdict, counts_have_no_unit_and_a_difference_from_nothing_no_percent) {
+  const Sentence one =
+      difference_sentence(comparison("conflict.contacts", 0.0, 3.5, 0.5, Finding::kDifferent));
+  EXPECT_EQ(text(one),
+            "There are 3.50 [3.00, 4.00] more contacts (from 0.00 to 3.50; 30 pairs of runs)");
+}
+
+TEST(Verdict, a_measure_without_a_phrase_of_its_own_is_named) {
+  const Sentence one =
+      difference_sentence(comparison("conflict.ttc", 1.0, 0.5, 0.1, Finding::kDifferent));
+  EXPECT_EQ(one.head, "TTC is 0.50 s [0.40, 0.60] lower");
+  EXPECT_EQ(one.tone, Sentence::Tone::kWorse);
+}
+
+TEST(Verdict, every_finding_has_its_sentence) {
+  Comparison unclear = comparison("vehicle.stops", 2.0, 2.1, 1.0, Finding::kInconclusive, 10);
+  unclear.seeds_needed = 51;
+  Comparison same = comparison("conflict.contacts", 0.0, 0.0, 0.0, Finding::kSame);
+  same.difference.all_equal = true;
+  const std::vector<Comparison> all{
+      comparison("person.travelTime", 84.2, 72.1, 3.0, Finding::kDifferent),
+      comparison("person.delay", 10.0, 10.1, 0.5, Finding::kNotShown),
+      unclear,
+      same,
+      comparison("conflict.count", 0.0, 0.0, 0.0, Finding::kTooFew, 0),
+      comparison("conflict.pet", 1.0, 0.5, 0.1, Finding::kDifferent)};  // not of the family
+  const Verdict verdict = verdict_of(all);
+  ASSERT_EQ(verdict.different.size(), 1u);
+  EXPECT_EQ(text(verdict.not_shown),
+            "No difference shown in people's delay in the zone (−0.40 to +0.60 s).");
+  EXPECT_EQ(text(verdict.inconclusive),
+            "Cannot say from so few runs whether there is a difference in vehicles' stops "
+            "(−0.9 to +1.1; ± 5 % needs 41 seeds more).");
+  EXPECT_EQ(text(verdict.same), "Equal in every pair of runs: contacts (0).");
+  EXPECT_EQ(text(verdict.too_few),
+            "Not compared, as fewer than three pairs of runs have it: conflicts.");
+}
+
+TEST(Verdict, one_is_singular) {
+  Comparison unclear = comparison("vehicle.stops", 2.0, 2.1, 1.0, Finding::kInconclusive, 10);
+  unclear.seeds_needed = 11;
+  EXPECT_THAT(text(verdict_of(std::vector{unclear}).inconclusive), HasSubstr("1 seed more)"));
+  EXPECT_THAT(
+      difference_sentence(comparison("vehicle.stops", 2.0, 1.0, 0.5, Finding::kDifferent, 1)).rest,
+      HasSubstr("1 pair of runs"));
+}
+
+TEST(Verdict, nothing_found_says_nothing) {
+  const Verdict verdict = verdict_of({});
+  EXPECT_TRUE(verdict.different.empty());
+  for (const Sentence* one :
+       {&verdict.not_shown, &verdict.inconclusive, &verdict.same, &verdict.too_few}) {
+    EXPECT_EQ(text(*one), "");
+  }
+}
+
+TEST(Verdict, several_conditions_are_summed_up_with_both_directions) {
+  std::vector<Comparison> all{
+      comparison("person.travelTime", 100.0, 86.0, 3.0, Finding::kDifferent),
+      comparison("person.travelTime", 100.0, 97.0, 1.0, Finding::kDifferent),
+      comparison("person.travelTime", 100.0, 100.5, 1.0, Finding::kNotShown)};
+  Sentence sentence = overall_sentence(all, "person.travelTime");
+  EXPECT_EQ(text(sentence), "People's trips are shorter in 2 of 3 conditions (−14 % to −3.0 %).");
+  EXPECT_EQ(sentence.tone, Sentence::Tone::kBetter);
+  all.push_back(comparison("person.travelTime", 100.0, 110.0, 3.0, Finding::kDifferent));
+  sentence = overall_sentence(all, "person.travelTime");
+  EXPECT_EQ(
+      text(sentence),
+      "People's trips are shorter in 2 of 4 conditions (−14 % to −3.0 %), the opposite in 1 of "
+      "4 conditions (+10 %).");
+  EXPECT_EQ(sentence.tone, Sentence::Tone::kPlain) << "neither good nor bad";
+  EXPECT_EQ(text(overall_sentence(all, "vehicle.stops")), "");
+}
+
+TEST(FreeSpeedVerdict, agrees_or_warns) {
+  const std::vector<FreeSpeed> fine{{0, "heuristic", 12, 0.996, 0.99, 1.0, true}};
+  EXPECT_THAT(text(free_speed_sentences(fine, plan_of(1)).front()),
+              HasSubstr("heuristic walks 0.4 % slower than striping (12 persons): they agree"));
+  const std::vector<FreeSpeed> off{{1, "heuristic", 1, 1.031, 1.031, 1.031, false}};
+  const Sentence warning = free_speed_sentences(off, plan_of(2)).front();
+  EXPECT_EQ(warning.tone, Sentence::Tone::kWarning);
+  EXPECT_EQ(warning.head,
+            "Warning: with interaction switched off, heuristic walks 3.1 % faster than striping in "
+            "demand=1");
+  EXPECT_THAT(warning.rest, HasSubstr("(1 person)"));
+}
+
+TEST(FreeSpeedVerdict, what_was_not_measured_is_a_warning) {
+  const std::vector<FreeSpeed> none{{0, "heuristic", 0, 1.0, 1.0, 1.0, false}};
+  const Sentence sentence = free_speed_sentences(none, plan_of(1)).front();
+  EXPECT_EQ(sentence.tone, Sentence::Tone::kWarning);
+  EXPECT_THAT(sentence.head, HasSubstr("was not measured"));
+}
+
+TEST(FreeSpeedVerdict, several_conditions_that_agree_are_one_sentence) {
+  const std::vector<FreeSpeed> speeds{{0, "heuristic", 12, 0.996, 0.9, 1.0, true},
+                                      {1, "heuristic", 11, 0.994, 0.9, 1.0, true},
+                                      {2, "heuristic", 12, 1.05, 1.0, 1.1, false}};
+  const std::vector<Sentence> sentences = free_speed_sentences(speeds, plan_of(3));
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_EQ(sentences[0].tone, Sentence::Tone::kWarning) << "what is wrong comes first";
+  EXPECT_THAT(text(sentences[1]), HasSubstr("0.4 % to 0.6 % slower than striping (11 to 12 persons "
+                                            "in each of 2 conditions)"));
+}
+
+TEST(Numbers, have_the_digits_that_their_uncertainty_leaves) {
+  EXPECT_EQ(decimals_for(3.1), 1);
+  EXPECT_EQ(decimals_for(0.031), 3);
+  EXPECT_EQ(decimals_for(310.0), 0);
+  EXPECT_EQ(decimals_for(0.0), 0);
+  EXPECT_EQ(number_text(-0.004, 2), "0.00") << "no minus before nothing";
+  EXPECT_EQ(number_text(-1.5, 1), "−1.5");
+  EXPECT_EQ(signed_text(1.5, 1), "+1.5");
+  EXPECT_EQ(signed_text(0.0, 1), "0.0");
+  EXPECT_EQ(digits_text(0.012345), "0.0123");
+  EXPECT_EQ(digits_text(12345.6), "12346");
+  EXPECT_EQ(digits_text({}), "–");
+  EXPECT_EQ(percent_text(9.96), "10 %");
+  EXPECT_EQ(signed_percent(-0.01), "0.0 %");
+  EXPECT_EQ(joined({"a", "b", "c"}), "a, b and c");
+}
+
+}  // namespace
+}  // namespace pedzone
