@@ -22,6 +22,7 @@ packages=(
   libboost-dev                      # distributions; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
   python3 python3-shapely python3-numpy                         # independent checks
+  libxml2-utils                     # the second opinion on the schema of study files
   librsvg2-bin                      # the picture as PNG
   chromium chromium-driver          # tests of pages
   poppler-utils                     # tests of pages on paper

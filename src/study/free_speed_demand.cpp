@@ -21,9 +21,10 @@ namespace fs = std::filesystem;
 constexpr double kLeastInZone = 30.0;  // [m] assumed: some 20 s under each model's control
 constexpr double kUsualSpeed = 1.39;   // [m/s] SUMO's maxSpeed of pedestrians
 constexpr double kLeastSpeed = 0.1;    // [m/s] numerical: keeps runs finite
-/// Share of the maxSpeed that the slowest reach: 0.6 for an individual factor three deviations low
-/// (SUMO's speedFactor of pedestrians deviates by 0.1) on ice; the rest is reserve. Assumed.
-constexpr double kSlowShare = 0.4;
+/// Share of the maxSpeed that the slowest reach in the mean: an individual factor three deviations
+/// low (SUMO's speedFactor of pedestrians deviates by 0.1), 0.9 by dawdling, and a reserve.
+/// Assumed.
+constexpr double kSlowShare = 0.5;
 constexpr double kPause = 10.0;  // [s] assumed: between one's arrival and the next departure
 
 constexpr std::string_view kMovers[] = {"vehicle",    "trip",      "flow",         "person",

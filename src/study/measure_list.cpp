@@ -21,7 +21,7 @@ constexpr Measure kMeasures[] = {
     {"person.speed", "Speed in the zone", "m/s",
      "Mean over time of the speeds that SUMO reports for those who walk in the zone.", "People",
      kHigher, true},
-    {"person.detour", "Walked over shortest", "",
+    {"person.detour", "Detour factor", "",
      "Distance walked in the zone over the shortest, all people together. Below 1: through "
      "obstacles, as SUMO's own models do.",
      "People", kLower, true},

@@ -22,6 +22,7 @@ namespace {
 
 using Mustache = kainjow::mustache::data;
 
+/// For the template, to which an empty text is what is not there.
 Mustache mustache(const Json& json) {
   if (json.is_object()) {
     Mustache object{Mustache::type::object};
@@ -34,7 +35,9 @@ Mustache mustache(const Json& json) {
     return list;
   }
   if (json.is_boolean()) return Mustache{json.get<bool>()};
-  return Mustache{json.is_string() ? json.get<std::string>() : json.dump()};
+  if (!json.is_string()) return Mustache{json.dump()};
+  const auto& text = json.get_ref<const std::string&>();
+  return text.empty() ? Mustache{false} : Mustache{text};
 }
 
 /// JSON that may stand inside <script>: '<' is only in its strings.
@@ -64,18 +67,16 @@ Json versions(const Input& input) {
 }
 
 /// Sections of one condition: its maps, and the places of its charts over time.
-Json conditions(const Input& input, Json maps, const Json& lines) {
+Json conditions(const Input& input, const Json& maps, const Json& lines) {
   Json all = Json::array();
-  for (std::size_t i = 0; i < input.plan.conditions.size(); ++i) {
-    const bool drawn = !maps[i].empty();
-    const bool series = !lines[i].empty();
+  for (std::size_t i = 0; i < pictured(input.plan); ++i) {
+    const bool drawn = !maps[i].empty(), series = !lines[i].empty();
     if (!drawn && !series) continue;
     all.push_back({{"index", i},
                    {"name", input.plan.conditions[i].name},
                    {"open", all.empty()},
                    {"series", series},
-                   {"drawn", drawn},
-                   {"maps", drawn ? std::move(maps[i]) : Json::object()}});
+                   {"maps", maps[i]}});
   }
   return all;
 }
@@ -111,7 +112,11 @@ Json page_data(const Input& input, const Json& lines) {
   data["verdict"] = verdict_part(input);
   data["setup"] = setup_part(input);
   data["tables"] = tables_part(input);
-  data["conditions"] = conditions(input, maps_part(input), lines);
+  const Json maps = maps_part(input);
+  data["grounds"] = maps["grounds"];
+  data["conditions"] = conditions(input, maps["conditions"], lines);
+  data["pictured"] = pictured(input.plan);
+  data["cut"] = pictured(input.plan) < input.plan.conditions.size();
   data["several"] = input.plan.conditions.size() > 1;
   data["failures"] = failures_part(input);
   data["versions"] = versions(input);
@@ -121,6 +126,8 @@ Json page_data(const Input& input, const Json& lines) {
 }
 
 }  // namespace
+
+std::size_t pictured(const Plan& plan) { return std::min(plan.conditions.size(), kMostPictured); }
 
 std::vector<std::string> others(const Plan& plan) {
   std::vector<std::string> models = plan.study.models;

@@ -12,9 +12,10 @@
 namespace pedzone::report {
 namespace {
 
-constexpr std::size_t kMostPoints = 60;    // runs drawn as points beside a box; the box has all
-constexpr std::size_t kMostMoments = 150;  // of a line over time
-constexpr double kLow = 0.1, kHigh = 0.9;  // what lies between is the band
+constexpr std::size_t kMostPoints = 60;         // of runs beside a box; the box has all
+constexpr std::size_t kMostChartPoints = 1500;  // of all boxes of a chart
+constexpr std::size_t kMostMoments = 150;       // of a line over time
+constexpr double kLow = 0.1, kHigh = 0.9;       // what lies between is the band
 
 /// As many digits as a picture can show.
 double rounded(double value) {
@@ -30,7 +31,7 @@ struct SeedValue {
 };
 
 /// The sample as a box and points, by value; where they are many, every so-manieth.
-Json group(std::vector<SeedValue> sample) {
+Json group(std::vector<SeedValue> sample, std::size_t most) {
   std::ranges::sort(sample, {},
                     [](const SeedValue& one) { return std::pair(one.value, one.seed); });
   std::vector<double> values;
@@ -38,7 +39,7 @@ Json group(std::vector<SeedValue> sample) {
   Json box = Json::array();
   for (const double q : {0.0, 0.25, 0.5, 0.75, 1.0}) box.push_back(rounded(quantile(values, q)));
   Json points = Json::array();
-  const std::size_t shown = std::min(sample.size(), kMostPoints);
+  const std::size_t shown = std::min(sample.size(), most);
   for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t at = shown == 1 ? 0 : i * (sample.size() - 1) / (shown - 1);
     points.push_back({rounded(sample[at].value), sample[at].seed});
@@ -48,8 +49,10 @@ Json group(std::vector<SeedValue> sample) {
 
 Json distribution(const Input& input, std::string_view key) {
   const Plan& plan = input.plan;
+  const std::size_t boxes = pictured(plan) * plan.study.models.size();
+  const std::size_t most = std::clamp<std::size_t>(kMostChartPoints / boxes, 2, kMostPoints);
   Json groups = Json::array();
-  for (std::size_t c = 0; c < plan.conditions.size(); ++c) {
+  for (std::size_t c = 0; c < pictured(plan); ++c) {
     for (std::size_t m = 0; m < plan.study.models.size(); ++m) {
       std::vector<SeedValue> sample;
       for (const std::uint64_t seed : plan.study.seeds) {
@@ -60,7 +63,7 @@ Json distribution(const Input& input, std::string_view key) {
         }
       }
       if (sample.empty()) continue;
-      Json one = group(std::move(sample));
+      Json one = group(std::move(sample), most);
       one["c"] = c;
       one["m"] = m;
       groups.push_back(std::move(one));
@@ -153,7 +156,7 @@ Json distributions(const Input& input) {
 
 Json series(const Input& input) {
   Json all = Json::array();
-  for (std::size_t c = 0; c < input.plan.conditions.size(); ++c) {
+  for (std::size_t c = 0; c < pictured(input.plan); ++c) {
     Json models = Json::array();
     for (std::size_t m = 0; m < input.plan.study.models.size(); ++m) {
       Json one = model_series(input, c, m);

@@ -8,9 +8,8 @@
 #include "core/csv_stream.hpp"
 #include "core/error.hpp"
 #include "output/conflict_reader.hpp"
-#include "study/report_numbers.hpp"
 #include "study/report_parts.hpp"
-#include "sumo/scenario.hpp"
+#include "study/run_recording.hpp"
 #include "view/axis.hpp"
 #include "view/colours.hpp"
 #include "view/place.hpp"
@@ -121,19 +120,18 @@ Grid conflicts(const std::vector<std::string>& folders) {
 
 // How they are drawn
 
-/// Ascending upper bounds of the classes, one scale for all models: each twice the one before.
+/// Ascending bounds between the classes, round numbers: one scale for all models and conditions.
 std::vector<double> class_bounds(const std::vector<Grid>& grids) {
+  constexpr double kBelow = 0.9;  // numerical: a round number's part from which the next is smaller
   double most = 0.0;
   for (const Grid& grid : grids) {
     for (const auto& [cell, value] : grid.cells) most = std::max(most, value);
   }
   if (most <= 0.0) return {};
-  // A round bound that all but the last class stay below.
-  double bound = round_length(most);
   std::vector<double> bounds;
-  for (std::size_t i = 0; i < kClasses; ++i) {
+  for (double bound = round_length(most); bounds.size() < kClasses;
+       bound = round_length(kBelow * bound)) {
     bounds.insert(bounds.begin(), bound);
-    bound /= 2.0;
   }
   return bounds;
 }
@@ -191,37 +189,18 @@ std::string map_svg(const Grid& grid, const Box& box, const std::vector<double>&
 Json legend(const std::vector<double>& bounds) {
   Json entries = Json::array();
   for (std::size_t i = 0; i <= bounds.size(); ++i) {
-    const std::string text =
-        i == 0 ? "below " + digits_text(bounds.front())
-        : i == bounds.size()
-            ? digits_text(bounds.back()) + " and more"
-            : fmt::format("{} to {}", digits_text(bounds[i - 1]), digits_text(bounds[i]));
+    const std::string text = i == 0 ? fmt::format("below {:g}", bounds.front())
+                             : i == bounds.size()
+                                 ? fmt::format("{:g} and more", bounds.back())
+                                 : fmt::format("{:g} to {:g}", bounds[i - 1], bounds[i]);
     entries.push_back({{"colour", class_colour(i)}, {"text", text}});
   }
   return entries;
 }
 
-// One condition
+// One scenario
 
-/// The place of a condition, as its runs had it; null where it cannot be read any more.
-std::unique_ptr<Place> place_of(const Input& input, std::size_t condition,
-                                const std::string& folder) {
-  const Study& study = input.plan.study;
-  const StudyScenario& scenario = study.scenarios[input.plan.conditions[condition].scenario];
-  try {
-    auto place = std::make_unique<Place>();
-    place->network = read_scenario_network(read_any_scenario(study.resolve(scenario.file), {}));
-    ZoneFile zones;
-    const std::string zone_file = folder + "/zone.zone.xml";
-    if (std::filesystem::exists(zone_file)) zones = read_zone_file(zone_file);
-    place->zones = build_zones(place->network, zones.zones);
-    return place;
-  } catch (const InputError&) {
-    return nullptr;  // the maps do without their ground
-  }
-}
-
-/// The ground as a picture of its own, to be used by the condition's maps.
+/// The ground as a picture of its own, which all maps of a scenario use.
 std::string ground_svg(const Place* place, const Box& box, const std::string& id) {
   SvgPage page(box, 0.0);
   if (place != nullptr) draw_zone_map(page, place->network, place->zones, kLook);
@@ -235,64 +214,116 @@ struct Kind {
   Grid (*grid)(const std::vector<std::string>&);
 };
 constexpr Kind kKinds[] = {
-    {"Density of people", "Persons per m², mean over the time of a run and over all seeds.",
+    {"Density of people", "Persons per m²: mean over the time of a run and over all seeds.",
      density},
-    {"Conflicts", "Conflicts a run, mean over all seeds, where bodies touched or would have.",
+    {"Conflicts", "Conflicts a run: mean over all seeds; where bodies touched, or would have.",
      conflicts},
 };
 
-Json condition_maps(const Input& input, std::size_t condition) {
-  const std::vector<std::string>& models = input.plan.study.models;
-  std::vector<std::vector<std::string>> folders;
-  std::string any;
-  for (const std::string& model : models) {
-    folders.push_back(run_folders(input, condition, model));
-    if (any.empty() && !folders.back().empty()) any = folders.back().front();
+/// What a condition's runs have left: a grid for each model.
+struct ConditionGrids {
+  std::size_t condition;
+  std::vector<Grid> of_kind[std::size(kKinds)];
+};
+
+std::vector<ConditionGrids> read_grids(const Input& input, std::size_t scenario) {
+  std::vector<ConditionGrids> all;
+  for (std::size_t i = 0; i < pictured(input.plan); ++i) {
+    if (input.plan.conditions[i].scenario != scenario) continue;
+    all.push_back({i, {}});
+    for (const std::string& model : input.plan.study.models) {
+      const std::vector<std::string> folders = run_folders(input, i, model);
+      for (std::size_t k = 0; k < std::size(kKinds); ++k) {
+        all.back().of_kind[k].push_back(kKinds[k].grid(folders));
+      }
+    }
   }
-  if (any.empty()) return Json::array();
+  return all;
+}
+
+/// What all grids lie in, with some room; empty where there is nothing to show.
+Box shown_box(const std::vector<ConditionGrids>& all) {
   Box box;
-  std::vector<std::vector<Grid>> grids;
-  for (const Kind& kind : kKinds) {
-    grids.emplace_back();
-    for (const auto& of_model : folders) {
-      grids.back().push_back(kind.grid(of_model));
-      box.extend(grids.back().back().box());
+  for (const ConditionGrids& one : all) {
+    for (const std::vector<Grid>& grids : one.of_kind) {
+      for (const Grid& grid : grids) box.extend(grid.box());
     }
   }
-  if (box.isEmpty()) return Json::array();
-  box = grown(box, kMargin);
-  for (std::vector<Grid>& of_kind : grids) {
-    for (Grid& grid : of_kind) grid = coarsened(grid, box);
+  return box.isEmpty() ? box : grown(box, kMargin);
+}
+
+/// The place of a scenario's first finished run; null where it cannot be read any more.
+const Place* place_of(const Input& input, RunPlaces& places,
+                      const std::vector<ConditionGrids>& all) {
+  for (const ConditionGrids& one : all) {
+    for (const std::string& model : input.plan.study.models) {
+      for (const std::uint64_t seed : input.plan.study.seeds) {
+        const RunRecord* record = done_run(input, one.condition, model, seed);
+        if (record == nullptr) continue;
+        const auto run = input.plan.run_of(RunKind::kStudy, one.condition, model, seed);
+        try {
+          return &places.of(input.plan.runs[run], input.store.run_folder(record->id));
+        } catch (const InputError&) {
+          return nullptr;  // the maps do without their ground
+        }
+      }
+    }
   }
-  const std::string ground = fmt::format("ground-{}", condition);
-  const std::unique_ptr<Place> place = place_of(input, condition, any);
-  Json maps = Json::array();
+  return nullptr;
+}
+
+Json kind_maps(const Kind& kind, const std::vector<Grid>& grids, const Box& box,
+               const std::vector<double>& bounds, const std::string& ground,
+               const std::vector<std::string>& models) {
+  Json pictures = Json::array();
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    const std::string label = fmt::format("{}: {}", kind.title, models[m]);
+    pictures.push_back(
+        {{"model", models[m]}, {"svg_html", map_svg(grids[m], box, bounds, ground, label)}});
+  }
+  return {{"title", kind.title},
+          {"caption", kind.caption},
+          {"legend", legend(bounds)},
+          {"pictures", pictures}};
+}
+
+/// Puts the maps of a scenario's conditions into `conditions`, and its ground into `grounds`.
+void add_scenario(const Input& input, std::size_t scenario, RunPlaces& places, Json& conditions,
+                  Json& grounds) {
+  std::vector<ConditionGrids> all = read_grids(input, scenario);
+  const Box box = shown_box(all);
+  if (box.isEmpty()) return;
+  const std::string ground = fmt::format("ground-{}", scenario);
+  grounds.push_back({{"svg_html", ground_svg(place_of(input, places, all), box, ground)}});
   for (std::size_t k = 0; k < std::size(kKinds); ++k) {
-    const std::vector<double> bounds = class_bounds(grids[k]);
-    if (bounds.empty()) continue;
-    Json pictures = Json::array();
-    for (std::size_t m = 0; m < models.size(); ++m) {
-      pictures.push_back(
-          {{"model", models[m]},
-           {"svg_html", map_svg(grids[k][m], box, bounds, ground,
-                                fmt::format("{}: {}", kKinds[k].title, models[m]))}});
+    std::vector<Grid> of_all;
+    for (ConditionGrids& one : all) {
+      for (Grid& grid : one.of_kind[k]) {
+        grid = coarsened(grid, box);
+        of_all.push_back(grid);
+      }
     }
-    maps.push_back({{"title", kKinds[k].title},
-                    {"caption", kKinds[k].caption},
-                    {"legend", legend(bounds)},
-                    {"pictures", pictures}});
+    const std::vector<double> bounds = class_bounds(of_all);
+    if (bounds.empty()) continue;
+    for (const ConditionGrids& one : all) {
+      conditions[one.condition].push_back(
+          kind_maps(kKinds[k], one.of_kind[k], box, bounds, ground, input.plan.study.models));
+    }
   }
-  return {{"ground_html", ground_svg(place.get(), box, ground)}, {"kinds", maps}};
 }
 
 }  // namespace
 
 Json maps_part(const Input& input) {
-  Json all = Json::array();
-  for (std::size_t i = 0; i < input.plan.conditions.size(); ++i) {
-    all.push_back(condition_maps(input, i));
+  Json conditions = Json::array(), grounds = Json::array();
+  for (std::size_t i = 0; i < pictured(input.plan); ++i) {
+    conditions.push_back(Json::array());
   }
-  return all;
+  RunPlaces places(input.plan);
+  for (std::size_t i = 0; i < input.plan.study.scenarios.size(); ++i) {
+    add_scenario(input, i, places, conditions, grounds);
+  }
+  return {{"conditions", conditions}, {"grounds", grounds}};
 }
 
 }  // namespace pedzone::report

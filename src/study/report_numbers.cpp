@@ -62,7 +62,9 @@ int decimals_of(const Comparison& comparison) {
   if (difference.student && !difference.all_equal) {
     return decimals_for((difference.student->high - difference.student->low) / 2.0);
   }
-  return decimals(std::abs(difference.mean), kValueDigits);
+  const double size =
+      std::max(std::abs(difference.mean), std::abs(comparison.reference.mean.value_or(0.0)));
+  return decimals(size, kValueDigits);
 }
 
 std::optional<double> percent_of(const Comparison& comparison) {

@@ -49,6 +49,7 @@ struct Column {
   std::vector<Comparison> comparisons;
 };
 
+/// False where one column would be all.
 Json overview(const Input& input) {
   std::vector<Column> columns;
   const std::vector<std::string> models = others(input.plan);
@@ -61,6 +62,7 @@ Json overview(const Input& input) {
                          comparisons_of(input, i, model)});
     }
   }
+  if (columns.size() == 1) return false;  // the sentences above say the same
   const std::vector<const Measure*> measures = primary_measures();
   const auto cell = [&](const Measure& measure, const Column& column) {
     const auto found = std::ranges::find(column.comparisons, measure.key, &Comparison::measure);
@@ -101,7 +103,9 @@ Json overall_verdict(const Input& input, const std::string& model) {
     if (!sentence.head.empty()) found.push_back(sentence_json(sentence));
   }
   const bool none = found.empty();
-  return {{"found", found}, {"others", Json::array()}, {"none", none}};
+  return {{"found", found},
+          {"others", Json::array({sentence_json(tally_sentence(all))})},
+          {"none", none}};
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ namespace pedzone::report {
 
 using Json = nlohmann::ordered_json;
 
+/// Conditions beyond the first so many have tables, but no pictures: a page has to stay usable.
+inline constexpr std::size_t kMostPictured = 24;
+
 /// All that the page is made of.
 struct Input {
   const Store& store;
@@ -21,6 +24,8 @@ struct Input {
   const std::vector<FreeSpeed>& speeds;
 };
 
+/// How many of the study's conditions have pictures.
+std::size_t pictured(const Plan& plan);
 /// The study's models but the reference, in their order.
 std::vector<std::string> others(const Plan& plan);
 /// Comparisons of one model in one condition, in the order of the measures.

@@ -153,7 +153,7 @@ Json setup_part(const Input& input) {
           {"conditions", input.plan.conditions.size()},
           {"several", several(input.plan.conditions.size())},
           {"seeds", fmt::format("{} ({})", study.seeds.size(), seeds_text(study.seeds))},
-          {"end", study.end ? digits_text(study.end) + " s" : std::string("the scenario's")},
+          {"end", study.end ? fmt::format("{:g} s", *study.end) : std::string("the scenario's")},
           {"runs", runs},
           {"incomplete", failed + missing > 0},
           {"fairness", fairness(input)},

@@ -21,6 +21,11 @@ std::string p_text(const std::optional<double>& p) {
   return *p < kLeast ? "< 0.001" : fmt::format("{:.3f}", *p);
 }
 
+std::string effect_text(const std::optional<double>& effect) {
+  constexpr int kDecimals = 2;
+  return effect ? signed_text(*effect, kDecimals) : digits_text({});
+}
+
 std::string interval_text(const std::optional<Interval>& interval, int decimals) {
   if (!interval) return digits_text({});
   return fmt::format("[{}, {}]", signed_text(interval->low, decimals),
@@ -93,7 +98,7 @@ Json difference_row(const Comparison& one, double limit) {
           {"interval", interval_text(one.difference.student, decimals)},
           {"percent", percent ? signed_percent(*percent) : digits_text({})},
           {"forest_html", forest_svg(one, limit)},
-          {"effect", digits_text(one.difference.effect)},
+          {"effect", effect_text(one.difference.effect)},
           {"p", p_text(one.p_holm)},
           {"finding", finding_text(one)},
           {"class", finding_class(one)}};
@@ -115,12 +120,15 @@ Json differences(const Input& input) {
         rows.push_back(difference_row(one, limit));
         pairs = std::max(pairs, one.difference.n);
       }
-      tables.push_back({{"condition", input.plan.conditions[i].name},
-                        {"model", model},
-                        {"reference", input.plan.study.reference},
-                        {"pairs", count_text(pairs, "pair of runs", "pairs of runs")},
-                        {"limit", fmt::format("{:.0f} %", limit)},
-                        {"rows", rows}});
+      tables.push_back(
+          {{"condition", input.plan.conditions[i].name},
+           {"model", model},
+           {"reference", input.plan.study.reference},
+           {"pairs", count_text(pairs, "pair of runs", "pairs of runs")},
+           {"limit", fmt::format("{:.0f} %", limit)},
+           {"rows", rows},
+           {"verdict",
+            input.plan.conditions.size() > 1 ? condition_verdict(input, i, model) : Json(false)}});
     }
   }
   return tables;
@@ -145,7 +153,7 @@ Json full_row(const Input& input, const Comparison& one, const Measure& measure)
            one.difference.n > 0 ? signed_text(one.difference.mean, decimals) : digits_text({})},
           {"student", interval_text(one.difference.student, decimals)},
           {"bootstrap", interval_text(one.difference.bootstrap, decimals)},
-          {"effect", digits_text(one.difference.effect)},
+          {"effect", effect_text(one.difference.effect)},
           {"p", p_text(one.difference.p)},
           {"holm", p_text(one.p_holm)},
           {"seeds", one.seeds_needed > 0 ? std::to_string(one.seeds_needed) : digits_text({})},
@@ -184,16 +192,9 @@ Json glossary() {
 }  // namespace
 
 Json tables_part(const Input& input) {
-  Json tables = differences(input);
-  if (input.plan.conditions.size() > 1) {
-    std::size_t index = 0;
-    for (std::size_t i = 0; i < input.plan.conditions.size(); ++i) {
-      for (const std::string& model : others(input.plan)) {
-        tables[index++]["verdict"] = condition_verdict(input, i, model);
-      }
-    }
-  }
-  return {{"differences", tables}, {"everything", everything(input)}, {"glossary", glossary()}};
+  return {{"differences", differences(input)},
+          {"everything", everything(input)},
+          {"glossary", glossary()}};
 }
 
 }  // namespace pedzone::report

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "study/report_numbers.hpp"
 
 namespace pedzone {
 namespace {
+
+constexpr std::size_t kManySeeds = 1000;  // nobody runs so many: their number says nothing
 
 /// How a difference of a measure is said; {} is the amount.
 struct Phrase {
@@ -21,17 +24,19 @@ constexpr Phrase kPhrases[] = {
     {"person.waiting", "People wait {} less in the zone", "People wait {} longer in the zone", "s"},
     {"person.speed", "People walk {} slower in the zone", "People walk {} faster in the zone",
      "m/s"},
-    {"person.detour", "The ratio of people's ways to the shortest is {} lower",
-     "The ratio of people's ways to the shortest is {} higher", ""},
+    {"person.detour", "People's ways over the shortest ones are {} lower",
+     "People's ways over the shortest ones are {} higher", ""},
     {"space.density", "The density around people is {} lower",
      "The density around people is {} higher", "persons/m²"},
     {"vehicle.travelTime", "Vehicles' trips are {} shorter", "Vehicles' trips are {} longer", "s"},
     {"vehicle.delay", "Vehicles' delay is {} shorter", "Vehicles' delay is {} longer", "s"},
     {"vehicle.stops", "Vehicles stop {} less often", "Vehicles stop {} more often", "times"},
-    {"conflict.count", "There are {} fewer conflicts", "There are {} more conflicts", ""},
-    {"conflict.serious", "There are {} fewer serious conflicts",
-     "There are {} more serious conflicts", ""},
-    {"conflict.contacts", "There are {} fewer contacts", "There are {} more contacts", ""},
+    {"conflict.count", "There are {} fewer conflicts a run", "There are {} more conflicts a run",
+     ""},
+    {"conflict.serious", "There are {} fewer serious conflicts a run",
+     "There are {} more serious conflicts a run", ""},
+    {"conflict.contacts", "There are {} fewer contacts a run", "There are {} more contacts a run",
+     ""},
 };
 
 std::string replaced(std::string_view phrase, const std::string& amount) {
@@ -83,8 +88,9 @@ std::string list_note(const Comparison& comparison) {
       note = range_text(comparison);
       const std::size_t pairs = comparison.difference.n;
       if (comparison.seeds_needed > pairs) {
-        note += fmt::format("; ± 5 % needs {}",
-                            count_text(comparison.seeds_needed - pairs, "seed more", "seeds more"));
+        const std::size_t more = comparison.seeds_needed - pairs;
+        note += more > kManySeeds ? fmt::format("; > {} seeds", kManySeeds)
+                                  : "; +" + count_text(more, "seed", "seeds");
       }
       break;
     }
@@ -193,6 +199,30 @@ std::string share_text(std::span<const Comparison* const> all, const Keep& keep)
 }
 
 }  // namespace
+
+Sentence tally_sentence(std::span<const Comparison> comparisons) {
+  std::map<Finding, std::size_t> counts;
+  std::size_t all = 0;
+  for (const Comparison& one : comparisons) {
+    const Measure* measure = find_measure(one.measure);
+    if (measure == nullptr || !measure->primary) continue;
+    ++counts[one.finding];
+    ++all;
+  }
+  if (all == 0) return {};
+  constexpr std::pair<Finding, const char*> kWords[] = {
+      {Finding::kDifferent, "a difference"},
+      {Finding::kNotShown, "no difference to speak of"},
+      {Finding::kSame, "equal values in every pair"},
+      {Finding::kInconclusive, "nothing, as the seeds are too few"},
+      {Finding::kTooFew, "nothing, as runs are missing"}};
+  std::vector<std::string> parts;
+  for (const auto& [finding, words] : kWords) {
+    if (counts[finding] > 0) parts.push_back(fmt::format("{} {}", counts[finding], words));
+  }
+  return {fmt::format("Of {}", count_text(all, "comparison", "comparisons")),
+          " (measures times conditions) show: " + joined(parts) + "."};
+}
 
 std::string measure_label(const Measure& measure) {
   std::string name(measure.name);

@@ -34,6 +34,9 @@ Verdict verdict_of(std::span<const Comparison> comparisons);
 /// different in any.
 Sentence overall_sentence(std::span<const Comparison> comparisons, std::string_view measure);
 
+/// How many comparisons came out how; no head where there are none.
+Sentence tally_sentence(std::span<const Comparison> comparisons);
+
 /// A measure inside a sentence: "people's travel time".
 std::string measure_label(const Measure& measure);
 

@@ -9,6 +9,7 @@
 #include "study/plan.hpp"
 #include "study/setting.hpp"
 #include "study/sumo_options.hpp"
+#include "sumo/file_list.hpp"
 #include "sumo/people_file.hpp"
 #include "sumo/scenario.hpp"
 #include "world/model_names.hpp"
@@ -62,7 +63,7 @@ class Commands {
     }
     for (std::size_t i = 0; i < options_.words().size(); i += 2) {
       if (!names_input_files(options_.words()[i].substr(2))) continue;
-      for (const auto& file : split_words(options_.words()[i + 1], ',')) files.push_back(file);
+      for (const auto& file : split_file_list(options_.words()[i + 1])) files.push_back(file);
     }
     if (!scenario_.zone_file.empty()) {
       const std::string zone_file = study_.resolve(scenario_.zone_file);

@@ -21,11 +21,13 @@ struct RunMeasures {
   std::map<std::string, std::string> demand;  ///< see RunRecord::demand
 };
 
-/// Measures a run, and writes into its folder
+/// Measures a run in one pass over its floating-car data, whichever model wrote it, and writes into
+/// its folder
 ///   conflicts.csv  as `pedzone conflicts --conflict-csv`
-///   series.csv     time,persons,personSpeed,density,vehicles,vehicleSpeed: means over 10 s
-///   density.csv    x,y,personSeconds: south-west corners of cells of 2 m in which anybody was [m]
-/// Throws InputError where outputs are missing or cut off.
+///   series.csv     see run_series.hpp
+///   density.csv    see density_grid.hpp
+/// The same outputs give the same bytes. Throws InputError where outputs are missing, cut off, or
+/// not of one run.
 RunMeasures measure_run(const RunOutputs& outputs, const Place& place);
 
 }  // namespace pedzone

@@ -35,7 +35,8 @@ VehicleTrip vehicle_of(const XmlElement& element) {
   VehicleTrip trip;
   trip.id = element.required("id");
   trip.type = type_of(element, "vType", trip.id);
-  trip.arrival = moment(element, "arrival");
+  // Removed, after a collision say, is not arrived.
+  if (element.value("vaporized").value_or("").empty()) trip.arrival = moment(element, "arrival");
   trip.depart_delay = element.number("departDelay", kTimes);
   trip.time_loss = element.number("timeLoss", kTimes);
   const auto depart = moment(element, "depart");

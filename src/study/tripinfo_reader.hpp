@@ -24,7 +24,7 @@ struct PersonTrip {
 struct VehicleTrip {
   std::string id, type;
   double due = 0.0;               ///< [s] intended departure
-  std::optional<double> arrival;  ///< [s]
+  std::optional<double> arrival;  ///< [s]; unset: never, or SUMO removed it
   bool departed = true;
   double depart_delay = 0.0;  ///< [s] from `due` to the departure, or to the end of the run
   double time_loss = 0.0;     ///< [s]

@@ -20,6 +20,16 @@ Region rectangle(const Box& box) {
       {{box.min(), {box.max().x(), box.min().y()}, box.max(), {box.min().x(), box.max().y()}}, {}}};
 }
 
+/// Attributes with another width of their line: an element has each but once.
+std::string with_width(const std::string& style, double width) {
+  constexpr std::string_view kWidth = "stroke-width=\"";
+  std::string changed = style;
+  if (const std::size_t begin = changed.find(kWidth); begin != std::string::npos) {
+    changed.erase(begin, changed.find('"', begin + kWidth.size()) + 1 - begin);
+  }
+  return changed + fmt::format(" stroke-width=\"{:.2f}\"", width);
+}
+
 }  // namespace
 
 LegendEntry area_entry(std::string name, const std::string& style) {
@@ -32,7 +42,7 @@ LegendEntry line_entry(std::string name, const std::string& style) {
             const double y = box.center().y();
             // Line widths of the map are metres; here they are made to be seen.
             page.line({{box.min().x(), y}, {box.max().x(), y}},
-                      style + fmt::format(" style=\"stroke-width:{:.2f}\"", box.sizes().y() / 3.0));
+                      with_width(style, box.sizes().y() / 3.0));
           }};
 }
 

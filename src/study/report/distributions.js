@@ -3,44 +3,54 @@
 /** How the runs of each model spread: a box and points for each measure, by vega-lite. */
 const distributions = {
   jitter: 0.61803398875, // golden section: neighbours lie apart, the same each time
+  many: 12, // boxes: more are drawn closer
 
+  /** Boxes and points as rows of one table: facets have but one. */
   rows(data, measure) {
-    const boxes = [], points = [];
-    for (const {c, m, n, box, points: runs} of measure.groups) {
+    const rows = [];
+    for (const {c, m, n, box, points} of measure.groups) {
       const where = {condition: data.conditions[c], model: data.models[m]};
       const [least, quartile1, median, quartile3, most] = box;
-      boxes.push({...where, least, quartile1, median, quartile3, most, n});
-      runs.forEach(([value, seed], i) => {
-        points.push({...where, value, seed, offset: (i * distributions.jitter) % 1});
+      rows.push({...where, kind: "box", least, quartile1, median, quartile3, most, n});
+      points.forEach(([value, seed], i) => {
+        rows.push({...where, kind: "run", value, seed, offset: (i * distributions.jitter) % 1});
       });
     }
-    return {boxes, points};
+    return rows;
   },
 
-  spec(data, measure, width) {
-    const {boxes, points} = distributions.rows(data, measure);
+  layers(data, measure) {
     const y = {field: "model", type: "nominal", sort: data.models, title: null};
-    const colour = {
+    const color = {
       field: "model", type: "nominal", legend: null,
       scale: {domain: data.models,
               range: data.models.map((_, model) => `var(${palette.variable(data, model)})`)}};
     const x = (field) => ({field, type: "quantitative", title: measure.unit || null,
-                           scale: {zero: false, nice: true}, axis: {tickCount: 5}});
-    const layer = [
-      {data: {values: boxes}, mark: {type: "rule", strokeWidth: 1.5},
-       encoding: {x: x("least"), x2: {field: "most"}, y, color: colour}},
-      {data: {values: boxes}, mark: {type: "bar", height: 16, fillOpacity: 0.35, strokeWidth: 1.5},
-       encoding: {x: x("quartile1"), x2: {field: "quartile3"}, y, color: colour,
-                  tooltip: ["model", "n", "least", "quartile1", "median", "quartile3", "most"].map(
-                    (field) => ({field}))}},
-      {data: {values: points}, mark: {type: "circle", size: 14, opacity: 0.8},
-       encoding: {x: x("value"), y, color: colour,
-                  yOffset: {field: "offset", type: "quantitative", scale: {domain: [-0.6, 1.6]}},
-                  tooltip: [{field: "seed"}, {field: "value"}]}},
-      {data: {values: boxes}, mark: {type: "tick", size: 22, thickness: 3},
-       encoding: {x: x("median"), y, color: colour}},
+                           scale: {zero: false}, axis: {tickCount: 5}});
+    const layer = (kind, mark, encoding) => ({
+      transform: [{filter: `datum.kind === '${kind}'`}], mark, encoding: {...encoding, y, color}});
+    const numbers = ["model", "n", "least", "quartile1", "median", "quartile3", "most"];
+    return [
+      layer("box", {type: "rule", strokeWidth: 1.5}, {x: x("least"), x2: {field: "most"}}),
+      layer("box", {type: "bar", height: 16, fillOpacity: 0.35},
+            {x: x("quartile1"), x2: {field: "quartile3"},
+             tooltip: numbers.map((field) => ({field}))}),
+      layer("run", {type: "circle", size: 14, opacity: 0.8},
+            {x: x("value"), tooltip: [{field: "seed"}, {field: "value"}],
+             yOffset: {field: "offset", type: "quantitative", scale: {domain: [-0.6, 1.6]}}}),
+      layer("box", {type: "tick", size: 22, thickness: 3}, {x: x("median")}),
     ];
-    return {width, height: {step: 34}, layer};
+  },
+
+  spec(data, measure, width) {
+    const values = distributions.rows(data, measure);
+    const step = measure.groups.length > distributions.many ? 22 : 34; // [pixels] of a box
+    const picture = {width, height: {step}, layer: distributions.layers(data, measure)};
+    if (data.conditions.length === 1) return {data: {values}, ...picture};
+    const header = {title: null, orient: "top", labelAnchor: "start", labelFontWeight: 600,
+                    labelPadding: 2, labelLimit: width};
+    return {data: {values}, spacing: 6, spec: picture,
+            facet: {row: {field: "condition", type: "nominal", sort: data.conditions, header}}};
   },
 
   config: {
@@ -49,6 +59,7 @@ const distributions = {
     axis: {labelColor: "var(--ink)", titleColor: "var(--faint)", domainColor: "var(--rule)",
            gridColor: "var(--rule)", tickColor: "var(--rule)", labelFontSize: 12,
            titleFontSize: 12, titleFontWeight: "normal", labelLimit: 110},
+    header: {labelColor: "var(--ink)", labelFontSize: 12},
   },
 
   draw(data, measure, element) {

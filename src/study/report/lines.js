@@ -41,7 +41,7 @@ const lines = {
     return {
       width: width * scale, height: 190 * scale, bands, series: columns,
       legend: {show: false}, cursor: {show: false},
-      scales: {x: {time: false}, y: {range: (_, least, most) => [Math.min(0, least), most || 1]}},
+      scales: {x: {time: false}, y: {range: (_, least, most) => [Math.min(0, least), 1.06 * most || 1]}},
       axes: [{...axis, values: (_, ticks) => ticks.map((time) => `${time} s`), space: 70 * scale,
               size: 30 * scale, gap: 4 * scale},
              {...axis, size: 46 * scale, space: 32 * scale, gap: 4 * scale}],

@@ -1,27 +1,50 @@
 // Measures a run's outputs, for checks from outside: prints a line `key value` for each measure and
-// `demand.KEY CHECKSUM`.
+// `demand.KEY CHECKSUM`; or the free speed of each person.
 //
 // usage: measure_run FOLDER SCENARIO.sumocfg [ZONE.zone.xml]
+//        measure_run --free-speed FCD [TRAJECTORIES.csv]
 #include <fmt/format.h>
 
+#include "study/free_speed_measure.hpp"
 #include "study/run_measures.hpp"
 #include "sumo/scenario.hpp"
 
+namespace pedzone {
+namespace {
+
+void print_measures(const std::string& folder, const std::string& config,
+                    const std::string& zone_file) {
+  const std::vector<ZoneSpec> specs =
+      zone_file.empty() ? std::vector<ZoneSpec>{} : read_zone_file(zone_file).zones;
+  Place place;
+  place.network = read_scenario_network(read_any_scenario(config, {}));
+  place.zones = build_zones(place.network, specs);
+  const RunMeasures measures = measure_run({folder, config, {}, {}}, place);
+  for (const auto& [key, value] : measures.values) fmt::print("{} {}\n", key, value);
+  for (const auto& [key, sum] : measures.demand) fmt::print("demand.{} {}\n", key, sum);
+}
+
+void print_free_speeds(const std::string& fcd, const std::string& trajectories) {
+  for (const auto& [id, speed] : free_speeds_of(fcd, trajectories)) {
+    fmt::print("{} {}\n", id, speed);
+  }
+}
+
+}  // namespace
+}  // namespace pedzone
+
 int main(int count, char** words) {
-  using namespace pedzone;
-  if (count < 3) return kExitInput;
+  if (count < 3) return pedzone::kExitInput;
+  const std::string first = words[1], second = words[2], third = count > 3 ? words[3] : "";
   try {
-    const std::vector<ZoneSpec> specs =
-        count > 3 ? read_zone_file(words[3]).zones : std::vector<ZoneSpec>{};
-    Place place;
-    place.network = read_scenario_network(read_any_scenario(words[2], {}));
-    place.zones = build_zones(place.network, specs);
-    const RunMeasures measures = measure_run({words[1], words[2], {}, {}}, place);
-    for (const auto& [key, value] : measures.values) fmt::print("{} {}\n", key, value);
-    for (const auto& [key, sum] : measures.demand) fmt::print("demand.{} {}\n", key, sum);
-  } catch (const InputError& error) {
+    if (first == "--free-speed") {
+      pedzone::print_free_speeds(second, third);
+    } else {
+      pedzone::print_measures(first, second, third);
+    }
+  } catch (const pedzone::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
-    return kExitInput;
+    return pedzone::kExitInput;
   }
   return 0;
 }

@@ -61,8 +61,9 @@ TEST(Verdict, says_by_how_much_and_how_sure_and_for_whom_it_is_good) {
 TEST(Verdict, counts_have_no_unit_and_a_difference_from_nothing_no_percent) {
   const Sentence one =
       difference_sentence(comparison("conflict.contacts", 0.0, 3.5, 0.5, Finding::kDifferent));
-  EXPECT_EQ(text(one),
-            "There are 3.50 [3.00, 4.00] more contacts (from 0.00 to 3.50; 30 pairs of runs)");
+  EXPECT_EQ(
+      text(one),
+      "There are 3.50 [3.00, 4.00] more contacts a run (from 0.00 to 3.50; 30 pairs of runs)");
 }
 
 TEST(Verdict, a_measure_without_a_phrase_of_its_own_is_named) {
@@ -90,16 +91,22 @@ TEST(Verdict, every_finding_has_its_sentence) {
             "No difference shown in people's delay in the zone (−0.40 to +0.60 s).");
   EXPECT_EQ(text(verdict.inconclusive),
             "Cannot say from so few runs whether there is a difference in vehicles' stops "
-            "(−0.9 to +1.1; ± 5 % needs 41 seeds more).");
+            "(−0.9 to +1.1; +41 seeds).");
   EXPECT_EQ(text(verdict.same), "Equal in every pair of runs: contacts (0).");
   EXPECT_EQ(text(verdict.too_few),
             "Not compared, as fewer than three pairs of runs have it: conflicts.");
 }
 
+TEST(Verdict, seeds_that_nobody_would_run_are_not_counted) {
+  Comparison unclear = comparison("vehicle.stops", 2.0, 2.1, 1.0, Finding::kInconclusive, 10);
+  unclear.seeds_needed = 1744;
+  EXPECT_THAT(text(verdict_of(std::vector{unclear}).inconclusive), HasSubstr("; > 1000 seeds)"));
+}
+
 TEST(Verdict, one_is_singular) {
   Comparison unclear = comparison("vehicle.stops", 2.0, 2.1, 1.0, Finding::kInconclusive, 10);
   unclear.seeds_needed = 11;
-  EXPECT_THAT(text(verdict_of(std::vector{unclear}).inconclusive), HasSubstr("1 seed more)"));
+  EXPECT_THAT(text(verdict_of(std::vector{unclear}).inconclusive), HasSubstr("; +1 seed)"));
   EXPECT_THAT(
       difference_sentence(comparison("vehicle.stops", 2.0, 1.0, 0.5, Finding::kDifferent, 1)).rest,
       HasSubstr("1 pair of runs"));
@@ -130,6 +137,19 @@ TEST(Verdict, several_conditions_are_summed_up_with_both_directions) {
       "4 conditions (+10 %).");
   EXPECT_EQ(sentence.tone, Sentence::Tone::kPlain) << "neither good nor bad";
   EXPECT_EQ(text(overall_sentence(all, "vehicle.stops")), "");
+}
+
+TEST(Verdict, tells_how_many_comparisons_came_out_how) {
+  EXPECT_EQ(text(tally_sentence({})), "");
+  const std::vector<Comparison> all{
+      comparison("person.travelTime", 100.0, 86.0, 3.0, Finding::kDifferent),
+      comparison("person.delay", 10.0, 10.1, 0.5, Finding::kNotShown),
+      comparison("vehicle.stops", 2.0, 2.1, 1.0, Finding::kInconclusive),
+      comparison("vehicle.delay", 2.0, 2.1, 1.0, Finding::kInconclusive),
+      comparison("conflict.pet", 1.0, 0.5, 0.1, Finding::kDifferent)};  // not of the family
+  EXPECT_EQ(text(tally_sentence(all)),
+            "Of 4 comparisons (measures times conditions) show: 1 a difference, 1 no difference to "
+            "speak of and 2 nothing, as the seeds are too few.");
 }
 
 TEST(FreeSpeedVerdict, agrees_or_warns) {

@@ -27,9 +27,9 @@ constexpr const char* kTripinfo = R"(<tripinfos>
   </personinfo>
   <personinfo id="p1" depart="40.000" type="adult" speedFactor="1.1"/>
   <tripinfo id="v0" depart="5.200" departDelay="0.200" arrival="25.000" timeLoss="4.800"
-            vType="bus@v0"/>
-  <tripinfo id="v1" depart="6.000" departDelay="0.000" arrival="-1.000" timeLoss="3.000"
-            vType="van"/>
+            vType="bus@v0" vaporized=""/>
+  <tripinfo id="v1" depart="6.000" departDelay="0.000" arrival="20.000" timeLoss="3.000"
+            vType="van" vaporized="collision"/>
   <tripinfo id="v2" depart="-1" departDelay="33.000" arrival="-1.000" timeLoss="0.000"
             vType="van"/>
 </tripinfos>)";

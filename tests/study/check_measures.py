@@ -1,0 +1,287 @@
+#!/usr/bin/python3
+"""A study's measures are what one finds in SUMO's outputs oneself; shares nothing with src/.
+
+Runs a scenario with striping and with pedzone, has the program measure the outputs, and recomputes
+the measures from the same files: trips, demand, stops and conflicts exactly, what depends on the
+zone's area or on what happens between two steps within a tolerance that says why.
+
+usage: check_measures.py PEDZONE MEASURE_RUN SCENARIO.sumocfg [--end SECONDS]
+"""
+import argparse
+import csv
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "check"))
+from fcd import read_fcd  # noqa: E402
+from measures import Clearances  # noqa: E402
+from scenario import open_bytes, read_scenario  # noqa: E402
+from trips import demand, read_trips, trip_measures  # noqa: E402
+from visits import Ways, walk_measures  # noqa: E402
+from zone_area import PointTest, ZoneArea, ZoneRule, read_network  # noqa: E402
+
+ENV = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
+FREE_SHARE = 0.9  # of the maximum speed: SUMO's striping takes off up to 0.2 in every step
+CIRCLE = 2.0  # [m]
+SPACE = (3.25, 2.32, 1.39, 0.93, 0.46)  # [m²] Fruin 1971
+TOUCH = 0.03  # [m] clearances differ by so much between two steps' ends and what lies between
+SAME = 1e-6  # relative: the same numbers summed in another order
+# The area is known to some centimetres at its borders; people are there for a step or two of some
+# hundred, and near the corners a shortest way differs by as much.
+AREA = 0.01  # relative
+AREA_SHARE = 0.005  # of shares
+
+
+def run(command, **options):
+    done = subprocess.run(command, env=ENV, capture_output=True, text=True, **options)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\nended with {done.returncode}\n{done.stderr}")
+    return done.stdout
+
+
+def simulate(arguments, model, folder):
+    outputs = ["--fcd-output", str(folder / "fcd.xml.gz"), "--tripinfo-output",
+               str(folder / "tripinfo.xml"), "--tripinfo-output.write-unfinished",
+               "--tripinfo-output.write-undeparted", "--precision", "4"]
+    folder.mkdir()
+    if model == "striping":
+        run(["sumo", "-c", arguments.scenario, "--seed", "1", "--end", arguments.end, *outputs])
+    else:
+        run([arguments.pedzone, "run", arguments.scenario, "--model", model, "--seed", "1",
+             "--end", arguments.end, "--", *outputs])
+
+
+def measure(arguments, folder):
+    """{key: value} as the program measures them."""
+    text = run([arguments.measure_run, folder, arguments.scenario])
+    pairs = [line.rsplit(" ", 1) for line in text.splitlines()]
+    return {key: value if key.startswith("demand.") else float(value) for key, value in pairs}
+
+
+def stops(fcd_file):
+    """Times that a vehicle came to a stand after it was under way."""
+    pattern = re.compile(rb'<vehicle id="([^"]*)".*? speed="([^"]*)"')
+    under_way, count = set(), 0
+    with open_bytes(str(fcd_file)) as stream:
+        for line in stream:
+            found = pattern.search(line)
+            if not found:
+                continue
+            name, speed = found.group(1), float(found.group(2))
+            if speed < 0.1 and name in under_way:
+                under_way.remove(name)
+                count += 1
+            elif speed > 1.0:
+                under_way.add(name)
+    return count
+
+
+def walking_rows(fcd, persons):
+    """Rows in which a person walks: not a planned stop, no ride."""
+    rows = fcd.persons
+    times, walking = fcd.times[rows.step], numpy.zeros(len(rows.x), bool)
+    numbers = {name: number for number, name in enumerate(rows.names)}
+    for trip in persons:
+        own = rows.who == numbers.get(trip.id, -1)
+        for depart, arrival, _ in trip.walks:
+            walking |= own & (times >= depart - 1e-6) & (times <= arrival + 1e-6)
+    return walking
+
+
+def space_measures(fcd, walking, inside):
+    """Density, levels of service and jams of people who walk in the area."""
+    rows, counted = fcd.persons, walking & inside
+    bounds = numpy.searchsorted(rows.step, numpy.arange(len(fcd.times) + 1))
+    stood = numpy.zeros(len(rows.names))  # [s] by person, without a break
+    densities, jammed = [], 0
+    for step in range(1, len(fcd.times)):  # the first ends no interval
+        here = slice(bounds[step], bounds[step + 1])
+        x, y, who = rows.x[here], rows.y[here], rows.who[here]
+        near = numpy.hypot(x[:, None] - x, y[:, None] - y) <= CIRCLE
+        densities.append(near.sum(axis=1)[counted[here]] / (numpy.pi * CIRCLE ** 2))
+        before = numpy.zeros(len(stood))
+        before[rows.who[bounds[step - 1]:bounds[step]]] = 1.0
+        still = numpy.zeros(len(stood))
+        still[who] = walking[here] & (rows.speed[here] < 0.1) & (before[who] > 0)
+        stood = (stood + fcd.times[step] - fcd.times[step - 1]) * still
+        stuck = stood[who] > 5.0 - 1e-6
+        jammed += ((near & stuck).sum(axis=1) >= 3)[counted[here] & stuck].sum()
+    densities = numpy.concatenate(densities)
+    level = sum((densities > 1.0 / space).astype(int) for space in SPACE)
+    values = {f"space.level{letter}": numpy.mean(level == number)
+              for number, letter in enumerate("ABCDEF")}
+    return {**values, "space.density": densities.mean(), "space.jammed": jammed / len(densities)}
+
+
+def touching(fcd, scenario, persons):
+    """{(person, vehicle): least clearance [m]} of those nearer than TOUCH."""
+    types = {trip.id: trip.type for trip in persons}
+    radius = [scenario.size(types[name])[1] / 2 for name in fcd.persons.names]
+    clearances = Clearances(fcd, numpy.array(radius),
+                            [scenario.size(name) for name in fcd.vehicles.type_names])
+    least = {}
+    for step in range(len(fcd.times)):
+        found = clearances.of_step(step)
+        if found is None:
+            continue
+        people, fleet, clearance = found
+        for i, j in zip(*numpy.nonzero(clearance < TOUCH)):
+            pair = (fcd.persons.names[fcd.persons.who[people[i]]],
+                    fcd.vehicles.names[fcd.vehicles.who[fleet[j]]])
+            least[pair] = min(least.get(pair, TOUCH), clearance[i, j])
+    return least
+
+
+class Comparison:
+    """What the program says against what was found."""
+
+    def __init__(self, title, measured):
+        self.measured, self.failed = measured, 0
+        print(f"{title}\n  {'measure':<22}{'measured':>14}{'recomputed':>14}  tolerance")
+
+    def check(self, key, found, relative=SAME, absolute=0.0):
+        value = self.measured[key]
+        good = abs(value - found) <= relative * abs(found) + absolute + 1e-9
+        self.failed += not good
+        print(f"  {key:<22}{value:>14.6g}{found:>14.6g}  {relative:g}"
+              + (f" + {absolute:g}" if absolute else "") + ("" if good else "  FAILED"))
+
+    def require(self, what, good):
+        self.failed += not good
+        print(f"  {what}: {'yes' if good else 'no  FAILED'}")
+
+
+def check_conflicts(comparison, arguments, folder, fcd, scenario, persons):
+    table = folder / "again.csv"
+    run([arguments.pedzone, "conflicts", folder / "fcd.xml.gz", "--scenario", arguments.scenario,
+         "--conflict-csv", table])
+    comparison.require("conflicts.csv is that of `pedzone conflicts`",
+                       table.read_bytes() == (folder / "conflicts.csv").read_bytes())
+    with open(table, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+
+    def values(name):
+        return [float(row[name]) for row in rows if row[name]]
+
+    contacts = [(row["person"], row["vehicle"]) for row in rows if row["contact"]]
+    serious = [row for row in rows if row["contact"] or float(row["minTTC"] or 9) < 1.5
+               or float(row["PET"] or 9) < 1.0]
+    comparison.check("conflict.count", len(rows))
+    comparison.check("conflict.contacts", len(contacts))
+    # Values of the table are rounded: one at a limit may count or not.
+    comparison.check("conflict.serious", len(serious), absolute=1)
+    kinds = {"headOn": ("headOn",), "fromBehind": ("fromBehind",), "following": ("following",),
+             "crossing": ("crossingLeft", "crossingRight"), "parked": ("parked",)}
+    for key, names in kinds.items():
+        comparison.check(f"conflict.{key}", sum(row["type"] in names for row in rows))
+    for key, name in (("ttc", "minTTC"), ("pet", "PET"), ("drac", "maxDRAC")):
+        if values(name):
+            comparison.check(f"conflict.{key}", statistics.median(values(name)), absolute=0.0051)
+    clearance = 0.0 if contacts else max(0.0, min(values("minClearance")))
+    comparison.check("conflict.clearance", clearance, absolute=0.0051)
+    # From the places alone: who overlaps in a step has touched, who touched was near in a step.
+    near = touching(fcd, scenario, persons)
+    overlapping = {pair for pair, least in near.items() if least < -TOUCH}
+    print(f"  pairs that overlap by more than {TOUCH} m: {len(overlapping)}, nearer than that: "
+          f"{len(near)}, told as contacts: {len(set(contacts))}")
+    comparison.require("every overlap is told", overlapping <= set(contacts))
+    comparison.require("every contact told is one", set(contacts) <= set(near))
+
+
+def check_files(comparison, folder, fcd, counted, inside):
+    """series.csv of those who count, density.csv of all inside, against the rows themselves."""
+    with open(folder / "series.csv", newline="", encoding="utf-8") as file:
+        series = list(csv.DictReader(file))
+    step = numpy.diff(fcd.times).min()
+    rows = counted & (fcd.persons.step > 0)
+    windows = numpy.floor(fcd.times[fcd.persons.step] / 10.0 + 1e-9) * 10.0
+    for window in series:
+        begin = float(window["time"])
+        here = rows & (windows == begin)
+        length = (numpy.floor(fcd.times[1:] / 10.0 + 1e-9) * 10.0 == begin).sum() * step
+        found = here.sum() * step / length
+        speed = fcd.persons.speed[here].mean() if here.any() else 0.0
+        # A few people at the area's border.
+        if (abs(float(window["persons"]) - found) > AREA * found + 0.1
+                or abs(float(window["personSpeed"] or 0.0) - speed) > AREA * speed):
+            comparison.require(f"window {window} is {found:.2f} at {speed:.3f} m/s", False)
+    comparison.require(f"series of {len(series)} windows", len(series) >= 10)
+    with open(folder / "density.csv", newline="", encoding="utf-8") as file:
+        cells = {(float(row["x"]), float(row["y"])): float(row["personSeconds"])
+                 for row in csv.DictReader(file)}
+    found, rows = {}, inside & (fcd.persons.step > 0)
+    for x, y in zip(fcd.persons.x[rows] // 2 * 2, fcd.persons.y[rows] // 2 * 2):
+        found[x, y] = found.get((x, y), 0.0) + step
+    error = sum(abs(cells.get(cell, 0.0) - found.get(cell, 0.0)) for cell in {*cells, *found})
+    total = sum(found.values())
+    print(f"  cells: {len(cells)}, {total:.1f} person seconds, {error:.2f} of them elsewhere")
+    comparison.require("grid of density", error < AREA * total)
+
+
+def check_run(arguments, model, folder):
+    simulate(arguments, model, folder)
+    measured = measure(arguments, folder)
+    scenario = read_scenario(arguments.scenario)
+    fcd = read_fcd(str(folder / "fcd.xml.gz"))
+    end = fcd.times[-1] + numpy.diff(fcd.times)[-1]
+    persons, vehicles = read_trips(folder / "tripinfo.xml", end)
+    comparison = Comparison(model, measured)
+    for key, value in trip_measures(persons, vehicles, end).items():
+        comparison.check(key, value)
+    comparison.check("vehicle.stops", stops(folder / "fcd.xml.gz") / len(vehicles))
+    for who, trips in (("persons", persons), ("vehicles", vehicles)):
+        comparison.require(f"demand of {who}", measured[f"demand.{who}"] == demand(trips))
+
+    network = read_network(scenario.net_file)
+    parts = ZoneArea(network, scenario.polygons, ZoneRule())
+    area = parts.reach.area.difference(parts.buildings.area).difference(parts.roads.area)
+    walks = walk_measures(fcd, persons, PointTest(area), Ways(area), FREE_SHARE)
+    comparison.check("person.visitors", walks.pop("person.visitors"))
+    for key, value in walks.items():
+        # Waiting and delay are small differences of long times: a step at the border counts.
+        comparison.check(key, value, AREA, 0.1 if key in ("person.waiting", "person.delay") else 0)
+    walking = walking_rows(fcd, persons)
+    inside = PointTest(area).contains(fcd.persons.x, fcd.persons.y)
+    for key, value in space_measures(fcd, walking, inside).items():
+        comparison.check(key, value, AREA if key == "space.density" else 0, AREA_SHARE)
+    check_conflicts(comparison, arguments, folder, fcd, scenario, persons)
+    check_files(comparison, folder, fcd, walking & inside, inside)
+    return comparison, measured
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("pedzone")
+    parser.add_argument("measure_run")
+    parser.add_argument("scenario")
+    parser.add_argument("--end", default="200")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        striping, of_striping = check_run(arguments, "striping", folder / "striping")
+        ours, of_ours = check_run(arguments, "heuristic", folder / "heuristic")
+        ours.require("the demand is the same", all(
+            of_striping[key] == of_ours[key] for key in of_ours if key.startswith("demand.")))
+        # The same outputs, whoever wrote them, have the same measures; and the same again.
+        (folder / "striping").rename(folder / "heuristic-by-another-name")
+        files = ("conflicts.csv", "series.csv", "density.csv")
+        moved = folder / "heuristic-by-another-name"
+        before = [(moved / file).read_bytes() for file in files]
+        ours.require("the same outputs under another name measure the same",
+                     measure(arguments, moved) == of_striping
+                     and before == [(moved / file).read_bytes() for file in files])
+        # They are no constants: the two models differ in most of them.
+        differ = [key for key in of_ours if of_ours[key] != of_striping.get(key)]
+        ours.require(f"the models differ in {len(differ)} measures", len(differ) > 15)
+    return 1 if striping.failed or ours.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
