@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
@@ -29,6 +30,16 @@ std::string end_of_log(const std::string& folder) {
   std::ostringstream text;
   text << log.rdbuf();
   return text.str();
+}
+
+/// Whether all of it gets to the disk; else errno says why not.
+bool takes(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(file, text.data(), text.size());
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));  // on a disk nearly full, a part
+  }
+  return fsync(file) == 0;
 }
 
 }  // namespace
@@ -68,9 +79,7 @@ void check_disk(const std::string& results) {
   const std::string probe = results + "/runs/.space";
   const int file = open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (file < 0 && errno == ENOENT) return;  // there are no results
-  const std::string some(kProbe, '\0');
-  const bool space = file >= 0 && write(file, some.data(), some.size()) == ssize_t(some.size()) &&
-                     fsync(file) == 0;
+  const bool space = file >= 0 && takes(file, std::string(kProbe, '\0'));
   const int why = errno;
   if (file >= 0) close(file);
   unlink(probe.c_str());
