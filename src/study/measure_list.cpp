@@ -14,7 +14,7 @@ constexpr Measure kMeasures[] = {
      "People", kLower, true},
     {"person.delay", "Delay in the zone", "s",
      "Mean time walking in the zone less that of the shortest way, with room for the body, at the "
-     "person's own free speed.",
+     "person's free speed: SUMO's maximum less what striping dawdles. Below 0: it does not dawdle.",
      "People", kLower, true},
     {"person.waiting", "Waiting in the zone", "s",
      "Mean time standing (slower than 0.1 m/s) on walks in the zone.", "People", kLower, true},

@@ -14,6 +14,7 @@
 #include "study/process.hpp"
 #include "study/run_measures.hpp"
 #include "sumo/scenario.hpp"
+#include "sumo/sumo_home.hpp"
 #include "zone/zone_file.hpp"
 
 namespace pedzone {
@@ -152,6 +153,7 @@ RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
 
 int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
   print_to_log(folder);
+  find_sumo_data();
   try {
     make(workshop, run, attempt, folder);
     return 0;
