@@ -9,8 +9,8 @@ using enum Better;
 
 constexpr Measure kMeasures[] = {
     {"person.travelTime", "Travel time", "s",
-     "Mean time from the intended departure to the arrival, or to the end of the run, of all who "
-     "were due before it.",
+     "Mean time from the intended departure to the end of the last walk or ride, or of the run, of "
+     "all who were due before it.",
      "People", kLower, true},
     {"person.delay", "Delay in the zone", "s",
      "Mean time walking in the zone less that of the shortest way, with room for the body, at the "
