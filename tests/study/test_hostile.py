@@ -30,9 +30,8 @@ VEHICLE = "../../{{{styles}}}$(touch${IFS}pwned)%22%3E"
 
 ROUTES = f"""<routes>
   <vType id={quoteattr(VEHICLE + "type")}/>
-  <person id={quoteattr(PERSON)} depart="0"><walk edges="west shared east"/></person>
-  <person id={quoteattr(PERSON + "2")} depart="30">
-    <walk edges="shared" departPos="50" arrivalPos="5"/></person>
+  <personFlow id={quoteattr(PERSON)} begin="0" end="60" period="2">
+    <walk edges="shared east" departPos="5"/></personFlow>
   <flow id={quoteattr(VEHICLE)} type={quoteattr(VEHICLE + "type")} begin="0" end="60" period="8"
         from="west" to="east"/>
 </routes>"""
