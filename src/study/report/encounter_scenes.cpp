@@ -22,6 +22,11 @@ constexpr double kReach = 25.0;       // [m] shown around it
 constexpr double kRate = 10.0;        // [1/s] numerical
 constexpr double kBesideStill = 3.0;  // [m] around the two of them in the picture
 
+constexpr const char* kRule =
+    " By danger: with vehicles that move before those with standing ones; contacts first, the "
+    "hardest first, then least TTC, then least PET. The next ones are of other people, another "
+    "vehicle and another place.";
+
 std::string manner(EncounterType type) {
   switch (type) {
     case EncounterType::kHeadOn:
@@ -92,13 +97,8 @@ std::string caption(const Plan& plan, const Encounter& encounter, const Recordin
   if (const auto since = since_inserted(recording, encounter); since && *since <= kJustNow) {
     text += fmt::format(" SUMO had put the vehicle there {:.1f} s before.", *since);
   }
-  return text +
-         fmt::format(
-             " Number {} of the most dangerous of {} encounters in the zones by {}: with vehicles "
-             "that move before those with standing ones, contacts first (the hardest "
-             "first), then by least TTC and PET; each of other people, another vehicle and "
-             "another place.",
-             rank, count, run.model);
+  text += fmt::format(" Number {} of {} encounters in the zones by {}.", rank, count, run.model);
+  return rank == 1 ? text + kRule : text;
 }
 
 std::string still(const Recording& recording, const Place& place, const Encounter& encounter,
