@@ -24,14 +24,13 @@ struct Reading {
   std::exception_ptr thrown = nullptr;
 };
 
-int line_of(XML_Parser parser) { return static_cast<int>(XML_GetCurrentLineNumber(parser)); }
-
 void visit(Reading& reading, const char* name, const char** attributes) {
-  const XmlElement element(reading.file, reading.parser, reading.depth, name, attributes);
+  const XmlElement element(reading.file, static_cast<int>(XML_GetCurrentLineNumber(reading.parser)),
+                           reading.depth, name, attributes);
   if (reading.depth == 0 && !reading.root.empty() && element.name() != reading.root) {
     throw InputError("is not the document element expected",
                      {.file = reading.file,
-                      .line = line_of(reading.parser),
+                      .line = static_cast<int>(XML_GetCurrentLineNumber(reading.parser)),
                       .element = "document element",
                       .value = name,
                       .allowed = std::string(reading.root)});
@@ -58,9 +57,10 @@ void parse(Reading& reading, int bytes, bool last) {
   const XML_Status status = XML_ParseBuffer(reading.parser, bytes, last ? 1 : 0);
   if (reading.thrown) std::rethrow_exception(reading.thrown);
   if (status == XML_STATUS_OK) return;
-  throw InputError(std::string("is not well-formed XML (") +
-                       XML_ErrorString(XML_GetErrorCode(reading.parser)) + ")",
-                   {.file = reading.file, .line = line_of(reading.parser)});
+  throw InputError(
+      std::string("is not well-formed XML (") + XML_ErrorString(XML_GetErrorCode(reading.parser)) +
+          ")",
+      {.file = reading.file, .line = static_cast<int>(XML_GetCurrentLineNumber(reading.parser))});
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ InputError XmlElement::error(const std::string& problem, std::string_view attrib
   element += ">";
   if (!attribute.empty()) element += " attribute " + std::string(attribute);
   return InputError(problem, {.file = file_,
-                              .line = line_of(parser_),
+                              .line = line_,
                               .element = element,
                               .value = std::string(given),
                               .allowed = allowed});

@@ -8,17 +8,15 @@
 
 #include "core/xml.hpp"
 
-struct XML_ParserStruct;  // expat's
-
 namespace pedzone {
 
 /// An opening tag with its attributes. Valid while it is visited.
 class XmlElement {
  public:
   /// `attributes`: names and values by turns, ended by a null pointer.
-  XmlElement(const std::string& file, XML_ParserStruct* parser, int depth, const char* name,
+  XmlElement(const std::string& file, int line, int depth, const char* name,
              const char** attributes)
-      : file_(file), parser_(parser), depth_(depth), name_(name), attributes_(attributes) {}
+      : file_(file), line_(line), depth_(depth), name_(name), attributes_(attributes) {}
 
   std::string_view name() const { return name_; }
   int depth() const { return depth_; }  ///< 0: the document element
@@ -36,8 +34,7 @@ class XmlElement {
 
  private:
   const std::string& file_;
-  XML_ParserStruct* parser_;  ///< asked for the line only in an error: it counts all up to it
-  int depth_;
+  int line_, depth_;
   std::string_view name_;
   const char** attributes_;
 };

@@ -1,4 +1,4 @@
-#include "study/process.hpp"
+#include "study/run/process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
