@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <kainjow/mustache.hpp>
 #include <map>
 #include <set>
@@ -53,6 +54,11 @@ std::string script_json(const Json& json) {
   return text;
 }
 
+/// A file's name, without the folders of somebody's machine, as such a word.
+std::string file_word(const std::string& path) {
+  return shell_word(std::filesystem::path(path).filename().string());
+}
+
 Json versions(const Input& input) {
   std::map<std::string, std::set<std::string>> all;
   for (const auto& record : input.records) {
@@ -61,7 +67,8 @@ Json versions(const Input& input) {
   }
   Json list = Json::array();
   for (const auto& [name, found] : all) {
-    list.push_back({{"name", name}, {"version", fmt::format("{}", fmt::join(found, ", "))}});
+    list.push_back({{"name", name == "build" ? "checksum of the program pedzone" : name},
+                    {"version", fmt::format("{}", fmt::join(found, ", "))}});
   }
   return list;
 }
@@ -120,8 +127,8 @@ Json page_data(const Input& input, const Json& lines) {
   data["several"] = input.plan.conditions.size() > 1;
   data["failures"] = failures_part(input);
   data["versions"] = versions(input);
-  data["command"] = fmt::format("pedzone study run {} --out {}", shell_word(study.file),
-                                shell_word(input.store.folder()));
+  data["command"] = fmt::format("pedzone study run {} --out {}", file_word(study.file),
+                                file_word(input.store.folder()));
   return data;
 }
 

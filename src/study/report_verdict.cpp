@@ -127,58 +127,6 @@ Sentence list_sentence(std::span<const Comparison> comparisons, const ListKind& 
   return {kind.head, kind.before + joined(items) + kind.after};
 }
 
-/// "0.4 % slower than striping", of deviations of one sign or not.
-std::string deviation_text(double least, double most, const std::string& reference) {
-  constexpr double kShown = 0.05;  // [%] what is rounded to 0.1
-  if (std::max(std::abs(least), std::abs(most)) < kShown) return "as fast as " + reference;
-  const auto word = [](double value) { return value < 0.0 ? "slower" : "faster"; };
-  const std::string low = percent_text(least), high = percent_text(most);
-  if (low == high && (least < 0.0) == (most < 0.0)) {
-    return fmt::format("{} {} than {}", low, word(most), reference);
-  }
-  if ((least < 0.0) == (most < 0.0)) {
-    const bool down = most < 0.0;
-    return fmt::format("{} to {} {} than {}", down ? high : low, down ? low : high, word(most),
-                       reference);
-  }
-  return fmt::format("between {} slower and {} faster than {}", low, high, reference);
-}
-
-double deviation(const FreeSpeed& speed) {
-  constexpr double kPercent = 100.0;
-  return kPercent * (speed.ratio - 1.0);
-}
-
-Sentence agreement(std::span<const FreeSpeed> speeds, const Plan& plan) {
-  const auto [least, most] = std::ranges::minmax(speeds, {}, &FreeSpeed::ratio);
-  const auto [fewest, largest] = std::ranges::minmax(speeds, {}, &FreeSpeed::persons);
-  std::string persons = count_text(largest.persons, "person", "persons");
-  if (fewest.persons != largest.persons) persons = fmt::format("{} to ", fewest.persons) + persons;
-  if (speeds.size() > 1) persons += fmt::format(" in each of {} conditions", speeds.size());
-  return {fmt::format("With interaction switched off, {} walks {}", speeds.front().model,
-                      deviation_text(deviation(least), deviation(most), plan.study.reference)),
-          fmt::format(" ({}): they agree within 2 %, so that what differs below comes from the "
-                      "interaction.",
-                      persons)};
-}
-
-Sentence disagreement(const FreeSpeed& speed, const Plan& plan) {
-  const std::string where =
-      plan.conditions.size() > 1 ? " in " + plan.conditions[speed.condition].name : "";
-  if (speed.persons == 0) {
-    return {fmt::format("Warning: the free speed of {}{} was not measured", speed.model, where),
-            ". Whether the differences below come from the interaction is not known.",
-            Sentence::Tone::kWarning};
-  }
-  return {
-      fmt::format("Warning: with interaction switched off, {} walks {}{}", speed.model,
-                  deviation_text(deviation(speed), deviation(speed), plan.study.reference), where),
-      fmt::format(" ({}). That is more than the 2 % of a fair comparison: any difference of "
-                  "times and speeds below may be just that.",
-                  count_text(speed.persons, "person", "persons")),
-      Sentence::Tone::kWarning};
-}
-
 /// "in 2 of 3 conditions (−14 % to −3 %)", of those that `keep`s.
 template <class Keep>
 std::string share_text(std::span<const Comparison* const> all, const Keep& keep) {
@@ -214,14 +162,14 @@ Sentence tally_sentence(std::span<const Comparison> comparisons) {
       {Finding::kDifferent, "a difference"},
       {Finding::kNotShown, "no difference to speak of"},
       {Finding::kSame, "equal values in every pair"},
-      {Finding::kInconclusive, "nothing, as the seeds are too few"},
-      {Finding::kTooFew, "nothing, as runs are missing"}};
+      {Finding::kInconclusive, "not to be told from so few seeds"},
+      {Finding::kTooFew, "not to be made, as runs are missing"}};
   std::vector<std::string> parts;
   for (const auto& [finding, words] : kWords) {
     if (counts[finding] > 0) parts.push_back(fmt::format("{} {}", counts[finding], words));
   }
   return {fmt::format("Of {}", count_text(all, "comparison", "comparisons")),
-          " (measures times conditions) show: " + joined(parts) + "."};
+          " (each measure in each condition): " + joined(parts) + "."};
 }
 
 std::string measure_label(const Measure& measure) {
@@ -242,20 +190,6 @@ Sentence::Tone tone_of(const Comparison& comparison) {
   const bool down = comparison.difference.mean < 0.0;
   return down == (measure->better == Better::kLower) ? Sentence::Tone::kBetter
                                                      : Sentence::Tone::kWorse;
-}
-
-std::vector<Sentence> free_speed_sentences(std::span<const FreeSpeed> speeds, const Plan& plan) {
-  std::vector<FreeSpeed> agree;
-  std::vector<Sentence> sentences;
-  for (const FreeSpeed& speed : speeds) {
-    if (speed.agrees && speed.persons > 0) {
-      agree.push_back(speed);
-    } else {
-      sentences.push_back(disagreement(speed, plan));
-    }
-  }
-  if (!agree.empty()) sentences.push_back(agreement(agree, plan));
-  return sentences;
 }
 
 Sentence difference_sentence(const Comparison& comparison) {

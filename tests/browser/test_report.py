@@ -20,14 +20,15 @@ from browser import Browser
 PEDZONE = SCENARIOS = None  # set from the command line
 
 HOSTILE = """</script><script>window.injected = 1</script><img src=x onerror="window.injected=2">"""
+HOSTILE_NAME = HOSTILE.replace("<img ", "<img/").replace(" onerror", "/onerror").replace(" ", "")
 SEEDS = (1, 2, 3, 4)
 MODELS = ("striping", "heuristic")
-LEVELS = ("as it is", HOSTILE)
+LEVELS = ("normal", HOSTILE_NAME)
 STUDY = f"""<study id="page" title={quoteattr("Plaza " + HOSTILE)} question={quoteattr(HOSTILE)}
        seeds="1-4" end="60">
   <scenario id="plaza" file={quoteattr("@scenario@")}/>
-  <factor id="demand"><level name="as it is"/>
-    <level name={quoteattr(HOSTILE)}><set sumo="scale" value="2"/></level></factor>
+  <factor id="demand"><level name="normal"/>
+    <level name={quoteattr(HOSTILE_NAME)}><set sumo="scale" value="2"/></level></factor>
 </study>"""
 
 READY = """while (!(window.report && window.report.ready))
@@ -54,7 +55,7 @@ class Report(unittest.TestCase):
         call(PEDZONE, "study", "report", "results", folder=folder)
         cls.page = folder / "results/report.html"
         with open(folder / "results/runs.csv", newline="") as file:
-            cls.runs = [row for row in csv.DictReader(file) if row["kind"] == "study"]
+            cls.runs = list(csv.DictReader(file))
         cls.browser = Browser().__enter__()
         cls.addClassCleanup(cls.browser.__exit__, None, None, None)
 
@@ -206,7 +207,7 @@ class Report(unittest.TestCase):
         self.open()
         self.assertEqual(self.ask("document.querySelector('h1').textContent"), "Plaza " + HOSTILE)
         self.assertEqual(self.ask("document.title"), "Plaza " + HOSTILE)
-        self.assertIn(HOSTILE, self.ask("document.querySelector('#setup').textContent"))
+        self.assertIn(HOSTILE_NAME, self.ask("document.querySelector('#setup').textContent"))
         self.assertEqual(self.ask("""[window.injected, document.images.length,
             document.querySelectorAll("[onerror]").length]"""), [None, 0, 0])
 

@@ -35,7 +35,8 @@ const lines = {
       const colour = palette.value(palette.variable(data, one.m)), first = 1 + 3 * i;
       bands.push({series: [first + 1, first], fill: colour + "2e"});
       const edge = {stroke: colour + "00", width: 0, points: {show: false}};
-      columns.push(edge, {...edge}, {stroke: colour, width: 2 * scale, points: {show: false},
+      const wide = data.models[one.m] === data.reference; // to be seen below the others
+      columns.push(edge, {...edge}, {stroke: colour, width: (wide ? 5 : 2) * scale, points: {show: false},
                                      dash: i < 6 ? [] : [6 * scale, 4 * scale]});
     });
     return {

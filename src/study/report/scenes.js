@@ -10,6 +10,7 @@ const scenes = {
     figure.querySelector(".still").hidden = true;
     figure.querySelector("button").replaceWith(frame);
     figure.classList.add("played");
+    frame.scrollIntoView({block: "nearest"}); // what is not to be seen does not play
   },
 
   prepare(pages) {

@@ -148,8 +148,8 @@ TEST(Verdict, tells_how_many_comparisons_came_out_how) {
       comparison("vehicle.delay", 2.0, 2.1, 1.0, Finding::kInconclusive),
       comparison("conflict.pet", 1.0, 0.5, 0.1, Finding::kDifferent)};  // not of the family
   EXPECT_EQ(text(tally_sentence(all)),
-            "Of 4 comparisons (measures times conditions) show: 1 a difference, 1 no difference to "
-            "speak of and 2 nothing, as the seeds are too few.");
+            "Of 4 comparisons (each measure in each condition): 1 a difference, 1 no difference to "
+            "speak of and 2 not to be told from so few seeds.");
 }
 
 TEST(FreeSpeedVerdict, agrees_or_warns) {
@@ -161,7 +161,7 @@ TEST(FreeSpeedVerdict, agrees_or_warns) {
   EXPECT_EQ(warning.tone, Sentence::Tone::kWarning);
   EXPECT_EQ(warning.head,
             "Warning: with interaction switched off, heuristic walks 3.1 % faster than striping in "
-            "demand=1");
+            "“demand=1”");
   EXPECT_THAT(warning.rest, HasSubstr("(1 person)"));
 }
 
@@ -181,6 +181,17 @@ TEST(FreeSpeedVerdict, several_conditions_that_agree_are_one_sentence) {
   EXPECT_EQ(sentences[0].tone, Sentence::Tone::kWarning) << "what is wrong comes first";
   EXPECT_THAT(text(sentences[1]), HasSubstr("0.4 % to 0.6 % slower than striping (11 to 12 persons "
                                             "in each of 2 conditions)"));
+}
+
+TEST(FreeSpeedVerdict, many_that_disagree_are_one_warning) {
+  std::vector<FreeSpeed> speeds;
+  for (std::size_t i = 0; i < 9; ++i) {
+    speeds.push_back({i, "orca", 12, 1.03 + 0.01 * static_cast<double>(i % 2), 1.0, 1.1, false});
+  }
+  const std::vector<Sentence> sentences = free_speed_sentences(speeds, plan_of(9));
+  ASSERT_EQ(sentences.size(), 1u);
+  EXPECT_THAT(sentences.front().head,
+              HasSubstr("3.0 % to 4.0 % faster than striping in 9 conditions"));
 }
 
 TEST(Numbers, have_the_digits_that_their_uncertainty_leaves) {
