@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "study/store.hpp"
+#include "study/run/store.hpp"
 
 int main(int count, char** words) {
   if (count != 2) return 2;
