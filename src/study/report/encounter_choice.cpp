@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/conflict_measures.hpp"
+#include "study/measure/conflict_measures.hpp"
 
 namespace pedzone {
 

@@ -5,18 +5,11 @@
 
 #include "core/error.hpp"
 #include "output/conflict_reader.hpp"
-<<<<<<< HEAD:src/study/encounter_scenes.cpp
-#include "study/conflict_measures.hpp"
-#include "study/encounter_choice.hpp"
-#include "study/recording_clip.hpp"
-#include "study/run_recording.hpp"
-#include "study/scene_parts.hpp"
-=======
+#include "study/measure/conflict_measures.hpp"
 #include "study/report/encounter_choice.hpp"
 #include "study/report/recording_clip.hpp"
 #include "study/report/run_recording.hpp"
 #include "study/report/scene_parts.hpp"
->>>>>>> origin/main:src/study/report/encounter_scenes.cpp
 #include "view/animation.hpp"
 #include "view/time_plot.hpp"
 
