@@ -28,6 +28,13 @@ bool below(const std::optional<Extreme>& extreme, double limit) {
 
 }  // namespace
 
+Extreme moment_of(const Conflict& conflict) {
+  for (const auto* extreme : {&conflict.contact, &conflict.ttc, &conflict.pet}) {
+    if (*extreme) return **extreme;
+  }
+  return conflict.clearance.value_or(Extreme{});
+}
+
 void ConflictMeasures::add(const Conflict& conflict) {
   count_ += 1.0;
   types_[conflict.type] += 1.0;

@@ -14,6 +14,10 @@ inline constexpr double kSeriousTtc = 1.5;
 /// [s] ... or the PET does (as Laureshyn et al. 2010 and others take it).
 inline constexpr double kSeriousPet = 1.0;
 
+/// The moment by which a conflict is told, as its type is: of the contact, else of the least TTC,
+/// else of the PET, else of the least clearance.
+Extreme moment_of(const Conflict& conflict);
+
 class ConflictMeasures {
  public:
   void add(const Conflict& conflict);

@@ -47,6 +47,7 @@ class Observer {
  public:
   Observer(const std::string& folder, const Trips& trips, const Place& place, double free_share)
       : folder_(folder),
+        zones_(place.zones),
         walkers_(trips, place.zones),
         walks_(trips, place.zones, free_share),
         crowding_(trips),
@@ -90,12 +91,16 @@ class Observer {
   void take_conflicts() {
     for (const Conflict& conflict : over_) {
       writer_.write(conflict);
-      conflicts_.add(conflict);
+      // Elsewhere SUMO walks everybody, with every model.
+      if (zone_at(zones_, moment_of(conflict).position) != Walker::kNowhere) {
+        conflicts_.add(conflict);
+      }
     }
     over_.clear();
   }
 
   std::string folder_;
+  const std::vector<Zone>& zones_;
   Walkers walkers_;
   ZoneWalks walks_;
   Crowding crowding_;

@@ -3,25 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/measure/conflict_measures.hpp"
+
 namespace pedzone {
 
 namespace {
 
 enum Kind { kContact, kTtc, kPet, kClearance, kKinds };
 
-Danger danger_by(Kind kind, double value, const Extreme& moment) {
-  const bool stands = moment.type == EncounterType::kParked;
-  return {stands ? kind + kKinds : kind, value, moment};
+Danger with_moving(const Conflict& conflict) {
+  if (conflict.contact) return {kContact, -conflict.contact->value};
+  if (conflict.ttc) return {kTtc, conflict.ttc->value};
+  if (conflict.pet) return {kPet, conflict.pet->value};
+  return {kClearance, conflict.clearance ? conflict.clearance->value : 0.0};
 }
 
 }  // namespace
 
 Danger danger_of(const Conflict& conflict) {
-  if (conflict.contact) return danger_by(kContact, -conflict.contact->value, *conflict.contact);
-  if (conflict.ttc) return danger_by(kTtc, conflict.ttc->value, *conflict.ttc);
-  if (conflict.pet) return danger_by(kPet, conflict.pet->value, *conflict.pet);
-  const Extreme nearest = conflict.clearance.value_or(Extreme{});
-  return danger_by(kClearance, nearest.value, nearest);
+  Danger danger = with_moving(conflict);
+  if (moment_of(conflict).type == EncounterType::kParked) danger.kind += kKinds;
+  return danger;
 }
 
 std::uint32_t EncounterChoice::number_of(const std::string& id) {
@@ -30,12 +32,12 @@ std::uint32_t EncounterChoice::number_of(const std::string& id) {
 
 void EncounterChoice::add(std::size_t scenario, const Place& place, const Conflict& conflict) {
   const Danger danger = danger_of(conflict);
+  const Vec2 at = moment_of(conflict).position;
   candidates_.push_back({static_cast<std::uint32_t>(scenario), number_of(conflict.person),
                          number_of(conflict.vehicle), static_cast<std::uint32_t>(place.run),
                          static_cast<std::uint32_t>(place.row), danger.kind,
-                         static_cast<float>(danger.value),
-                         static_cast<float>(danger.moment.position.x()),
-                         static_cast<float>(danger.moment.position.y())});
+                         static_cast<float>(danger.value), static_cast<float>(at.x()),
+                         static_cast<float>(at.y())});
 }
 
 bool EncounterChoice::alike(const Candidate& a, const Candidate& b, double apart) const {

@@ -19,7 +19,6 @@ namespace pedzone {
 struct Danger {
   int kind = 0;
   double value = 0.0;
-  Extreme moment;  ///< of the measure that it is judged by
 };
 Danger danger_of(const Conflict& conflict);
 

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "output/conflict_reader.hpp"
+#include "study/measure/conflict_measures.hpp"
 #include "study/report/encounter_choice.hpp"
 #include "study/report/recording_clip.hpp"
 #include "study/report/run_recording.hpp"
@@ -145,7 +146,7 @@ class EncounterScenes {
       try {
         const std::string folder = store_.run_folder(run.id);
         const Encounter encounter{
-            run, folder, conflict, danger_of(conflict).moment, scenes.size() + 1, choice.count()};
+            run, folder, conflict, moment_of(conflict), scenes.size() + 1, choice.count()};
         scenes.push_back(scene_of(plan_, encounter, places_.of(run, folder)));
       } catch (const InputError&) {
         continue;  // outputs were removed to save room, or broke: the tables stand without them
@@ -181,7 +182,7 @@ class EncounterScenes {
     const Place& place = places_.of(run, store_.run_folder(run.id));
     std::size_t row = 0;
     visit_conflicts(table_of(r), [&](const Conflict& conflict) {
-      const Vec2& at = danger_of(conflict).moment.position;
+      const Vec2& at = moment_of(conflict).position;
       const bool inside =
           std::ranges::any_of(place.zones, [&](const Zone& zone) { return zone.walls.inside(at); });
       if (inside) choice.add(plan_.conditions[run.condition].scenario, {r, row}, conflict);
