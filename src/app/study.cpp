@@ -21,6 +21,7 @@ constexpr const char* kRunFooter =
     "Examples:\n"
     "  pedzone study run study.xml --out results/ --jobs 2\n"
     "  pedzone study run study.xml --out results/      # the same again goes on where it stopped\n"
+    "  pedzone study run study.xml --out results/ --slurm --time 2:00:00    # on a cluster\n"
     "  pedzone study status results/                   # how far it is, and what failed\n\n"
     "A study file names scenarios, models, seeds, and what varies:\n"
     "  <study seeds=\"1-50\" models=\"striping heuristic ./mine.so\" end=\"900\" "
@@ -52,6 +53,7 @@ void add_run(CLI::App& study, int& code) {
       ->capture_default_str();
   command->add_flag("--retry-failed", options->retry_failed, "Try failed runs again, too");
   add_slurm_options(*command, options->slurm);
+  command->get_option("--slurm")->excludes(command->get_option("--jobs"));
   command->callback([options, &code] { code = study_run(*options); });
 }
 

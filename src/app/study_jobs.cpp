@@ -21,7 +21,7 @@
 namespace pedzone {
 namespace {
 
-constexpr int kRounds = 5;  // assumed: what is missing after so many arrays will stay so
+constexpr int kIdleArrays = 3;  // assumed: after so many that finish nothing in a row, none will
 
 struct TaskOptions {
   std::string results, chunk;
@@ -29,7 +29,8 @@ struct TaskOptions {
 
 struct AggregateOptions {
   std::string results;
-  int round = 1;
+  std::size_t submitted = 0;  ///< runs of the array before
+  int idle = 0;               ///< arrays in a row, before that one, that finished nothing
   StudySlurmOptions slurm;
 };
 
@@ -113,17 +114,19 @@ int aggregate(const AggregateOptions& options) {
   const Records records = store.records(plan);
   std::vector<std::string> missing;
   for (const std::size_t run : missing_runs(records, false)) missing.push_back(plan.runs[run].id);
-  if (!missing.empty() && options.round < kRounds) {
-    submit_runs(store, missing, options.slurm.sbatch, options.round + 1);
+  const int idle = missing.size() < options.submitted ? 0 : options.idle + 1;
+  if (!missing.empty() && idle < kIdleArrays) {
+    submit_runs(store, missing, options.slurm.sbatch, idle);
     return 0;
   }
   store.clear_rubbish();
   write_results(store, plan, records);
   if (missing.empty()) return count_runs(records).failed > 0 ? kExitSomeFailed : 0;
-  fmt::print(stderr,
-             "Error: {} runs are missing after {} arrays of tasks; see the logs in {}/slurm. "
-             "`pedzone study run` goes on from there.\n",
-             missing.size(), kRounds, store.folder());
+  fmt::print(
+      stderr,
+      "Error: {} runs are missing, and {} arrays in a row have finished none; see the logs in "
+      "{}/slurm. `pedzone study run` goes on from there.\n",
+      missing.size(), idle, store.folder());
   return kExitSomeFailed;
 }
 
@@ -148,7 +151,8 @@ void add_slurm_jobs(CLI::App& study, int& code) {
   command = study.add_subcommand("aggregate", "Submit what is missing, or write the results")
                 ->group(hidden);
   command->add_option("results", aggregate_options->results)->required();
-  command->add_option("--round", aggregate_options->round);
+  command->add_option("--submitted", aggregate_options->submitted);
+  command->add_option("--idle", aggregate_options->idle);
   add_slurm_options(*command, aggregate_options->slurm);
   command->callback(
       [aggregate_options, &code] { code = guarded_code(aggregate, *aggregate_options); });

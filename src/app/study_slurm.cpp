@@ -11,20 +11,18 @@ namespace pedzone {
 namespace {
 
 /// For the aggregate job, that it can submit what is missing in the same way.
-std::vector<std::string> aggregate_command(const std::string& results, const SlurmOptions& options,
-                                           int round) {
-  std::vector<std::string> words = {this_program(),
-                                    "study",
-                                    "aggregate",
-                                    results,
-                                    "--slurm",
-                                    "--round",
-                                    std::to_string(round),
-                                    "--per-task",
-                                    std::to_string(options.per_task)};
-  if (!options.partition.empty()) words.push_back("--partition=" + options.partition);
-  if (!options.time.empty()) words.push_back("--time=" + options.time);
-  for (const std::string& option : options.sbatch) words.push_back("--sbatch=" + option);
+std::vector<std::string> aggregate_command(const std::string& results, std::size_t runs,
+                                           const SlurmOptions& options, int idle) {
+  std::vector<std::string> words = {this_program(), "study", "aggregate", results, "--slurm"};
+  const auto add = [&](const char* option, auto value) {
+    words.push_back(fmt::format("{}={}", option, value));
+  };
+  add("--submitted", runs);
+  add("--idle", idle);
+  add("--per-task", options.per_task);
+  if (!options.partition.empty()) add("--partition", options.partition);
+  if (!options.time.empty()) add("--time", options.time);
+  for (const std::string& option : options.sbatch) add("--sbatch", option);
   return words;
 }
 
@@ -52,10 +50,10 @@ void add_slurm_options(CLI::App& run, StudySlurmOptions& options) {
 }
 
 void submit_runs(const Store& store, const std::vector<std::string>& runs,
-                 const SlurmOptions& options, int round) {
+                 const SlurmOptions& options, int idle) {
   const SlurmArray array =
       submit_array(store.folder(), runs, options, {this_program(), "study", "task", store.folder()},
-                   aggregate_command(store.folder(), options, round));
+                   aggregate_command(store.folder(), runs.size(), options, idle));
   fmt::print(
       "Submitted {} runs to Slurm: job {} with {} tasks, up to {} runs each, then job {}\n"
       "(tables and report). What they print: {}/*.log\n",
@@ -71,7 +69,7 @@ bool submit_study(const Store& store, const Plan& plan, bool retry_failed,
     if (records[run]) store.discard(runs.back());  // tasks leave alone what has failed
   }
   if (runs.empty()) return false;
-  submit_runs(store, runs, options, 1);
+  submit_runs(store, runs, options, 0);
   fmt::print("To follow: pedzone study status {}\nTo cancel: scancel --name={}\n", store.folder(),
              slurm_name(store.folder()));
   return true;

@@ -21,10 +21,10 @@ void add_slurm_options(CLI::App& run, StudySlurmOptions& options);
 /// Adds the commands of jobs to `study`; help does not list them.
 void add_slurm_jobs(CLI::App& study, int& code);
 
-/// Submits runs of a study, whose lock is held, and says so. `round`: how many arrays there have
-/// been for them, this one included. Throws InputError.
+/// Submits runs of a study, whose lock is held, and says so. `idle`: how many arrays in a row have
+/// finished none of them. Throws InputError.
 void submit_runs(const Store& store, const std::vector<std::string>& runs,
-                 const SlurmOptions& options, int round);
+                 const SlurmOptions& options, int idle);
 
 /// Submits what is missing of a study, whose lock is held, and says how to follow and to cancel it;
 /// false where nothing is missing. Throws InputError.

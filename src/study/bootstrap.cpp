@@ -75,7 +75,7 @@ double acceleration(const std::vector<double>& values) {
 }
 
 /// The normal quantile whose tail makes the interval of a normal sample as wide as Student's
-/// (Hesterberg 2015, section 5.3).
+/// (Hesterberg 2015, expanded percentile interval).
 double widened_quantile(std::size_t n) {
   const double freedom = static_cast<double>(n) - 1.0;
   const boost::math::students_t student(freedom);
@@ -95,7 +95,8 @@ Interval bootstrap_mean(std::span<const double> sample, std::uint64_t seed) {
   const auto end = [&](double z) {  // equation 14.10
     const double share =
         normal_share(bias + (bias + z) / (1.0 - acceleration_of_sample * (bias + z)));
-    return standardised.mean + standardised.sd * quantile(totals, share) / n;
+    const double end_of_mean = standardised.mean + standardised.sd * quantile(totals, share) / n;
+    return std::abs(end_of_mean) <= kRounding * n * standardised.sd ? 0.0 : end_of_mean;
   };
   return {end(-width), end(width)};
 }

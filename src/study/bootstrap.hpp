@@ -13,8 +13,9 @@ namespace pedzone {
 /// widened tails it would be 89 % of 10 normal values.
 inline constexpr std::size_t kLeastForBootstrap = 10;
 
-/// 95 % interval of the mean: bias-corrected and accelerated (Efron 1987) from 2,000 resamples, its
-/// tails widened for small samples (Hesterberg 2015). `sample`: finite, not all the same, at least
+/// 95 % interval of the mean: bias-corrected and accelerated (Efron 1987, Journal of the American
+/// Statistical Association 82) from 2,000 resamples, its tails widened for small samples
+/// (Hesterberg 2015, The American Statistician 69). `sample`: finite, not all the same, at least
 /// 2. Another order of the sample draws other resamples.
 Interval bootstrap_mean(std::span<const double> sample, std::uint64_t seed);
 

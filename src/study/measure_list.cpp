@@ -9,12 +9,12 @@ using enum Better;
 
 constexpr Measure kMeasures[] = {
     {"person.travelTime", "Travel time", "s",
-     "Mean time from the intended departure to the arrival, or to the end of the run, of all who "
-     "were due before it.",
+     "Mean time from the intended departure to the end of the last walk or ride, or of the run, of "
+     "all who were due before it.",
      "People", kLower, true},
     {"person.delay", "Delay in the zone", "s",
      "Mean time walking in the zone less that of the shortest way, with room for the body, at the "
-     "person's own free speed.",
+     "person's free speed: SUMO's maximum less what striping dawdles. Below 0: it does not dawdle.",
      "People", kLower, true},
     {"person.waiting", "Waiting in the zone", "s",
      "Mean time standing (slower than 0.1 m/s) on walks in the zone.", "People", kLower, true},

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "core/random.hpp"
+#include "study/checksum.hpp"
 #include "study/setting.hpp"
 #include "sumo/scenario.hpp"
 
@@ -17,9 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kDefinitionFormat = 1;  // raised when the same definition comes to mean another run
-constexpr std::size_t kNamePart =
-    24;  // [characters] of an id: names are for people, the hash tells
+constexpr int kDefinitionFormat = 1;   // raised when the same definition comes to mean another run
+constexpr std::size_t kNamePart = 24;  // [characters] of an id, for people to read
+constexpr std::size_t kHashPart = 16;  // [hexadecimal digits] tell runs apart
 
 std::vector<Condition> conditions_of(const Study& study) {
   std::vector<Condition> conditions;
@@ -76,10 +76,10 @@ std::string name_part(const std::string& text) {
 
 std::string id_of(const Json& definition) {
   const bool free = definition["kind"] == "freeSpeed";
-  return fmt::format("{}{}.{}.{}.{:016x}", free ? "free." : "",
-                     name_part(definition["scenario"].get<std::string>()),
-                     name_part(definition["model"].get<std::string>()),
-                     definition["seed"].get<std::uint64_t>(), person_key(definition.dump()));
+  return fmt::format(
+      "{}{}.{}.{}.{}", free ? "free." : "", name_part(definition["scenario"].get<std::string>()),
+      name_part(definition["model"].get<std::string>()), definition["seed"].get<std::uint64_t>(),
+      sha256_hex(definition.dump()).substr(0, kHashPart));
 }
 
 /// The runs of a plan as they are found to be needed, each once.

@@ -11,6 +11,7 @@
 
 #include "study/report_numbers.hpp"
 #include "study/report_parts.hpp"
+#include "study/shell_word.hpp"
 
 namespace pedzone {
 
@@ -51,18 +52,6 @@ std::string script_json(const Json& json) {
     }
   }
   return text;
-}
-
-/// A word of a shell's command line.
-std::string shell_word(const std::string& word) {
-  const auto plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 ||
-           std::string_view("._-/+=:,@%").find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 /// A file's name, without the folders of somebody's machine, as such a word.

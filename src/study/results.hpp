@@ -37,13 +37,13 @@ struct Comparison {
   std::string measure;              ///< key
   SampleSummary reference, sample;  ///< of the pairs
   PairedDifference difference;      ///< model less reference, by seed
-  std::optional<double> relative;   ///< mean difference over the reference's mean, where that is
-                                    ///< not 0
-  std::optional<double> p_holm;     ///< over the family: all primary ones, or all others
-  std::size_t missing = 0;          ///< seeds without a pair: a run failed or is not there
-  std::size_t undefined = 0;        ///< seeds without a pair: e.g. no conflict, so no TTC
-  std::size_t seeds_needed = 0;     ///< in all, for a half width of 5 % of the reference's mean;
-                                    ///< 0: not known
+  std::optional<double> relative;  ///< mean difference over the size of the reference's mean, where
+                                   ///< that is not 0
+  std::optional<double> p_holm;    ///< over the family: all primary ones, or all others
+  std::size_t missing = 0;         ///< seeds without a pair: a run failed or is not there
+  std::size_t undefined = 0;       ///< seeds without a pair: e.g. no conflict, so no TTC
+  std::size_t seeds_needed = 0;    ///< in all, for a half width of 5 % of the reference's mean;
+                                   ///< 0: not known
   Finding finding = Finding::kTooFew;
 };
 

@@ -9,6 +9,7 @@
 #include "study/plan.hpp"
 #include "study/setting.hpp"
 #include "study/sumo_options.hpp"
+#include "sumo/file_list.hpp"
 #include "sumo/people_file.hpp"
 #include "sumo/scenario.hpp"
 #include "world/model_names.hpp"
@@ -39,6 +40,7 @@ class Commands {
   }
 
   RunCommands take() {
+    commands_.inputs = inputs();  // before options name files that are made for the run
     redirect_outputs();
     measure();
     if (run_.kind == RunKind::kFreeSpeed) set_people_apart();
@@ -50,11 +52,10 @@ class Commands {
       commands_.commands.push_back(pedzone());
     }
     commands_.sumo_options = options_.words();
-    commands_.inputs = inputs();
     return std::move(commands_);
   }
 
-  /// All files that are read.
+  /// All files that are read, as long as the options are the study's.
   std::vector<std::string> inputs() const {
     std::vector<std::string> files{config_, read_.net_file};
     for (const auto* more : {&read_.route_files, &read_.additional_files}) {
@@ -62,7 +63,7 @@ class Commands {
     }
     for (std::size_t i = 0; i < options_.words().size(); i += 2) {
       if (!names_input_files(options_.words()[i].substr(2))) continue;
-      for (const auto& file : split_words(options_.words()[i + 1], ',')) files.push_back(file);
+      for (const auto& file : split_file_list(options_.words()[i + 1])) files.push_back(file);
     }
     if (!scenario_.zone_file.empty()) {
       const std::string zone_file = study_.resolve(scenario_.zone_file);

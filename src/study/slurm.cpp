@@ -7,12 +7,13 @@
 #include <charconv>
 #include <filesystem>
 #include <random>
+#include <regex>
 #include <span>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
 #include "study/command_output.hpp"
+#include "study/shell_word.hpp"
 #include "study/slurm_jobs.hpp"
 
 namespace pedzone {
@@ -60,24 +61,11 @@ void write(const std::string& path, const std::string& text) {
   file.finish();
 }
 
-/// As one word of a shell.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      text += "'\\''";
-    } else {
-      text += c;
-    }
-  }
-  return text + "'";
-}
-
 /// A script that becomes the command, so that Slurm's signals reach it. `more` goes to its end as
 /// it is.
 std::string script(const std::vector<std::string>& command, const std::string& more = "") {
   std::string text = "#!/bin/sh\nexec";
-  for (const std::string& word : command) text += " " + quoted(word);
+  for (const std::string& word : command) text += " " + shell_word(word);
   return text + more + "\n";
 }
 
@@ -104,16 +92,13 @@ std::string submit(const std::string& results, const std::string& folder, const 
   return job_id(sbatch(words));
 }
 
+/// How many tasks an array may have.
 std::size_t max_array_size() {
   const auto said = command_output({"scontrol", "show", "config"});
-  std::istringstream lines(said ? said->out : "");
-  for (std::string line; std::getline(lines, line);) {
-    std::size_t size = 0;
-    if (line.starts_with("MaxArraySize") && line.find("= ") != std::string::npos) {
-      const char* number = line.data() + line.find("= ") + 2;
-      std::from_chars(number, line.data() + line.size(), size);
-    }
-    if (size > 0) return size;
+  std::smatch found;
+  if (said &&
+      std::regex_search(said->out, found, std::regex("MaxArraySize *= *([1-9][0-9]{0,8})"))) {
+    return std::stoul(found[1]);
   }
   return kMaxArraySize;
 }
@@ -170,9 +155,10 @@ void submit_both(const std::string& results, const SlurmOptions& options, SlurmA
 }  // namespace
 
 void check_slurm(const SlurmOptions& options, const std::string& results) {
-  if (results.find('\\') != std::string::npos) {  // sbatch drops it from paths
+  const std::string path = fs::absolute(results).string();
+  if (path.find('\\') != std::string::npos) {  // sbatch drops it from paths
     throw InputError("cannot be used with Slurm",
-                     {.element = "option --out", .value = results, .allowed = "no backslash"});
+                     {.element = "option --out", .value = path, .allowed = "no backslash"});
   }
   std::vector<std::string> words = {"--test-only", "--ntasks=1"};
   std::ranges::copy(sbatch_words(options), std::back_inserter(words));
@@ -190,7 +176,7 @@ SlurmArray submit_array(const std::string& results, const std::vector<std::strin
   array.per_task = std::max(options.per_task, (runs.size() + most - 1) / most);
   array.tasks = write_chunks(array.folder, runs, array.per_task);
   write(array.folder + "/task.sh",
-        script(task, " " + quoted(array.folder + "/") + "\"$SLURM_ARRAY_TASK_ID\""));
+        script(task, " " + shell_word(array.folder + "/") + "\"$SLURM_ARRAY_TASK_ID\""));
   write(array.folder + "/aggregate.sh", script(aggregate));
   try {
     submit_both(results, options, array);

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/xml.hpp"
 #include "study/study_file.hpp"
+#include "sumo/file_list.hpp"
 
 namespace pedzone {
 namespace {
@@ -208,7 +209,7 @@ SumoOptions with_absolute_files(const SumoOptions& options, const Study& study) 
     const std::string name = options.words()[i].substr(2);
     const std::string& value = options.words()[i + 1];
     std::string list;
-    for (const std::string& file : split_words(value, ',')) {
+    for (const std::string& file : split_file_list(value)) {
       list += (list.empty() ? "" : ",") + study.resolve(file);
     }
     resolved.set(name, names_input_files(name) ? list : value);

@@ -48,6 +48,9 @@ VehicleTrip vehicle_of(const XmlElement& element) {
 /// A stage of the person whose element is open.
 void add_stage(const XmlElement& element, PersonTrip& person) {
   if (!element.value("arrival")) return;
+  // Who has come to where it wants to stop has arrived, however long it stops.
+  if (element.name() == "stop" && person.moves) return;
+  person.moves = person.moves || element.name() != "stop";
   person.arrival = moment(element, "arrival");
   if (element.name() != "walk") return;
   const auto depart = moment(element, "depart");

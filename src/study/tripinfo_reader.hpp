@@ -17,8 +17,9 @@ struct WalkStage {
 struct PersonTrip {
   std::string id, type;
   double due = 0.0;               ///< [s] intended departure
-  std::optional<double> arrival;  ///< [s] of the plan's last stage; unset: not over at the end
+  std::optional<double> arrival;  ///< [s] of the plan's last walk or ride; unset: not by the end
   std::vector<WalkStage> walks;   ///< in turn
+  bool moves = false;             ///< has a walk or ride in its plan
 };
 
 struct VehicleTrip {

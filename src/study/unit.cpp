@@ -13,7 +13,9 @@
 #include "study/free_speed_measure.hpp"
 #include "study/process.hpp"
 #include "study/run_measures.hpp"
+#include "study/shell_word.hpp"
 #include "sumo/scenario.hpp"
+#include "sumo/sumo_home.hpp"
 #include "zone/zone_file.hpp"
 
 namespace pedzone {
@@ -40,11 +42,7 @@ void print_to_log(const std::string& folder) {
 /// As one would type it, for the log.
 std::string shell_text(const std::vector<std::string>& command) {
   std::string text = "$";
-  for (const std::string& word : command) {
-    std::string quoted;
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    text += " '" + quoted + "'";
-  }
+  for (const std::string& word : command) text += " " + shell_word(word);
   return text;
 }
 
@@ -152,6 +150,7 @@ RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
 
 int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
   print_to_log(folder);
+  find_sumo_data();
   try {
     make(workshop, run, attempt, folder);
     return 0;

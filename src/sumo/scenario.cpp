@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/xml.hpp"
+#include "sumo/file_list.hpp"
 #include "sumo/net_reader.hpp"
 
 namespace pedzone {
@@ -94,7 +95,7 @@ double number_of(const XmlFile& config, const std::vector<std::string>& words, c
 
 std::vector<std::string> split_files(const std::string& list, const fs::path& folder) {
   std::vector<std::string> files;
-  for (const std::string& word : split_words(list, ',')) {
+  for (const std::string& word : split_file_list(list)) {
     const fs::path path(word);
     files.push_back(path.is_absolute() || folder.empty() ? word : (folder / path).string());
   }

@@ -256,6 +256,23 @@ def check_run(arguments, model, folder):
     return comparison, measured
 
 
+def refuses_cut_off(arguments, folder, files):
+    """Whether the program tells, with exit code 2, which file is cut off, and leaves no table."""
+    for file in files:
+        (folder / file).unlink()
+    good = True
+    for name in ("fcd.xml.gz", "tripinfo.xml"):
+        whole = (folder / name).read_bytes()
+        (folder / name).write_bytes(whole[:len(whole) // 2])
+        done = subprocess.run([arguments.measure_run, folder, arguments.scenario],
+                              capture_output=True, text=True)
+        (folder / name).write_bytes(whole)
+        good &= done.returncode == 2 and name in done.stderr
+        good &= not any(entry.suffix in (".csv", ".partial") and entry.name != "again.csv"
+                        for entry in folder.iterdir())
+    return good
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("pedzone")
@@ -277,6 +294,8 @@ def main():
         ours.require("the same outputs under another name measure the same",
                      measure(arguments, moved) == of_striping
                      and before == [(moved / file).read_bytes() for file in files])
+        ours.require("outputs that are cut off are refused, and nothing is written",
+                     refuses_cut_off(arguments, moved, files))
         # They are no constants: the two models differ in most of them.
         differ = [key for key in of_ours if of_ours[key] != of_striping.get(key)]
         ours.require(f"the models differ in {len(differ)} measures", len(differ) > 15)

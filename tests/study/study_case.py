@@ -80,5 +80,5 @@ class StudyCase(unittest.TestCase):
 
 
 def main():
-    StudyCase.PEDZONE = sys.argv.pop(1)
+    StudyCase.PEDZONE = str(Path(sys.argv.pop(1)).resolve())
     unittest.main(verbosity=2)

@@ -95,7 +95,7 @@ class Faults(StudyCase):
         self.check_same_tables(self.results, reference)
         self.assertEqual(self.run_names(), names)
         self.check_runs(names, reference)
-        rows = list(csv.DictReader((self.results / "runs.csv").open()))
+        rows = list(csv.DictReader((self.results / "runs.csv").read_text().splitlines()))
         self.assertEqual(len(rows), SEEDS * len(MODELS))
         self.assertEqual(len({(row["model"], row["seed"]) for row in rows}), len(rows))
         self.assertEqual({row["status"] for row in rows}, {"done"})

@@ -34,7 +34,7 @@ class Resuming(StudyCase):
         first = self.make(study)
         self.assertEqual(len(finished(first)), 6)  # 2 seeds, 2 models, and free speeds of each
         self.assertEqual(finished(first), self.run_names())
-        rows = list(csv.DictReader((self.results / "runs.csv").open()))
+        rows = list(csv.DictReader((self.results / "runs.csv").read_text().splitlines()))
         self.assertEqual({(row["model"], row["seed"], row["status"]) for row in rows},
                          {(model, seed, "done") for model in ("striping", "nonInteracting")
                           for seed in ("1", "2")})

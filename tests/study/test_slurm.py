@@ -79,6 +79,20 @@ class OnTheCluster(SlurmStudy):
         self.finish()
         self.assertTrue((out / "runs.csv").is_file(), self.logs(out))
 
+    def test_gives_up_where_arrays_finish_nothing(self):
+        study, out = self.study("1-2"), self.folder / "out"
+        self.submit(out, "--per-task", "3", "--sbatch=--begin=now+3")
+        (out / "runs").rmdir()
+        (out / "runs").write_text("no folder")  # nothing can be put there
+        self.finish()
+        self.assertEqual(len(list((out / "slurm").glob("[0-9]*"))), 3, self.logs(out))
+        self.assertIn("6 runs are missing", (out / "slurm/3/aggregate.log").read_text())
+        (out / "runs").unlink()
+        reference = self.local_results(study)
+        self.submit(out, "--per-task", "3")
+        self.finish()
+        self.check_same(out, reference, 2)
+
     def chunk_of_cancelled(self, study, out):
         """The file of ids of a study's only task, which has been submitted, but never started."""
         self.study(study)

@@ -15,7 +15,7 @@ from slurm_cluster import NODES, SlurmCluster, kill
 from slurm_study import SlurmStudy
 
 SEED = 6
-FAULTS = 16
+MOST_BETWEEN = 5  # runs that are finished between two faults
 
 
 class Chaos:
@@ -42,7 +42,8 @@ class Chaos:
         """Any one of a task: of the run, or the task itself."""
         kill(self.random.choice(self.task_processes()))
 
-    def kill_task(self):
+    def kill_tasks(self):
+        """All that run at the moment."""
         for process in self.task_processes():
             kill(process)
 
@@ -52,18 +53,26 @@ class Chaos:
         time.sleep(self.random.uniform(0.1, 2.0))
         self.cluster.start_node(node)
 
+    def kinds(self):
+        return [self.cancel, self.requeue, self.kill_process, self.kill_tasks, self.restart_node]
+
     def strike(self):
         """False where no task runs at the moment."""
-        if not self.running_tasks():
-            return False
-        kinds = [self.cancel, self.requeue, self.kill_process, self.kill_task, self.restart_node]
-        kind = kinds[len(self.done) % len(kinds)]
+        kind = self.kinds()[len(self.done) % len(self.kinds())]
         try:
             kind()
         except IndexError:
-            return False  # the last one has just ended
+            return False
         self.done.append(kind.__name__)
         return True
+
+    def work(self, finished):
+        """Strikes whenever some more runs are `finished()`, until the cluster has no jobs."""
+        due = 1
+        while self.cluster.jobs():
+            time.sleep(self.random.uniform(0.0, 0.3))
+            if finished() >= due and self.strike():
+                due = finished() + self.random.randint(1, MOST_BETWEEN)
 
 
 class Faults(SlurmStudy):
@@ -76,12 +85,9 @@ class Faults(SlurmStudy):
             submitted = self.on(cluster, "run", study, "--out", out, "--slurm", "--per-task", "6")
             self.assertEqual(submitted.returncode, 0, submitted.stdout + submitted.stderr)
             chaos = Chaos(cluster)
-            while cluster.jobs() and len(chaos.done) < FAULTS:
-                time.sleep(chaos.random.uniform(0.1, 1.5))
-                chaos.strike()
-            cluster.wait_until(lambda: not cluster.jobs(), limit=400)
+            chaos.work(lambda: len(list((out / "runs").glob("[!.]*"))))
         print(f"faults: {chaos.done}, arrays: {len(list((out / 'slurm').glob('[0-9]*')))}")
-        self.assertEqual(len(chaos.done), FAULTS, "the study was over before")
+        self.assertEqual(set(chaos.done), {kind.__name__ for kind in chaos.kinds()})
         self.assertTrue((out / "slurm/2").exists(), "nothing had to be submitted again")
         self.check_same(out, reference, 29)
 

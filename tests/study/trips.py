@@ -26,12 +26,13 @@ def read_trips(path, end):
     for element in ElementTree.parse(path).getroot():
         if element.tag == "personinfo":
             stages = list(element)
+            moves = [stage for stage in stages if stage.tag != "stop"] or stages
             walks = [(float(stage.get("depart")), _came(stage.get("arrival")) or numpy.inf,
                       float(stage.get("maxSpeed"))) for stage in stages
                      if stage.tag == "walk" and _came(stage.get("depart")) is not None]
             persons.append(Trip(element.get("id"), element.get("type"),
                                 float(element.get("depart")),
-                                _came(stages[-1].get("arrival")) if stages else None, walks))
+                                _came(moves[-1].get("arrival")) if moves else None, walks))
         elif element.tag == "tripinfo":
             departed, delay = _came(element.get("depart")), float(element.get("departDelay"))
             vehicles.append(Trip(

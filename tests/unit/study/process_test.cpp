@@ -49,7 +49,9 @@ TEST(Ending, tells_what_somebody_else_did) {
   EXPECT_EQ((Ending{0, SIGKILL}).exit_code(), 137);
 }
 
-TEST(Child, ends_with_what_its_work_returns) { EXPECT_EQ(ending_of([] { return 7; }).code, 7); }
+TEST(Child, ends_with_what_its_work_returns) {
+  EXPECT_EQ(ending_of([] { return 7; }).code, 7);
+}
 
 TEST(Child, whose_work_throws_ends_with_an_error) {
   EXPECT_EQ(ending_of([]() -> int { throw std::runtime_error("no way out"); }).code, 1);
@@ -97,8 +99,8 @@ TEST(Child, dies_with_its_parent_and_so_does_what_it_has_started) {
   const pid_t driver = fork();
   if (driver == 0) {
     const Child child([&] {
-      return run_program({"sh", "-c", "echo x >&" + std::to_string(alive.write_end) + "; sleep 600"},
-                         "/")
+      return run_program(
+                 {"sh", "-c", "echo x >&" + std::to_string(alive.write_end) + "; sleep 600"}, "/")
           .code;
     });
     pause();
