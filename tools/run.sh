@@ -1,25 +1,25 @@
 #!/bin/bash
-# Installs what is missing, builds, and runs the main job: Bad Hersfeld with shuttles.
+# Installs what is missing, builds, and runs the main job: a small study, whose report it opens.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source tools/fingerprint.sh
 
 usage() {
   cat <<'TEXT'
-usage: tools/run.sh [--again] [-- OPTIONS OF pedzone run]
+usage: tools/run.sh [--again] [-- OPTIONS OF pedzone study run]
 
-Installs what is missing, builds, walks the people of Bad Hersfeld's old town among its shuttles,
-and says where the results are (out/bad-hersfeld). Does nothing but say so when program and
-scenario have not changed since; --again runs all the same.
+Installs what is missing, builds, asks on a plaza with vans and shuttles what changes if people
+walk by pedzone's heuristic instead of SUMO's striping (scenarios/study/plaza.study.xml), and opens
+the report, or says where it is where there is no display. Results are in out/plaza-study; runs
+that are there and whose inputs have not changed are kept, --again makes all of them anew.
 TEXT
 }
 
-again=no
+out=out/plaza-study
 options=()
 while (($#)); do
   case "$1" in
     --help | -h) usage; exit 0 ;;
-    --again) again=yes ;;
+    --again) rm -rf $out ;;
     --) shift; options=("$@"); break ;;
     *) echo "Error: unknown option '$1'" >&2; usage >&2; exit 2 ;;
   esac
@@ -30,31 +30,10 @@ tools/install.sh
 [[ -f build/build.ninja ]] || cmake --preset release
 cmake --build --preset release --target pedzone
 
-out=out/bad-hersfeld
-print_results() {
-  cat <<TEXT
-Results in $PWD/$out:
-  paths.svg, paths.png   everybody's path through the zone
-  summary.json           the table above, as JSON
-  trajectories.csv       time,id,x,y,vx,vy,heading,activity,pastime
-  tripinfo.xml           SUMO's own trip report
-TEXT
-}
+build/src/app/pedzone study run scenarios/study/plaza.study.xml --out $out --jobs "$(nproc)" \
+  "${options[@]}"
 
-stamp=$(fingerprint build/src/app/pedzone scenarios/bad-hersfeld networks/bad-hersfeld \
-        tools/run.sh <<<"${options[*]}")
-if [[ "$again" == no && -f $out/stamp && "$(<$out/stamp)" == "$stamp" ]]; then
-  cat $out/table.txt
-  echo "Program and scenario unchanged: these are the results of $(date -r $out/stamp '+%F %H:%M')."
-  print_results
-  exit 0
+if [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] && command -v xdg-open >/dev/null; then
+  xdg-open $out/report.html
 fi
-
-rm -rf $out
-mkdir -p $out
-build/src/app/pedzone run scenarios/bad-hersfeld/centre-shuttle.sumocfg \
-  --summary $out/summary.json --trajectories $out/trajectories.csv --paths-svg $out/paths.svg \
-  "${options[@]}" -- --tripinfo-output "$PWD/$out/tripinfo.xml" | tee $out/table.txt
-rsvg-convert --width 1600 --keep-aspect-ratio --output $out/paths.png $out/paths.svg
-echo "$stamp" >$out/stamp
-print_results
+echo "Report: $PWD/$out/report.html"

@@ -13,10 +13,10 @@
 #include "app/study_results.hpp"
 #include "app/study_slurm.hpp"
 #include "core/error.hpp"
-#include "study/directory_lock.hpp"
-#include "study/driver.hpp"
-#include "study/slurm_jobs.hpp"
-#include "study/versions.hpp"
+#include "study/run/directory_lock.hpp"
+#include "study/run/driver.hpp"
+#include "study/run/slurm_jobs.hpp"
+#include "study/run/versions.hpp"
 
 namespace pedzone {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "output/complete_file.hpp"
-#include "study/report.hpp"
-#include "study/report_verdict.hpp"
+#include "study/report/report.hpp"
+#include "study/report/report_verdict.hpp"
 
 namespace pedzone {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "study/store.hpp"
+#include "study/run/store.hpp"
 
 namespace pedzone {
 

@@ -6,10 +6,10 @@
 #include "app/study.hpp"
 #include "app/study_progress.hpp"
 #include "app/study_results.hpp"
-#include "study/driver.hpp"
-#include "study/failure.hpp"
-#include "study/slurm_jobs.hpp"
-#include "study/versions.hpp"
+#include "study/run/driver.hpp"
+#include "study/run/failure.hpp"
+#include "study/run/slurm_jobs.hpp"
+#include "study/run/versions.hpp"
 
 namespace pedzone {
 namespace {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "study/driver.hpp"
-#include "study/slurm_jobs.hpp"
-#include "study/versions.hpp"
+#include "study/run/driver.hpp"
+#include "study/run/slurm_jobs.hpp"
+#include "study/run/versions.hpp"
 
 namespace pedzone {
 namespace {

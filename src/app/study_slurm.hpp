@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "study/slurm.hpp"
-#include "study/store.hpp"
+#include "study/run/slurm.hpp"
+#include "study/run/store.hpp"
 
 namespace pedzone {
 

@@ -11,7 +11,7 @@
 
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
-#include "study/process.hpp"
+#include "study/run/process.hpp"
 
 namespace pedzone {
 

@@ -12,8 +12,8 @@
 
 #include "core/csv_stream.hpp"
 #include "core/random.hpp"
-#include "study/measure_list.hpp"
-#include "study/statistics.hpp"
+#include "study/compare/statistics.hpp"
+#include "study/measure/measure_list.hpp"
 
 namespace pedzone {
 namespace {

@@ -1,5 +1,5 @@
 // The bootstrap interval against theory that does not resample.
-#include "study/bootstrap.hpp"
+#include "study/compare/bootstrap.hpp"
 
 #include <gmock/gmock.h>
 

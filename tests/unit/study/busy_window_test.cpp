@@ -1,4 +1,4 @@
-#include "study/busy_window.hpp"
+#include "study/report/busy_window.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

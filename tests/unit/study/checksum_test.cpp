@@ -1,4 +1,4 @@
-#include "study/checksum.hpp"
+#include "study/plan/checksum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "study/conflict_measures.hpp"
+#include "study/measure/conflict_measures.hpp"
 
 #include <gmock/gmock.h>
 
-#include "study/vehicle_stops.hpp"
+#include "study/measure/vehicle_stops.hpp"
 
 namespace pedzone {
 namespace {

@@ -1,9 +1,9 @@
-#include "study/crowding.hpp"
+#include "study/measure/crowding.hpp"
 
 #include <gmock/gmock.h>
 
-#include "study/density_grid.hpp"
-#include "study/run_series.hpp"
+#include "study/measure/density_grid.hpp"
+#include "study/measure/run_series.hpp"
 
 namespace pedzone {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/directory_lock.hpp"
+#include "study/run/directory_lock.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>

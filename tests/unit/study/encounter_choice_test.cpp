@@ -1,4 +1,4 @@
-#include "study/encounter_choice.hpp"
+#include "study/report/encounter_choice.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // The demand of free-speed runs, as SUMO runs it: a few people, nobody ever beside another one, no
 // vehicle.
-#include "study/free_speed_demand.hpp"
+#include "study/plan/free_speed_demand.hpp"
 
 #include <cstdlib>
 #include <map>

@@ -1,4 +1,4 @@
-#include "study/free_speed_measure.hpp"
+#include "study/measure/free_speed_measure.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

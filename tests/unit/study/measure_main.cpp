@@ -5,8 +5,8 @@
 //        measure_run --free-speed FCD [TRAJECTORIES.csv]
 #include <fmt/format.h>
 
-#include "study/free_speed_measure.hpp"
-#include "study/run_measures.hpp"
+#include "study/measure/free_speed_measure.hpp"
+#include "study/measure/run_measures.hpp"
 #include "sumo/scenario.hpp"
 
 namespace pedzone {

@@ -1,4 +1,4 @@
-#include "study/median_seed.hpp"
+#include "study/report/median_seed.hpp"
 
 #include <gmock/gmock.h>
 

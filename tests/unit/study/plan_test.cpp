@@ -1,5 +1,5 @@
 // A study as runs: which, in which order, and how they are named.
-#include "study/plan.hpp"
+#include "study/plan/plan.hpp"
 
 #include <regex>
 #include <set>

@@ -1,4 +1,4 @@
-#include "study/process.hpp"
+#include "study/run/process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -100,7 +100,8 @@ TEST(Child, dies_with_its_parent_and_so_does_what_it_has_started) {
   if (driver == 0) {
     const Child child([&] {
       return run_program(
-                 {"sh", "-c", "echo x >&" + std::to_string(alive.write_end) + "; sleep 600"}, "/")
+                 {"sh", "-c", "echo x >&" + std::to_string(alive.write_end) + "; exec sleep 60"},
+                 "/")
           .code;
     });
     pause();

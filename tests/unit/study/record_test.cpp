@@ -1,4 +1,4 @@
-#include "study/record.hpp"
+#include "study/run/record.hpp"
 
 #include <gmock/gmock.h>
 

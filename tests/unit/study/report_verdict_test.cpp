@@ -1,8 +1,8 @@
-#include "study/report_verdict.hpp"
+#include "study/report/report_verdict.hpp"
 
 #include <gmock/gmock.h>
 
-#include "study/report_numbers.hpp"
+#include "study/report/report_numbers.hpp"
 
 namespace pedzone {
 namespace {

@@ -1,12 +1,12 @@
 // Comparisons, fairness and tables of studies whose records are known.
-#include "study/results.hpp"
+#include "study/compare/results.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
 
-#include "study/measure_list.hpp"
+#include "study/measure/measure_list.hpp"
 
 namespace pedzone {
 namespace {

@@ -3,7 +3,7 @@
 #include <regex>
 
 #include "core/xml.hpp"
-#include "study/setting.hpp"
+#include "study/plan/setting.hpp"
 #include "study_scene.hpp"
 #include "sumo/sumo_home.hpp"
 #include "zone/vehicle_path.hpp"

@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "core/random.hpp"
-#include "study/statistics.hpp"
+#include "study/compare/statistics.hpp"
 
 namespace pedzone {
 namespace {

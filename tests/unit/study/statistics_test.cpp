@@ -1,5 +1,5 @@
 // Statistics against published examples, figures worked out by hand, and simulated data.
-#include "study/statistics.hpp"
+#include "study/compare/statistics.hpp"
 
 #include <gmock/gmock.h>
 

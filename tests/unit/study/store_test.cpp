@@ -1,4 +1,4 @@
-#include "study/store.hpp"
+#include "study/run/store.hpp"
 
 #include <gmock/gmock.h>
 

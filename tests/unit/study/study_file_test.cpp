@@ -1,7 +1,7 @@
 // The study file: what it means, and what every mistake is told as.
-#include "study/study_file.hpp"
+#include "study/plan/study_file.hpp"
 
-#include "study/setting.hpp"
+#include "study/plan/setting.hpp"
 #include "study_scene.hpp"
 #include "world/model_names.hpp"
 

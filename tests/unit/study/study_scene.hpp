@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "study/plan.hpp"
+#include "study/plan/plan.hpp"
 
 namespace pedzone {
 

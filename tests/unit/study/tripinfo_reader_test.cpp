@@ -1,11 +1,11 @@
-#include "study/tripinfo_reader.hpp"
+#include "study/measure/tripinfo_reader.hpp"
 
 #include <gmock/gmock.h>
 
 #include "core/error.hpp"
-#include "study/checksum.hpp"
-#include "study/demand_signature.hpp"
-#include "study/trip_measures.hpp"
+#include "study/measure/demand_signature.hpp"
+#include "study/measure/trip_measures.hpp"
+#include "study/plan/checksum.hpp"
 #include "temporary_file.hpp"
 
 namespace pedzone {

@@ -1,4 +1,4 @@
-#include "study/zone_walks.hpp"
+#include "study/measure/zone_walks.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,79 @@
+// The results of a study: a table of runs, and the models compared in it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/compare/statistics.hpp"
+#include "study/plan/plan.hpp"
+#include "study/run/record.hpp"
+
+namespace pedzone {
+
+/// How a comparison comes out.
+enum class Finding {
+  kDifferent,     ///< corrected p < 0.05
+  kNotShown,      ///< no difference shown, and Student's interval is narrow: half width within 10 %
+                  ///< of the reference's mean
+  kInconclusive,  ///< no difference shown, but the interval is too wide to say anything, or the few
+                  ///< differences are all the same
+  kSame,          ///< the values are equal in every pair
+  kTooFew,        ///< fewer than 3 pairs
+};
+
+/// As in the tables: different, notShown, inconclusive, same, tooFew.
+std::string_view finding_name(Finding finding);
+
+/// A model against the reference, in one condition, by one measure. A seed gives a pair where both
+/// runs are done and the measure is defined in both.
+struct Comparison {
+  std::size_t condition = 0;
+  std::string model;
+  std::string measure;              ///< key
+  SampleSummary reference, sample;  ///< of the pairs
+  PairedDifference difference;      ///< model less reference, by seed
+  std::optional<double> relative;  ///< mean difference over the size of the reference's mean, where
+                                   ///< that is not 0
+  std::optional<double> p_holm;    ///< over the family: all primary ones, or all others
+  std::size_t missing = 0;         ///< seeds without a pair: a run failed or is not there
+  std::size_t undefined = 0;       ///< seeds without a pair: e.g. no conflict, so no TTC
+  std::size_t seeds_needed = 0;    ///< in all, for a half width of 5 % of the reference's mean;
+                                   ///< 0: not known
+  Finding finding = Finding::kTooFew;
+};
+
+/// All comparisons, by condition, model, measure in their order.
+std::vector<Comparison> compare(const Plan& plan, const Records& records);
+
+/// Free speed: a model's over the reference's, in pairs of persons.
+struct FreeSpeed {
+  std::size_t condition = 0;
+  std::string model;
+  std::size_t persons = 0;             ///< 0: not measured, and the rest has no meaning
+  double ratio = 1.0;                  ///< mean
+  double lowest = 1.0, highest = 1.0;  ///< of a single person
+  bool agrees = false;                 ///< the mean within 2 %
+};
+std::vector<FreeSpeed> free_speeds(const Plan& plan, const Records& records);
+
+/// Runs that are no fair pair: not the same persons or vehicles were to travel at the same times.
+struct UnequalDemand {
+  std::size_t condition = 0;
+  std::string model;
+  std::string what;                  ///< key of RunRecord::demand
+  std::vector<std::uint64_t> seeds;  ///< where it differs from the reference's
+};
+std::vector<UnequalDemand> unequal_demands(const Plan& plan, const Records& records);
+
+/// The tables. CSV with a header; fields of hostile ids are quoted. Contain no clock.
+/// Factors have columns `factor.ID`, so that no id can be taken for another column.
+std::string runs_csv(const Plan& plan, const Records& records);
+std::string summary_csv(const Plan& plan, const std::vector<Comparison>& comparisons);
+/// Also the set-up, how fair the pairs are, and the runs that failed.
+std::string summary_json(const Plan& plan, const Records& records,
+                         const std::vector<Comparison>& comparisons,
+                         const std::vector<FreeSpeed>& speeds);
+
+}  // namespace pedzone

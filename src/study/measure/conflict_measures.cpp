@@ -1,0 +1,60 @@
+#include "study/measure/conflict_measures.hpp"
+
+#include <algorithm>
+
+#include "core/statistics.hpp"
+
+namespace pedzone {
+namespace {
+
+struct TypeKey {
+  EncounterType type;
+  const char* key;
+};
+constexpr TypeKey kTypes[] = {{EncounterType::kHeadOn, "conflict.headOn"},
+                              {EncounterType::kFromBehind, "conflict.fromBehind"},
+                              {EncounterType::kFollowing, "conflict.following"},
+                              {EncounterType::kCrossingLeft, "conflict.crossing"},
+                              {EncounterType::kCrossingRight, "conflict.crossing"},
+                              {EncounterType::kParked, "conflict.parked"}};
+
+void keep(const std::optional<Extreme>& extreme, std::vector<double>& sample) {
+  if (extreme) sample.push_back(extreme->value);
+}
+
+bool below(const std::optional<Extreme>& extreme, double limit) {
+  return extreme && extreme->value < limit;
+}
+
+}  // namespace
+
+void ConflictMeasures::add(const Conflict& conflict) {
+  count_ += 1.0;
+  types_[conflict.type] += 1.0;
+  if (conflict.contact) contacts_ += 1.0;
+  if (conflict.contact || below(conflict.ttc, kSeriousTtc) || below(conflict.pet, kSeriousPet)) {
+    serious_ += 1.0;
+  }
+  keep(conflict.ttc, ttc_);
+  keep(conflict.pet, pet_);
+  keep(conflict.drac, drac_);
+  // Bodies overlap a little before it is told as a contact.
+  if (conflict.contact) clearance_.push_back(0.0);
+  if (conflict.clearance) clearance_.push_back(std::max(0.0, conflict.clearance->value));
+}
+
+void ConflictMeasures::finish(std::map<std::string, double>& values) const {
+  values["conflict.count"] = count_;
+  values["conflict.serious"] = serious_;
+  values["conflict.contacts"] = contacts_;
+  for (const TypeKey& type : kTypes) {
+    const auto found = types_.find(type.type);
+    values[type.key] += found == types_.end() ? 0.0 : found->second;
+  }
+  if (!ttc_.empty()) values["conflict.ttc"] = median(ttc_);
+  if (!pet_.empty()) values["conflict.pet"] = median(pet_);
+  if (!drac_.empty()) values["conflict.drac"] = median(drac_);
+  if (!clearance_.empty()) values["conflict.clearance"] = std::ranges::min(clearance_);
+}
+
+}  // namespace pedzone

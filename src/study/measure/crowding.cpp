@@ -1,0 +1,73 @@
+#include "study/measure/crowding.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pedzone {
+namespace {
+
+/// [m²] per person at least for levels A to E (Fruin 1971, Pedestrian Planning and Design,
+/// walkways: 35, 25, 15, 10 and 5 square feet).
+constexpr double kSpace[] = {3.25, 2.32, 1.39, 0.93, 0.46};
+
+}  // namespace
+
+double circle_density(int persons) { return persons / (kPi * kCircle * kCircle); }
+
+int level_of_service(double density) {
+  const auto enough = [density](double space) { return density * space <= 1.0; };
+  return static_cast<int>(std::ranges::find_if(kSpace, enough) - std::begin(kSpace));
+}
+
+Crowding::Crowding(const Trips& trips) : standing_(trips.persons.size()) {}
+
+void Crowding::step(double dt, std::span<const Walker> walkers) {
+  ++step_;
+  stuck_.clear();
+  for (const Walker& walker : walkers) stuck_.push_back(stands_long(dt, walker));
+  count_near(walkers);
+  for (std::size_t i = 0; i < walkers.size(); ++i) {
+    if (!walkers[i].counts()) continue;
+    time_ += dt;
+    density_time_ += density(i) * dt;
+    level_time_[level_of_service(density(i))] += dt;
+    if (stuck_[i] && near_[i].stuck >= kJamOthers) jammed_ += dt;
+  }
+}
+
+bool Crowding::stands_long(double dt, const Walker& walker) {
+  Standing& standing = standing_[walker.person];
+  const bool stays = standing.seen + 1 == step_;
+  const bool stands = walker.walk != nullptr && walker.speed < kStanding;
+  standing.time = stays && stands ? standing.time + dt : 0.0;
+  standing.seen = step_;
+  return standing.time >= kJamTime;
+}
+
+void Crowding::count_near(std::span<const Walker> walkers) {
+  near_.assign(walkers.size(), {});
+  order_.resize(walkers.size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  std::ranges::sort(order_, {}, [&](std::uint32_t i) { return walkers[i].at.x(); });
+  for (auto a = order_.begin(); a != order_.end(); ++a) {
+    const Vec2& at = walkers[*a].at;
+    for (auto b = a + 1; b != order_.end() && walkers[*b].at.x() - at.x() <= kCircle; ++b) {
+      if ((walkers[*b].at - at).squaredNorm() > kCircle * kCircle) continue;
+      ++near_[*a].all;
+      ++near_[*b].all;
+      near_[*a].stuck += stuck_[*b];
+      near_[*b].stuck += stuck_[*a];
+    }
+  }
+}
+
+void Crowding::finish(std::map<std::string, double>& values) const {
+  if (time_ <= 0.0) return;
+  values["space.density"] = density_time_ / time_;
+  for (std::size_t i = 0; i < level_time_.size(); ++i) {
+    values[std::string("space.level") + static_cast<char>('A' + i)] = level_time_[i] / time_;
+  }
+  values["space.jammed"] = jammed_ / time_;
+}
+
+}  // namespace pedzone

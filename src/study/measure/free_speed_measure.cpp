@@ -1,0 +1,109 @@
+#include "study/measure/free_speed_measure.hpp"
+
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/csv_stream.hpp"
+#include "core/vec.hpp"
+#include "core/xml_stream.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kMoving = 0.3;      // [m/s] assumed: slower is a stop or a wait, and its ends
+constexpr double kLeastTime = 10.0;  // [s] assumed: less says little where dawdling varies by step
+constexpr NumberRange kTimes{-1e9, 1e9};   // [s]
+constexpr NumberRange kPlaces{-1e9, 1e9};  // [m]
+
+/// Trajectories have hundredths of seconds.
+long long hundredths(double time) { return std::llround(time * 100.0); }
+
+/// When pedzone had whom.
+using Controlled = std::unordered_map<std::string, std::unordered_set<long long>>;
+
+Controlled read_controlled(const std::string& trajectories) {
+  Controlled controlled;
+  visit_rows(
+      trajectories, {"time", "id", "x", "y", "vx", "vy", "heading", "activity", "pastime"},
+      [&](const CsvRow& row) { controlled[row[1]].insert(hundredths(row.number(0, kTimes))); });
+  return controlled;
+}
+
+class FreeSpeeds {
+ public:
+  explicit FreeSpeeds(const std::optional<Controlled>& controlled) : controlled_(controlled) {}
+
+  void begin_step(double time) {
+    ++step_;
+    dt_ = time - time_;
+    time_ = time;
+  }
+
+  void add(const XmlElement& element) {
+    const std::string id(element.required("id"));
+    Walk& walk = walks_[id];
+    const Vec2 at(element.number("x", kPlaces), element.number("y", kPlaces));
+    const std::string edge(element.required("edge"));
+    const bool ours = models_own(id, edge);
+    const double moved = (at - walk.at).norm();
+    if (ours && walk.ours && walk.seen + 1 == step_ && (controlled_ || edge == walk.edge) &&
+        moved >= kMoving * dt_) {
+      walk.distance += moved;
+      walk.time += dt_;
+    }
+    walk.seen = step_;
+    walk.ours = ours;
+    walk.at = at;
+    walk.edge = edge;
+  }
+
+  std::map<std::string, double> speeds() const {
+    std::map<std::string, double> result;
+    for (const auto& [id, walk] : walks_) {
+      if (walk.time > kLeastTime) result[id] = walk.distance / walk.time;
+    }
+    return result;
+  }
+
+ private:
+  struct Walk {
+    std::uint64_t seen = 0;             ///< number of the latest step
+    bool ours = false;                  ///< in that step, see models_own
+    Vec2 at = Vec2::Zero();             ///< [m] in that step
+    std::string edge;                   ///< in that step
+    double distance = 0.0, time = 0.0;  ///< [m], [s]
+  };
+
+  /// Whether the model's own walking is to be seen at this moment.
+  bool models_own(const std::string& id, const std::string& edge) const {
+    if (!controlled_) return !edge.starts_with(':');
+    const auto found = controlled_->find(id);
+    return found != controlled_->end() && found->second.contains(hundredths(time_));
+  }
+
+  const std::optional<Controlled>& controlled_;
+  std::uint64_t step_ = 0;
+  double time_ = 0.0, dt_ = 0.0;  ///< [s]
+  std::unordered_map<std::string, Walk> walks_;
+};
+
+}  // namespace
+
+std::map<std::string, double> free_speeds_of(const std::string& fcd,
+                                             const std::string& trajectories) {
+  std::optional<Controlled> controlled;
+  if (!trajectories.empty()) controlled = read_controlled(trajectories);
+  FreeSpeeds speeds(controlled);
+  visit_elements(fcd, "fcd-export", [&](const XmlElement& element) {
+    if (element.depth() == 1 && element.name() == "timestep") {
+      speeds.begin_step(element.number("time", kTimes));
+    } else if (element.depth() == 2 && element.name() == "person") {
+      speeds.add(element);
+    }
+  });
+  return speeds.speeds();
+}
+
+}  // namespace pedzone

@@ -1,0 +1,104 @@
+#include "study/measure/measure_list.hpp"
+
+#include <algorithm>
+
+namespace pedzone {
+namespace {
+
+using enum Better;
+
+constexpr Measure kMeasures[] = {
+    {"person.travelTime", "Travel time", "s",
+     "Mean time from the intended departure to the end of the last walk or ride, or of the run, of "
+     "all who were due before it.",
+     "People", kLower, true},
+    {"person.delay", "Delay in the zone", "s",
+     "Mean time walking in the zone less that of the shortest way, with room for the body, at the "
+     "person's free speed: SUMO's maximum less what striping dawdles. Below 0: it does not dawdle.",
+     "People", kLower, true},
+    {"person.waiting", "Waiting in the zone", "s",
+     "Mean time standing (slower than 0.1 m/s) on walks in the zone.", "People", kLower, true},
+    {"person.speed", "Speed in the zone", "m/s",
+     "Mean over time of the speeds that SUMO reports for those who walk in the zone.", "People",
+     kHigher, true},
+    {"person.detour", "Detour factor", "",
+     "Distance walked in the zone over the shortest, all people together. Below 1: through "
+     "obstacles, as SUMO's own models do.",
+     "People", kLower, true},
+    {"person.walked", "Walked in the zone", "m",
+     "Mean distance walked in the zone, from place to place; a jump counts, too.", "People",
+     kNeither, false},
+    {"person.arrived", "Share arrived", "", "Of those who were due, by the end of the run.",
+     "People", kHigher, false},
+    {"person.count", "Persons", "", "Due to depart before the end of the run.", "People", kNeither,
+     false},
+    {"person.visitors", "In the zone", "", "Persons who have walked in the zone.", "People",
+     kNeither, false},
+    {"space.density", "Density met", "1/m²",
+     "Mean density that those who walk in the zone are in: people on foot within 2 m of the "
+     "person, itself too, over that circle's area.",
+     "Space", kLower, true},
+    {"space.levelA", "Level of service A", "",
+     "Share of people's time in the zone at more than 3.25 m² each, by the density met.", "Space",
+     kHigher, false},
+    {"space.levelB", "Level of service B", "", "2.32 to 3.25 m² each (Fruin 1971, walkways).",
+     "Space", kNeither, false},
+    {"space.levelC", "Level of service C", "", "1.39 to 2.32 m² each.", "Space", kNeither, false},
+    {"space.levelD", "Level of service D", "", "0.93 to 1.39 m² each.", "Space", kNeither, false},
+    {"space.levelE", "Level of service E", "", "0.46 to 0.93 m² each.", "Space", kLower, false},
+    {"space.levelF", "Level of service F", "", "Less than 0.46 m² each.", "Space", kLower, false},
+    {"space.jammed", "Time in jams", "",
+     "Share of people's time in the zone in a jam: standing for 5 s or more with two others who do "
+     "within 2 m.",
+     "Space", kLower, false},
+    {"vehicle.travelTime", "Travel time", "s",
+     "Mean time from the intended departure to the arrival, or to the end of the run, of all that "
+     "were due before it.",
+     "Vehicles", kLower, true},
+    {"vehicle.delay", "Delay", "s",
+     "Mean of what SUMO reports as time lost on the way and as delay of the departure.", "Vehicles",
+     kLower, true},
+    {"vehicle.stops", "Stops", "",
+     "Times that a vehicle came to a stand after it went at 1 m/s or more, per vehicle due; "
+     "planned stops, too.",
+     "Vehicles", kLower, true},
+    {"vehicle.arrived", "Share arrived", "", "Of those due, by the end of the run.", "Vehicles",
+     kHigher, false},
+    {"vehicle.count", "Vehicles", "", "Due to depart before the end of the run.", "Vehicles",
+     kNeither, false},
+    {"conflict.count", "Conflicts", "",
+     "Encounters with TTC < 3 s, PET < 2 s or DRAC > 3 m/s², and contacts.", "Conflicts", kLower,
+     true},
+    {"conflict.serious", "Serious conflicts", "", "TTC < 1.5 s, PET < 1 s, or contact.",
+     "Conflicts", kLower, true},
+    {"conflict.contacts", "Contacts", "", "Pairs whose bodies touched.", "Conflicts", kLower, true},
+    {"conflict.headOn", "Head-on", "", "Conflicts of persons and vehicles towards each other.",
+     "Conflicts", kLower, false},
+    {"conflict.fromBehind", "From behind", "", "The vehicle behind the person.", "Conflicts",
+     kLower, false},
+    {"conflict.following", "Following", "", "The person behind the vehicle.", "Conflicts", kLower,
+     false},
+    {"conflict.crossing", "Crossing", "", "From the vehicle's left or right.", "Conflicts", kLower,
+     false},
+    {"conflict.parked", "Standing vehicle", "", "With a vehicle that stood.", "Conflicts", kLower,
+     false},
+    {"conflict.ttc", "TTC", "s", "Median of the conflicts' least times to contact.", "Conflicts",
+     kHigher, false},
+    {"conflict.pet", "PET", "s", "Median of their post-encroachment times.", "Conflicts", kHigher,
+     false},
+    {"conflict.drac", "DRAC", "m/s²", "Median of their greatest decelerations to avoid contact.",
+     "Conflicts", kLower, false},
+    {"conflict.clearance", "Smallest clearance", "m", "Of all conflicts of the run; contact: 0.",
+     "Conflicts", kHigher, false},
+};
+
+}  // namespace
+
+std::span<const Measure> measure_list() { return kMeasures; }
+
+const Measure* find_measure(std::string_view key) {
+  const auto* found = std::ranges::find(kMeasures, key, &Measure::key);
+  return found == std::end(kMeasures) ? nullptr : found;
+}
+
+}  // namespace pedzone

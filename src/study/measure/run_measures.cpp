@@ -1,0 +1,138 @@
+#include "study/measure/run_measures.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "conflict/tracker.hpp"
+#include "output/complete_file.hpp"
+#include "output/conflict_writer.hpp"
+#include "study/measure/conflict_measures.hpp"
+#include "study/measure/crowding.hpp"
+#include "study/measure/demand_signature.hpp"
+#include "study/measure/density_grid.hpp"
+#include "study/measure/run_series.hpp"
+#include "study/measure/trip_measures.hpp"
+#include "study/measure/vehicle_stops.hpp"
+#include "study/measure/zone_walks.hpp"
+#include "sumo/fcd_reader.hpp"
+#include "sumo/scenario.hpp"
+
+namespace pedzone {
+namespace {
+
+/// For messages where a file cannot be written.
+constexpr const char* kFolder = "the run's folder";
+
+BodySizes read_sizes(const Scenario& scenario, const std::vector<std::string>& types) {
+  BodySizes sizes;
+  for (const auto& files : {scenario.additional_files, scenario.route_files, types}) {
+    for (const std::string& file : files) sizes.read(file);
+  }
+  return sizes;
+}
+
+/// Striping takes a random share of up to `dawdling` off people's maximum speed in every step.
+double free_share(const Scenario& scenario) {
+  return 1.0 - 0.5 * std::clamp(read_numbers(scenario).dawdling, 0.0, 1.0);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  CompleteFile file(path, kFolder);
+  file.write(text);
+  file.finish();
+}
+
+/// All that is measured step by step.
+class Observer {
+ public:
+  Observer(const std::string& folder, const Trips& trips, const Place& place, double free_share)
+      : folder_(folder),
+        walkers_(trips, place.zones),
+        walks_(trips, place.zones, free_share),
+        crowding_(trips),
+        series_(place.zones),
+        writer_(
+            {.xml = {}, .xml_option = {}, .csv = folder + "/conflicts.csv", .csv_option = kFolder}),
+        tracker_(ConflictLimits{}) {}
+
+  void step(double time, std::span<const PersonSample> persons,
+            std::span<const VehicleSample> vehicles) {
+    const double dt = begun_ ? time - time_ : 0.0;
+    const std::span<const Walker> walkers = walkers_.at(time, persons);
+    walks_.step(dt, walkers);
+    crowding_.step(dt, walkers);
+    grid_.step(dt, walkers);
+    series_.step(time, dt, walkers, vehicles, [&](std::size_t i) { return crowding_.density(i); });
+    stops_.step(vehicles);
+    tracker_.step(time, persons, vehicles, {}, over_);
+    take_conflicts();
+    begun_ = true;
+    time_ = time;
+    dt_ = dt;
+  }
+
+  /// [s] The last step that SUMO writes is the last before the end.
+  double end() const { return time_ + dt_; }
+  std::size_t stops() const { return stops_.count(); }
+
+  void finish(std::map<std::string, double>& values) {
+    tracker_.finish(over_);
+    take_conflicts();
+    writer_.finish();
+    conflicts_.finish(values);
+    walks_.finish(values);
+    crowding_.finish(values);
+    write_file(folder_ + "/series.csv", series_.csv());
+    write_file(folder_ + "/density.csv", grid_.csv());
+  }
+
+ private:
+  void take_conflicts() {
+    for (const Conflict& conflict : over_) {
+      writer_.write(conflict);
+      conflicts_.add(conflict);
+    }
+    over_.clear();
+  }
+
+  std::string folder_;
+  Walkers walkers_;
+  ZoneWalks walks_;
+  Crowding crowding_;
+  DensityGrid grid_;
+  RunSeries series_;
+  VehicleStops stops_;
+  ConflictMeasures conflicts_;
+  ConflictWriter writer_;
+  ConflictTracker tracker_;
+  std::vector<Conflict> over_;
+  bool begun_ = false;
+  double time_ = 0.0, dt_ = 0.0;  ///< [s] of the latest step
+};
+
+}  // namespace
+
+RunMeasures measure_run(const RunOutputs& outputs, const Place& place) {
+  const Scenario scenario = read_any_scenario(outputs.config, outputs.sumo_options);
+  const BodySizes sizes = read_sizes(scenario, outputs.types);
+  Trips trips = read_tripinfo(outputs.folder + "/tripinfo.xml");
+  Observer observer(outputs.folder, trips, place, free_share(scenario));
+  const std::unordered_set<std::string> as_persons;
+  FcdReader(sizes, as_persons)
+      .read(
+          outputs.folder + "/fcd.xml.gz",
+          [&](double time, auto persons, auto vehicles) { observer.step(time, persons, vehicles); },
+          {});
+  RunMeasures measures;
+  observer.finish(measures.values);
+  settle(trips, observer.end());
+  measure_trips(trips, observer.end(), measures.values);
+  if (!trips.vehicles.empty()) {
+    measures.values["vehicle.stops"] =
+        static_cast<double>(observer.stops()) / static_cast<double>(trips.vehicles.size());
+  }
+  measures.demand = demand_signature(trips);
+  return measures;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,43 @@
+#include "study/measure/run_series.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace pedzone {
+namespace {
+
+std::string mean(double sum, double time) {
+  return time > 0.0 ? fmt::format("{:.4f}", sum / time) : std::string();
+}
+
+}  // namespace
+
+RunSeries::Window& RunSeries::window_at(double time, double dt) {
+  const double begin = std::floor(time / kWindow) * kWindow;
+  if (windows_.empty() || windows_.back().begin != begin) windows_.push_back({begin, 0.0, {}, {}});
+  windows_.back().length += dt;
+  return windows_.back();
+}
+
+void RunSeries::add(Sums& sums, double dt, double speed, double density) {
+  sums.time += dt;
+  sums.covered += speed * dt;
+  sums.crowding += density * dt;
+}
+
+std::string RunSeries::csv() const {
+  std::string text = "time,persons,personSpeed,density,vehicles,vehicleSpeed\n";
+  for (const Window& window : windows_) {
+    const Sums &people = window.persons, &vehicles = window.vehicles;
+    if (window.length <= 0.0) continue;
+    fmt::format_to(std::back_inserter(text), "{:.0f},{},{},{},{},{}\n", window.begin,
+                   mean(people.time, window.length), mean(people.covered, people.time),
+                   mean(people.crowding, people.time), mean(vehicles.time, window.length),
+                   mean(vehicles.covered, vehicles.time));
+  }
+  return text;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,20 @@
+#include "study/measure/vehicle_stops.hpp"
+
+#include "study/measure/walkers.hpp"
+
+namespace pedzone {
+
+void VehicleStops::step(std::span<const VehicleSample> vehicles) {
+  for (const VehicleSample& vehicle : vehicles) {
+    bool& under_way = under_way_[std::string(vehicle.id)];
+    const double speed = vehicle.velocity.norm();
+    if (under_way && speed < kStanding) {
+      under_way = false;
+      ++count_;
+    } else if (speed > kUnderWay) {
+      under_way = true;
+    }
+  }
+}
+
+}  // namespace pedzone

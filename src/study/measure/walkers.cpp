@@ -1,0 +1,44 @@
+#include "study/measure/walkers.hpp"
+
+#include "core/error.hpp"
+
+namespace pedzone {
+
+Walkers::Walkers(const Trips& trips, const std::vector<Zone>& zones)
+    : trips_(trips), zones_(zones), stage_(trips.persons.size(), 0) {
+  for (std::uint32_t i = 0; i < trips.persons.size(); ++i) index_[trips.persons[i].id] = i;
+}
+
+std::span<const Walker> Walkers::at(double time, std::span<const PersonSample> persons) {
+  walkers_.clear();
+  for (const PersonSample& sample : persons) {
+    if (!sample.rides_in.empty()) continue;
+    const auto found = index_.find(sample.id);
+    if (found == index_.end()) {
+      throw InputError("is in the floating-car data but not in the tripinfo",
+                       {.element = "person",
+                        .value = std::string(sample.id),
+                        .allowed = "outputs of one run, with tripinfo-output.write-unfinished"});
+    }
+    const std::uint32_t person = found->second;
+    walkers_.push_back({person, walk_of(person, time), zone_at(zones_, sample.position),
+                        sample.position, sample.velocity.norm()});
+  }
+  return walkers_;
+}
+
+const WalkStage* Walkers::walk_of(std::uint32_t person, double time) {
+  const std::vector<WalkStage>& walks = trips_.persons[person].walks;
+  std::uint32_t& stage = stage_[person];
+  while (stage < walks.size() && walks[stage].arrival && *walks[stage].arrival < time) ++stage;
+  return stage < walks.size() && walks[stage].depart <= time ? &walks[stage] : nullptr;
+}
+
+int zone_at(const std::vector<Zone>& zones, const Vec2& at) {
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    if (zones[i].walls.inside(at)) return static_cast<int>(i);
+  }
+  return Walker::kNowhere;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,266 @@
+#include "study/plan/free_speed_demand.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string_view>
+
+#include "core/xml.hpp"
+#include "study/plan/walk_lengths.hpp"
+
+namespace pedzone {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLeastInZone = 30.0;  // [m] assumed: some 20 s under each model's control
+constexpr double kUsualSpeed = 1.39;   // [m/s] SUMO's maxSpeed of pedestrians
+constexpr double kLeastSpeed = 0.1;    // [m/s] numerical: keeps runs finite
+/// Share of the maxSpeed that the slowest reach in the mean: an individual factor three deviations
+/// low (SUMO's speedFactor of pedestrians deviates by 0.1), 0.9 by dawdling, and a reserve.
+/// Assumed.
+constexpr double kSlowShare = 0.5;
+constexpr double kPause = 10.0;  // [s] assumed: between one's arrival and the next departure
+
+constexpr std::string_view kMovers[] = {"vehicle",    "trip",      "flow",         "person",
+                                        "personFlow", "container", "containerFlow"};
+constexpr std::string_view kTypes[] = {"vType", "vTypeDistribution"};
+/// Attributes of a flow that a person has not.
+constexpr const char* kFlowAttributes[] = {"begin",   "end",         "number",        "period",
+                                           "perHour", "probability", "personsPerHour"};
+
+bool among(std::string_view name, const auto& names) {
+  return std::ranges::find(names, name) != std::end(names);
+}
+
+/// Removes what makes groups; returns whether there was any.
+bool dissolve_groups(pugi::xml_node root) {
+  const auto found = root.select_nodes(".//param[@key='pedzone.group']");
+  for (const auto& node : found) node.parent().remove_child(node.node());
+  return !found.empty();
+}
+
+bool remove_movers(pugi::xml_node node) {
+  bool removed = false;
+  for (pugi::xml_node child = node.first_child(); child;) {
+    const pugi::xml_node next = child.next_sibling();
+    if (among(child.name(), kMovers)) {
+      removed = node.remove_child(child);
+    } else {
+      removed |= remove_movers(child);
+    }
+    child = next;
+  }
+  return removed;
+}
+
+/// Keeps names of files that are read working in a copy that lies elsewhere.
+void resolve_files(pugi::xml_node root, const std::string& original) {
+  const fs::path folder = fs::absolute(original).parent_path();
+  for (const char* path : {".//include/@href", ".//rerouter/@file", ".//variableSpeedSign/@file"}) {
+    for (const auto& found : root.select_nodes(path)) {
+      found.attribute().set_value((folder / found.attribute().value()).c_str());
+    }
+  }
+}
+
+std::string text_of(const pugi::xml_document& document) {
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
+}
+
+std::optional<std::string> without_movers(const std::string& file) {
+  const XmlFile original(file);
+  pugi::xml_document copy;
+  pugi::xml_node root = copy.append_copy(original.root());
+  const bool moved = remove_movers(root), grouped = dissolve_groups(root);
+  if (!moved && !grouped) return std::nullopt;
+  root.remove_attribute("xsi:noNamespaceSchemaLocation");
+  resolve_files(root, file);
+  return text_of(copy);
+}
+
+/// Somebody who may be chosen.
+struct Candidate {
+  pugi::xml_node node;  ///< person or personFlow, walks only
+  bool flow = false;
+  WalkLength length;
+};
+
+/// Types and people of all files.
+class People {
+ public:
+  explicit People(const FreeSpeedInput& input) : lengths_(input.network, input.zone_edges) {}
+
+  /// `types`: whether they are to be copied, since the file is not read any more.
+  void take(pugi::xml_node root, bool types) {
+    for (const pugi::xml_node& node : root.children()) {
+      if (among(node.name(), kTypes)) {
+        learn_type(node);
+        if (types) types_.push_back(node);
+      }
+      if (std::string_view(node.name()) == "person") consider(node, false);
+      if (std::string_view(node.name()) == "personFlow") consider(node, true);
+    }
+  }
+
+  const std::vector<pugi::xml_node>& types() const { return types_; }
+  const std::vector<Candidate>& candidates() const { return candidates_; }
+
+  /// Time in which even the slowest have arrived [s].
+  double time_of(const Candidate& candidate) const {
+    const auto type = speeds_.find(candidate.node.attribute("type").value());
+    const double speed = type == speeds_.end() ? kUsualSpeed : type->second;
+    return candidate.length.total / std::max(kLeastSpeed, kSlowShare * speed);
+  }
+
+ private:
+  void learn_type(const pugi::xml_node& node) {
+    double slowest = speed_of(node);
+    for (const pugi::xml_node& member : node.children("vType")) {
+      slowest = std::min(slowest, speed_of(member));
+      speeds_[member.attribute("id").value()] = speed_of(member);
+    }
+    for (const std::string& member : split_words(node.attribute("vTypes").value())) {
+      if (speeds_.contains(member)) slowest = std::min(slowest, speeds_.at(member));
+    }
+    speeds_[node.attribute("id").value()] = slowest;
+  }
+
+  static double speed_of(const pugi::xml_node& type) {
+    double factor = 1.0;
+    const bool plain = parse_number(type.attribute("speedFactor").value(), factor);
+    return type.attribute("maxSpeed").as_double(kUsualSpeed) *
+           (plain ? std::min(factor, 1.0) : 1.0);
+  }
+
+  void consider(const pugi::xml_node& node, bool flow) {
+    WalkLength sum;
+    std::string at;  // edge where the last walk ended
+    bool walks = false;
+    for (const pugi::xml_node& stage : node.children()) {
+      const std::string_view name = stage.name();
+      if (stage.type() != pugi::node_element || name == "param" || name == "stop") continue;
+      const bool walk = name == "walk" || (name == "personTrip" && !stage.attribute("modes"));
+      const auto length = walk ? length_of(stage, at) : std::nullopt;
+      if (!length) return;
+      sum.total += length->total;
+      sum.in_zone += length->in_zone;
+      walks = true;
+    }
+    if (walks) candidates_.push_back({node, flow, sum});
+  }
+
+  std::optional<WalkLength> length_of(const pugi::xml_node& walk, std::string& at) const {
+    const auto edges = split_words(walk.attribute("edges").value());
+    if (!edges.empty()) {
+      at = edges.back();
+      return lengths_.along(edges);
+    }
+    const std::string from = walk.attribute("from") ? walk.attribute("from").value() : at;
+    at = walk.attribute("to").value();
+    return lengths_.between(from, at);
+  }
+
+  WalkLengths lengths_;
+  std::map<std::string, double> speeds_;  ///< [m/s] the slowest of a type, by id
+  std::vector<pugi::xml_node> types_;
+  std::vector<Candidate> candidates_;
+};
+
+/// Of each of as many slices as persons are wanted the one with the shortest way, so that runs are
+/// short and all kinds of people occur.
+std::vector<const Candidate*> choose(const std::vector<Candidate>& all) {
+  std::vector<const Candidate*> able;
+  for (const double least : {kLeastInZone, 0.0}) {
+    for (const Candidate& candidate : all) {
+      if (candidate.length.in_zone > least) able.push_back(&candidate);
+    }
+    if (!able.empty()) break;
+  }
+  const std::size_t slices = std::min(able.size(), kFreeSpeedPersons);
+  std::vector<const Candidate*> chosen;
+  for (std::size_t i = 0; i < slices; ++i) {
+    const auto at = [&](std::size_t slice) {
+      return able.begin() + static_cast<std::ptrdiff_t>(slice * able.size() / slices);
+    };
+    chosen.push_back(*std::min_element(
+        at(i), at(i + 1), [](auto* a, auto* b) { return a->length.total < b->length.total; }));
+  }
+  return chosen;
+}
+
+/// Flows have more than one: everybody in turn until there are enough.
+std::vector<std::pair<const Candidate*, int>> repeat(const std::vector<const Candidate*>& chosen) {
+  std::vector<std::pair<const Candidate*, int>> persons;
+  bool any_flow = true;
+  for (int round = 0; any_flow && persons.size() < kFreeSpeedPersons; ++round) {
+    any_flow = false;
+    for (const Candidate* candidate : chosen) {
+      if (persons.size() == kFreeSpeedPersons) break;
+      if (round == 0 || candidate->flow) persons.emplace_back(candidate, round);
+      any_flow |= candidate->flow;
+    }
+  }
+  return persons;
+}
+
+void append_person(pugi::xml_node routes, const Candidate& candidate, int number, double depart) {
+  pugi::xml_node person = routes.append_copy(candidate.node);
+  person.set_name("person");
+  for (const char* attribute : kFlowAttributes) person.remove_attribute(attribute);
+  while (person.remove_child("stop")) {
+  }
+  std::string id = candidate.node.attribute("id").value();
+  if (candidate.flow) id += "." + std::to_string(number);
+  person.attribute("id").set_value(id.c_str());
+  person.remove_attribute("depart");
+  person.append_attribute("depart") = fmt::format("{:.2f}", depart).c_str();
+}
+
+}  // namespace
+
+FreeSpeedDemand free_speed_demand(const FreeSpeedInput& input) {
+  FreeSpeedDemand demand;
+  People people(input);
+  std::vector<std::unique_ptr<XmlFile>> files;  // what the candidates point into
+  for (const std::string& file : input.scenario.additional_files) {
+    demand.additional.push_back(without_movers(file));
+    files.push_back(std::make_unique<XmlFile>(file));
+    people.take(files.back()->root(), false);
+  }
+  for (const std::string& file : input.scenario.route_files) {
+    files.push_back(std::make_unique<XmlFile>(file));
+    people.take(files.back()->root(), true);
+  }
+  pugi::xml_document panel;
+  panel.load_buffer(input.panel.data(), input.panel.size());
+  people.take(panel.document_element(), true);
+  const auto persons = repeat(choose(people.candidates()));
+  if (persons.empty()) {
+    throw InputError("has nobody whose free speed can be measured",
+                     {input.scenario.config, 0, "route files", "",
+                      "a <person> or <personFlow> that only walks, and through a zone"});
+  }
+  pugi::xml_document document;
+  pugi::xml_node routes = document.append_child("routes");
+  for (const pugi::xml_node& type : people.types()) routes.append_copy(type);
+  double time = input.begin;
+  for (const auto& [candidate, number] : persons) {
+    append_person(routes, *candidate, number, time);
+    time += people.time_of(*candidate) + kPause;
+  }
+  dissolve_groups(routes);
+  demand.routes = text_of(document);
+  demand.end = std::ceil(time);
+  demand.persons = persons.size();
+  return demand;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,64 @@
+#include "study/report/encounter_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pedzone {
+
+namespace {
+
+enum Kind { kContact, kTtc, kPet, kClearance, kKinds };
+
+Danger danger_by(Kind kind, double value, const Extreme& moment) {
+  const bool stands = moment.type == EncounterType::kParked;
+  return {stands ? kind + kKinds : kind, value, moment};
+}
+
+}  // namespace
+
+Danger danger_of(const Conflict& conflict) {
+  if (conflict.contact) return danger_by(kContact, -conflict.contact->value, *conflict.contact);
+  if (conflict.ttc) return danger_by(kTtc, conflict.ttc->value, *conflict.ttc);
+  if (conflict.pet) return danger_by(kPet, conflict.pet->value, *conflict.pet);
+  const Extreme nearest = conflict.clearance.value_or(Extreme{});
+  return danger_by(kClearance, nearest.value, nearest);
+}
+
+std::uint32_t EncounterChoice::number_of(const std::string& id) {
+  return ids_.try_emplace(id, static_cast<std::uint32_t>(ids_.size())).first->second;
+}
+
+void EncounterChoice::add(std::size_t scenario, const Place& place, const Conflict& conflict) {
+  const Danger danger = danger_of(conflict);
+  candidates_.push_back({static_cast<std::uint32_t>(scenario), number_of(conflict.person),
+                         number_of(conflict.vehicle), static_cast<std::uint32_t>(place.run),
+                         static_cast<std::uint32_t>(place.row), danger.kind,
+                         static_cast<float>(danger.value),
+                         static_cast<float>(danger.moment.position.x()),
+                         static_cast<float>(danger.moment.position.y())});
+}
+
+bool EncounterChoice::alike(const Candidate& a, const Candidate& b, double apart) const {
+  if (a.scenario != b.scenario) return false;
+  return a.person == b.person || a.vehicle == b.vehicle || std::hypot(a.x - b.x, a.y - b.y) < apart;
+}
+
+std::vector<EncounterChoice::Place> EncounterChoice::most_dangerous(std::size_t most,
+                                                                    double apart) const {
+  std::vector<Candidate> sorted = candidates_;
+  std::ranges::stable_sort(sorted, [](const Candidate& a, const Candidate& b) {
+    return a.kind != b.kind ? a.kind < b.kind : a.value < b.value;
+  });
+  std::vector<Candidate> chosen;
+  for (const Candidate& one : sorted) {
+    if (chosen.size() == most) break;
+    const bool known =
+        std::ranges::any_of(chosen, [&](const Candidate& c) { return alike(one, c, apart); });
+    if (!known) chosen.push_back(one);
+  }
+  std::vector<Place> places;
+  for (const Candidate& one : chosen) places.push_back({one.run, one.row});
+  return places;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,194 @@
+#include "study/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <kainjow/mustache.hpp>
+#include <map>
+#include <set>
+
+#include "study/report/report_numbers.hpp"
+#include "study/report/report_parts.hpp"
+#include "study/run/shell_word.hpp"
+
+namespace pedzone {
+
+// Made from study/report by the build.
+extern const std::string_view kReportPage, kReportStyles, kReportScripts, kReportLicences;
+
+namespace report {
+namespace {
+
+using Mustache = kainjow::mustache::data;
+
+/// For the template, to which an empty text is what is not there.
+Mustache mustache(const Json& json) {
+  if (json.is_object()) {
+    Mustache object{Mustache::type::object};
+    for (const auto& [key, value] : json.items()) object.set(key, mustache(value));
+    return object;
+  }
+  if (json.is_array()) {
+    Mustache list{Mustache::type::list};
+    for (const Json& one : json) list.push_back(mustache(one));
+    return list;
+  }
+  if (json.is_boolean()) return Mustache{json.get<bool>()};
+  if (!json.is_string()) return Mustache{json.dump()};
+  const auto& text = json.get_ref<const std::string&>();
+  return text.empty() ? Mustache{false} : Mustache{text};
+}
+
+/// JSON that may stand inside <script>: '<' is only in its strings.
+std::string script_json(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+/// A file's name, without the folders of somebody's machine, as such a word.
+std::string file_word(const std::string& path) {
+  return shell_word(std::filesystem::path(path).filename().string());
+}
+
+Json versions(const Input& input) {
+  std::map<std::string, std::set<std::string>> all;
+  for (const auto& record : input.records) {
+    if (!record) continue;
+    for (const auto& [name, version] : record->versions) all[name].insert(version);
+  }
+  Json list = Json::array();
+  for (const auto& [name, found] : all) {
+    list.push_back({{"name", name == "build" ? "checksum of the program pedzone" : name},
+                    {"version", fmt::format("{}", fmt::join(found, ", "))}});
+  }
+  return list;
+}
+
+/// Sections of one condition: its maps, and the places of its charts over time.
+Json conditions(const Input& input, const Json& maps, const Json& lines) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < pictured(input.plan); ++i) {
+    const bool drawn = !maps[i].empty(), series = !lines[i].empty();
+    if (!drawn && !series) continue;
+    all.push_back({{"index", i},
+                   {"name", input.plan.conditions[i].name},
+                   {"open", all.empty()},
+                   {"series", series},
+                   {"maps", maps[i]}});
+  }
+  return all;
+}
+
+Json scene_list(const std::vector<Scene>& scenes) {
+  Json all = Json::array();
+  for (const Scene& one : scenes) {
+    all.push_back(
+        {{"index", all.size()},
+         {"title", one.title},
+         {"caption", one.caption},
+         {"still_html", one.still.substr(std::min(one.still.find("<svg"), one.still.size()))}});
+  }
+  return all;
+}
+
+Json script_data(const Input& input, const Json& lines) {
+  Json names = Json::array();
+  for (const Condition& one : input.plan.conditions) names.push_back(one.name);
+  return {{"models", input.plan.study.models},
+          {"reference", input.plan.study.reference},
+          {"conditions", names},
+          {"distributions", distributions(input)},
+          {"series", lines}};
+}
+
+Json page_data(const Input& input, const Json& lines) {
+  const Study& study = input.plan.study;
+  Json data;
+  data["title"] = study.title.empty() ? study.id : study.title;
+  data["question"] = study.question;
+  data["reference"] = study.reference;
+  data["verdict"] = verdict_part(input);
+  data["setup"] = setup_part(input);
+  data["tables"] = tables_part(input);
+  const Json maps = maps_part(input);
+  data["grounds"] = maps["grounds"];
+  data["conditions"] = conditions(input, maps["conditions"], lines);
+  data["pictured"] = pictured(input.plan);
+  data["cut"] = pictured(input.plan) < input.plan.conditions.size();
+  data["several"] = input.plan.conditions.size() > 1;
+  data["failures"] = failures_part(input);
+  data["versions"] = versions(input);
+  data["command"] = fmt::format("pedzone study run {} --out {}", file_word(study.file),
+                                file_word(input.store.folder()));
+  return data;
+}
+
+}  // namespace
+
+std::size_t pictured(const Plan& plan) { return std::min(plan.conditions.size(), kMostPictured); }
+
+std::vector<std::string> others(const Plan& plan) {
+  std::vector<std::string> models = plan.study.models;
+  std::erase(models, plan.study.reference);
+  return models;
+}
+
+std::vector<Comparison> comparisons_of(const Input& input, std::size_t condition,
+                                       const std::string& model) {
+  std::vector<Comparison> found;
+  for (const Comparison& one : input.comparisons) {
+    if (one.condition == condition && one.model == model) found.push_back(one);
+  }
+  return found;
+}
+
+const RunRecord* done_run(const Input& input, std::size_t condition, const std::string& model,
+                          std::uint64_t seed) {
+  const auto& record = input.records[input.plan.run_of(RunKind::kStudy, condition, model, seed)];
+  return record && record->status == RunStatus::kDone ? &*record : nullptr;
+}
+
+std::vector<std::string> run_folders(const Input& input, std::size_t condition,
+                                     const std::string& model) {
+  std::vector<std::string> folders;
+  for (const std::uint64_t seed : input.plan.study.seeds) {
+    const RunRecord* run = done_run(input, condition, model, seed);
+    if (run != nullptr) folders.push_back(input.store.run_folder(run->id));
+  }
+  return folders;
+}
+
+}  // namespace report
+
+std::string report_page(const Store& store, const Plan& plan, const Records& records,
+                        const std::vector<Comparison>& comparisons,
+                        const std::vector<FreeSpeed>& speeds) {
+  using namespace report;
+  const Input input{store, plan, records, comparisons, speeds};
+  const Json lines = series(input);
+  const std::vector<Scene> scenes = report_scenes(store, plan, records);
+  Json data = page_data(input, lines);
+  data["scenes"] = scene_list(scenes);
+  data["played"] = !scenes.empty();
+  Mustache all = mustache(data);
+  all.set("styles", std::string(kReportStyles));
+  all.set("scripts", std::string(kReportScripts));
+  all.set("licences", std::string(kReportLicences));
+  all.set("data", script_json(script_data(input, lines)));
+  Json pages = Json::array();
+  for (const Scene& one : scenes) pages.push_back(one.page);
+  all.set("scene_pages", script_json(pages));
+  kainjow::mustache::mustache page{std::string(kReportPage)};
+  return page.render(all);
+}
+
+}  // namespace pedzone

@@ -1,0 +1,15 @@
+// How a comparison came out, in a few words, and as a class of the style sheet.
+#pragma once
+
+#include <string>
+
+#include "study/report/report_verdict.hpp"
+
+namespace pedzone::report {
+
+const char* tone_class(Sentence::Tone tone);
+std::string finding_class(const Comparison& one);
+/// "lower: better", "cannot say" ...
+std::string finding_text(const Comparison& one);
+
+}  // namespace pedzone::report

@@ -1,0 +1,141 @@
+#include <algorithm>
+
+#include "study/measure/measure_list.hpp"
+#include "study/report/report_finding.hpp"
+#include "study/report/report_numbers.hpp"
+#include "study/report/report_parts.hpp"
+
+namespace pedzone::report {
+namespace {
+
+constexpr std::size_t kMostColumns = 4;  // of the overview: more become its rows
+
+/// What a cell of the overview says: the change in percent, or that there is none.
+std::string overview_text(const Comparison& one) {
+  switch (one.finding) {
+    case Finding::kDifferent: {
+      const auto percent = percent_of(one);
+      return percent ? signed_percent(*percent)
+                     : signed_text(one.difference.mean, decimals_of(one));
+    }
+    case Finding::kNotShown:
+      return "\u2248";
+    case Finding::kInconclusive:
+      return "?";
+    case Finding::kSame:
+      return "=";
+    case Finding::kTooFew:
+      break;
+  }
+  return "\u2013";
+}
+
+Json overview_cell(const Comparison* one) {
+  if (one == nullptr) return {{"text", "\u2013"}, {"class", "too-few"}, {"say", "too few pairs"}};
+  return {
+      {"text", overview_text(*one)}, {"class", finding_class(*one)}, {"say", finding_text(*one)}};
+}
+
+std::vector<const Measure*> primary_measures() {
+  std::vector<const Measure*> measures;
+  for (const Measure& one : measure_list()) {
+    if (one.primary) measures.push_back(&one);
+  }
+  return measures;
+}
+
+struct Column {
+  std::string name;
+  std::vector<Comparison> comparisons;
+};
+
+/// False where one column would be all.
+Json overview(const Input& input) {
+  std::vector<Column> columns;
+  const std::vector<std::string> models = others(input.plan);
+  for (std::size_t i = 0; i < input.plan.conditions.size(); ++i) {
+    for (const std::string& model : models) {
+      const std::string& condition = input.plan.conditions[i].name;
+      columns.push_back({input.plan.conditions.size() == 1 ? model
+                         : models.size() == 1              ? condition
+                                                           : condition + ": " + model,
+                         comparisons_of(input, i, model)});
+    }
+  }
+  if (columns.size() == 1) return false;  // the sentences above say the same
+  const std::vector<const Measure*> measures = primary_measures();
+  const auto cell = [&](const Measure& measure, const Column& column) {
+    const auto found = std::ranges::find(column.comparisons, measure.key, &Comparison::measure);
+    return overview_cell(found == column.comparisons.end() ? nullptr : &*found);
+  };
+  Json head = Json::array(), rows = Json::array();
+  if (columns.size() <= kMostColumns) {
+    for (const Column& column : columns) head.push_back(column.name);
+    for (const Measure* measure : measures) {
+      Json cells = Json::array();
+      for (const Column& column : columns) cells.push_back(cell(*measure, column));
+      rows.push_back({{"name", measure_label(*measure)}, {"cells", cells}});
+    }
+  } else {
+    for (const Measure* measure : measures) head.push_back(measure_label(*measure));
+    for (const Column& column : columns) {
+      Json cells = Json::array();
+      for (const Measure* measure : measures) cells.push_back(cell(*measure, column));
+      rows.push_back({{"name", column.name}, {"cells", cells}});
+    }
+  }
+  return {{"head", head}, {"rows", rows}, {"wide", columns.size() > kMostColumns}};
+}
+
+Json sentence_json(const Sentence& sentence) {
+  return {{"head", sentence.head}, {"rest", sentence.rest}, {"class", tone_class(sentence.tone)}};
+}
+
+/// Sentences over all conditions.
+Json overall_verdict(const Input& input, const std::string& model) {
+  std::vector<Comparison> all;
+  for (const Comparison& one : input.comparisons) {
+    if (one.model == model) all.push_back(one);
+  }
+  Json found = Json::array();
+  for (const Measure* measure : primary_measures()) {
+    const Sentence sentence = overall_sentence(all, measure->key);
+    if (!sentence.head.empty()) found.push_back(sentence_json(sentence));
+  }
+  const bool none = found.empty();
+  return {{"found", found},
+          {"others", Json::array({sentence_json(tally_sentence(all))})},
+          {"none", none}};
+}
+
+}  // namespace
+
+Json condition_verdict(const Input& input, std::size_t condition, const std::string& model) {
+  const Verdict verdict = verdict_of(comparisons_of(input, condition, model));
+  Json found = Json::array(), others = Json::array();
+  for (const Sentence& one : verdict.different) found.push_back(sentence_json(one));
+  for (const Sentence* one :
+       {&verdict.inconclusive, &verdict.not_shown, &verdict.same, &verdict.too_few}) {
+    if (!one->head.empty()) others.push_back(sentence_json(*one));
+  }
+  const bool none = found.empty();
+  return {{"found", found}, {"others", others}, {"none", none}};
+}
+
+Json verdict_part(const Input& input) {
+  const Plan& plan = input.plan;
+  Json free = Json::array(), models = Json::array();
+  for (const Sentence& one : free_speed_sentences(input.speeds, plan)) {
+    free.push_back(sentence_json(one));
+  }
+  for (const std::string& model : others(plan)) {
+    Json part = plan.conditions.size() == 1 ? condition_verdict(input, 0, model)
+                                            : overall_verdict(input, model);
+    part["model"] = model;
+    part["reference"] = plan.study.reference;
+    models.push_back(part);
+  }
+  return {{"free", free}, {"models", models}, {"overview", overview(input)}};
+}
+
+}  // namespace pedzone::report

@@ -1,0 +1,55 @@
+// The parts of the report's page as data: what its template and its scripts show.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "study/report/report_verdict.hpp"
+#include "study/run/store.hpp"
+
+namespace pedzone::report {
+
+using Json = nlohmann::ordered_json;
+
+/// Conditions beyond the first so many have tables, but no pictures: a page has to stay usable.
+inline constexpr std::size_t kMostPictured = 24;
+
+/// All that the page is made of.
+struct Input {
+  const Store& store;
+  const Plan& plan;
+  const Records& records;
+  const std::vector<Comparison>& comparisons;
+  const std::vector<FreeSpeed>& speeds;
+};
+
+/// How many of the study's conditions have pictures.
+std::size_t pictured(const Plan& plan);
+/// The study's models but the reference, in their order.
+std::vector<std::string> others(const Plan& plan);
+/// Comparisons of one model in one condition, in the order of the measures.
+std::vector<Comparison> comparisons_of(const Input& input, std::size_t condition,
+                                       const std::string& model);
+/// A finished study run; null where there is none.
+const RunRecord* done_run(const Input& input, std::size_t condition, const std::string& model,
+                          std::uint64_t seed);
+/// Directories of the finished runs of a model in a condition, by seed.
+std::vector<std::string> run_folders(const Input& input, std::size_t condition,
+                                     const std::string& model);
+
+/// What is said of a model in one condition.
+Json condition_verdict(const Input& input, std::size_t condition, const std::string& model);
+
+/// For the template. Strings are plain text unless a name ends in `_html`.
+Json verdict_part(const Input& input);
+Json setup_part(const Input& input);
+Json tables_part(const Input& input);
+Json maps_part(const Input& input);
+Json failures_part(const Input& input);
+
+/// For the scripts: distributions of measures, and means over time. Of bounded size.
+Json distributions(const Input& input);
+Json series(const Input& input);
+
+}  // namespace pedzone::report

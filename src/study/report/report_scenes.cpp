@@ -1,0 +1,14 @@
+#include "study/report/report.hpp"
+#include "study/report/scene_parts.hpp"
+
+namespace pedzone {
+
+std::vector<Scene> report_scenes(const Store& store, const Plan& plan, const Records& records) {
+  RunPlaces places(plan);
+  std::vector<Scene> scenes = median_scenes(store, plan, records, places);
+  for (Scene& scene : encounter_scenes(store, plan, records, places))
+    scenes.push_back(std::move(scene));
+  return scenes;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,52 @@
+#include "study/report/run_recording.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "sumo/scenario.hpp"
+#include "zone/paths.hpp"
+#include "zone/zone_file.hpp"
+
+namespace pedzone {
+namespace {
+
+namespace fs = std::filesystem;
+
+Scenario scenario_of(const Plan& plan, const PlannedRun& run) {
+  const StudyScenario& scenario = plan.study.scenarios[plan.conditions[run.condition].scenario];
+  return read_any_scenario(plan.study.resolve(scenario.file), scenario.sumo_options);
+}
+
+Place place_of(const Plan& plan, const PlannedRun& run, const std::string& zone_file) {
+  const ZoneFile file = fs::exists(zone_file) ? read_zone_file(zone_file) : ZoneFile{};
+  Place place;
+  place.network = read_scenario_network(scenario_of(plan, run));
+  place.zones = build_zones(place.network, file.zones);
+  place.paths = find_paths(place.network, place.zones, file.paths);
+  return place;
+}
+
+}  // namespace
+
+const Place& RunPlaces::of(const PlannedRun& run, const std::string& folder) {
+  const std::string zone_file = (fs::path(folder) / "zone.zone.xml").string();
+  std::ifstream input(zone_file);
+  const std::string text{std::istreambuf_iterator<char>(input), {}};
+  const std::string key = std::to_string(plan_.conditions[run.condition].scenario) + '\n' + text;
+  const auto known = places_.find(key);
+  if (known != places_.end()) return known->second;
+  return places_.emplace(key, place_of(plan_, run, zone_file)).first->second;
+}
+
+RecordingCast run_cast(const Plan& plan, const PlannedRun& run, const std::string& folder) {
+  const Scenario scenario = scenario_of(plan, run);
+  RecordingCast cast;
+  for (const std::string& file : scenario.additional_files) cast.read(file);
+  for (const std::string& file : scenario.route_files) cast.read(file);
+  const fs::path people = fs::path(folder) / "people.rou.xml";
+  if (fs::exists(people)) cast.read(people.string());
+  return cast;
+}
+
+}  // namespace pedzone

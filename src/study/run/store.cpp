@@ -1,0 +1,214 @@
+#include "study/run/store.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "output/complete_file.hpp"
+#include "study/run/file_sums.hpp"
+
+namespace pedzone {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What study.json says.
+struct Identity {
+  std::string study;   ///< id
+  std::string folder;  ///< where the study file's relative paths begin
+  std::map<std::string, std::string> versions;
+};
+
+InputError refusal(const std::string& folder, const std::string& problem,
+                   const std::string& allowed) {
+  return {problem, {.element = "results", .value = folder, .allowed = allowed}};
+}
+
+std::string identity_text(const Identity& identity) {
+  nlohmann::ordered_json json;
+  json["format"] = kStudyFormat;
+  json["study"] = identity.study;
+  json["folder"] = identity.folder;
+  json["versions"] = identity.versions;
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// Unset where the folder has none. Throws InputError where it has, but of another format.
+std::optional<Identity> read_identity(const std::string& folder) {
+  const std::string file = folder + "/study.json";
+  std::ifstream in(file);
+  if (!in) return std::nullopt;
+  try {
+    const auto json = nlohmann::json::parse(in);
+    const int format = json.at("format");
+    if (format != kStudyFormat) {
+      throw InputError("is of another version of pedzone",
+                       {file, 0, "format", std::to_string(format), std::to_string(kStudyFormat)});
+    }
+    return Identity{json.at("study"), json.at("folder"),
+                    json.at("versions").get<std::map<std::string, std::string>>()};
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(std::string("cannot be understood (") + error.what() + ")",
+                     {.file = file, .allowed = "as pedzone study run wrote it"});
+  }
+}
+
+constexpr const char* kOtherFolder = "a folder that is new, empty, or this study's";
+
+/// Throws InputError unless the folder is missing, empty, or this study's.
+void check_folder(const std::string& folder, const Identity& wanted) {
+  if (!fs::exists(folder)) return;
+  if (!fs::is_directory(folder)) throw refusal(folder, "is a file", kOtherFolder);
+  const std::optional<Identity> found = read_identity(folder);
+  if (!found) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      // What is left of a driver that was killed before it could say which study this is.
+      const std::string name = entry.path().filename().string();
+      if (name == "lock" || name == "study.json.partial") continue;
+      throw refusal(folder, "holds something else (" + name + ")", kOtherFolder);
+    }
+    return;
+  }
+  if (found->study != wanted.study || found->folder != wanted.folder) {
+    throw refusal(folder,
+                  fmt::format("holds the results of another study: '{}' in {}, not '{}' in {}",
+                              found->study, found->folder, wanted.study, wanted.folder),
+                  kOtherFolder);
+  }
+  for (const auto& [program, version] : wanted.versions) {
+    const auto there = found->versions.find(program);
+    const std::string made_by = there == found->versions.end() ? "unknown" : there->second;
+    if (made_by != version) {
+      throw refusal(folder,
+                    fmt::format("holds results of another version ({}: {}, now {})", program,
+                                made_by, version),
+                    "the same programs, or another folder");
+    }
+  }
+}
+
+void make_folders(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw refusal(folder, "cannot be made (" + error.message() + ")", kOtherFolder);
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  CompleteFile file(path, "--out");
+  file.write(text);
+  file.finish();
+}
+
+std::string host_name() {
+  std::string name(256, '\0');
+  gethostname(name.data(), name.size() - 1);
+  return name.c_str();
+}
+
+void check(const std::error_code& error, const std::string& what) {
+  if (error) throw std::system_error(error, what);
+}
+
+}  // namespace
+
+Store Store::create(const std::string& folder, const Study& study,
+                    const std::map<std::string, std::string>& versions) {
+  const Identity identity{study.id, fs::absolute(study.folder).lexically_normal().string(),
+                          versions};
+  check_folder(folder, identity);
+  make_folders(folder);
+  Store store(fs::canonical(folder).string(), identity.study, identity.folder, versions);
+  store.lock_ = std::make_shared<const DirectoryLock>(store.folder_, "pedzone study run");
+  check_folder(folder, identity);  // another driver may have been faster
+  make_folders(store.folder_ + "/runs");
+  write_file(store.folder_ + "/study.json", identity_text(identity));
+  write_file(store.folder_ + "/study.xml", text_of(study.file));
+  return store;
+}
+
+Store Store::open(const std::string& folder) {
+  const std::optional<Identity> identity = read_identity(folder);
+  if (!identity) {
+    throw refusal(folder, "holds no study", "a folder made by pedzone study run --out");
+  }
+  return {fs::canonical(folder).string(), identity->study, identity->folder, identity->versions};
+}
+
+Plan Store::plan() const {
+  return make_plan(read_study(folder_ + "/study.xml", study_folder_, study_));
+}
+
+Records Store::records(const Plan& plan) const {
+  Records records(plan.runs.size());
+  FileSums sums;
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    const std::string file = run_folder(plan.runs[i].id) + "/record.json";
+    if (!fs::exists(file)) continue;
+    try {
+      RunRecord record = read_record(file);
+      if (sums.match(record.inputs)) records[i] = std::move(record);
+    } catch (const InputError&) {
+      // Cut off where the machine lost its power: as good as none.
+    }
+  }
+  return records;
+}
+
+std::string Store::run_folder(const std::string& run) const { return folder_ + "/runs/" + run; }
+
+std::string Store::make_folder(const std::string& run) const {
+  for (int number = 1;; ++number) {
+    const std::string folder =
+        fmt::format("{}/runs/.{}.{}.{}.{}", folder_, run, host_name(), getpid(), number);
+    std::error_code error;
+    if (fs::create_directory(folder, error)) return folder;
+    check(error, "cannot make " + folder);
+  }
+}
+
+void Store::finish(const std::string& folder, const std::string& run) const {
+  std::error_code error;
+  fs::rename(folder, run_folder(run), error);
+  if (!error) return;
+  if (error != std::errc::directory_not_empty && error != std::errc::file_exists) {
+    check(error, "cannot finish " + run_folder(run));
+  }
+  fs::remove_all(folder);
+}
+
+void Store::discard(const std::string& run) const {
+  // First out of its place at once, so that nobody ever sees a part of it there.
+  const std::string rubbish = make_folder(run);
+  std::error_code error;
+  fs::rename(run_folder(run), rubbish, error);
+  if (error && error != std::errc::no_such_file_or_directory) {
+    check(error, "cannot remove " + run_folder(run));
+  }
+  fs::remove_all(rubbish);
+}
+
+void Store::clear_rubbish() const {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_ + "/runs", error)) {
+    if (!entry.path().filename().string().starts_with('.')) continue;
+    if (is_locked(entry.path().string() + "/log.txt")) continue;
+    fs::remove_all(entry.path(), error);  // what still dies in it is removed the next time
+  }
+}
+
+}  // namespace pedzone
