@@ -189,13 +189,14 @@ class Report(unittest.TestCase):
         self.browser.click(".scene button")
         self.browser.enter_frame(".scene iframe")
         try:
-            state = self.browser.run("""
+            begin = self.browser.run("""
                 while (!window.pedzone) await new Promise((done) => setTimeout(done, 20));
-                const begin = pedzone.clock.time;
-                pedzone.clock.play(true);
-                while (pedzone.clock.time < begin + 0.5)
+                return pedzone.clock.time;""")
+            self.browser.click("#play")
+            state = self.browser.run("""
+                while (pedzone.clock.time < arguments[0] + 0.5)
                     await new Promise((done) => requestAnimationFrame(done));
-                return pedzone.state();""")
+                return pedzone.state();""", begin)
         finally:
             self.browser.leave_frame()
         self.assertTrue(state["panels"][0]["persons"])

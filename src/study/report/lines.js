@@ -10,18 +10,18 @@ const lines = {
   ],
   drawn: [], // {element, plot, make}
 
-  /** The models' lines of a quantity, on one clock: uPlot's columns. */
+  /** The models' lines of a quantity, on one clock: uPlot's columns, bands before all lines. */
   columns(series, quantity) {
     const times = [...new Set(series.flatMap((one) => one.times))].sort((a, b) => a - b);
     const row = new Map(times.map((time, i) => [time, i]));
     const columns = [times];
-    for (const one of series) {
-      for (const part of ["low", "high", "mean"]) {
-        const column = new Array(times.length).fill(null);
-        one.times.forEach((time, i) => { column[row.get(time)] = one.lines[quantity][part][i]; });
-        columns.push(column);
-      }
-    }
+    const add = (one, part) => {
+      const column = new Array(times.length).fill(null);
+      one.times.forEach((time, i) => { column[row.get(time)] = one.lines[quantity][part][i]; });
+      columns.push(column);
+    };
+    for (const one of series) for (const part of ["low", "high"]) add(one, part);
+    for (const one of series) add(one, "mean");
     return columns;
   },
 
@@ -30,17 +30,19 @@ const lines = {
     const ink = palette.value("--ink"), rule = palette.value("--rule");
     const axis = {stroke: ink, font: `${11 * scale}px system-ui`, ticks: {stroke: rule, width: scale},
                   grid: {stroke: rule, width: scale}};
-    const bands = [], columns = [{}];
+    const bands = [], edges = [], means = [];
     series.forEach((one, i) => {
-      const colour = palette.value(palette.variable(data, one.m)), first = 1 + 3 * i;
+      const colour = palette.value(palette.variable(data, one.m)), first = 1 + 2 * i;
       bands.push({series: [first + 1, first], fill: colour + "2e"});
       const edge = {stroke: colour + "00", width: 0, points: {show: false}};
       const wide = data.models[one.m] === data.reference; // to be seen below the others
-      columns.push(edge, {...edge}, {stroke: colour, width: (wide ? 5 : 2) * scale, points: {show: false},
-                                     dash: i < 6 ? [] : [6 * scale, 4 * scale]});
+      edges.push(edge, {...edge});
+      means.push({stroke: colour, width: (wide ? 5 : 2) * scale, points: {show: false},
+                  dash: i < 6 ? [] : [6 * scale, 4 * scale]});
     });
     return {
-      width: width * scale, height: 190 * scale, bands, series: columns,
+      width: width * scale, height: 190 * scale, bands,
+      series: [{}, ...edges, ...means],
       legend: {show: false}, cursor: {show: false},
       scales: {x: {time: false}, y: {range: (_, least, most) => [Math.min(0, least), 1.06 * most || 1]}},
       axes: [{...axis, values: (_, ticks) => ticks.map((time) => `${time} s`), space: 70 * scale,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_verdict.hpp"
@@ -79,17 +80,28 @@ Sentence agreement(std::span<const FreeSpeed> speeds, const Plan& plan) {
                       persons_text(speeds))};
 }
 
-}  // namespace
-
-std::vector<Sentence> free_speed_sentences(std::span<const FreeSpeed> speeds, const Plan& plan) {
+/// Of one model.
+void add_sentences(std::span<const FreeSpeed> speeds, const Plan& plan,
+                   std::vector<Sentence>& sentences) {
   std::vector<FreeSpeed> agree, disagree, unknown;
   for (const FreeSpeed& speed : speeds) {
     (speed.persons == 0 ? unknown : speed.agrees ? agree : disagree).push_back(speed);
   }
-  std::vector<Sentence> sentences;
   if (!disagree.empty()) sentences.push_back(disagreement(disagree, plan));
   if (!unknown.empty()) sentences.push_back(unmeasured(unknown, plan));
   if (!agree.empty()) sentences.push_back(agreement(agree, plan));
+}
+
+}  // namespace
+
+std::vector<Sentence> free_speed_sentences(std::span<const FreeSpeed> speeds, const Plan& plan) {
+  std::vector<Sentence> sentences;
+  for (const std::string& model : plan.study.models) {
+    std::vector<FreeSpeed> of_model;
+    std::ranges::copy_if(speeds, std::back_inserter(of_model),
+                         [&](const FreeSpeed& speed) { return speed.model == model; });
+    add_sentences(of_model, plan, sentences);
+  }
   return sentences;
 }
 

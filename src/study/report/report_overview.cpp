@@ -125,14 +125,10 @@ Json condition_verdict(const Input& input, std::size_t condition, const std::str
 Json verdict_part(const Input& input) {
   const Plan& plan = input.plan;
   Json free = Json::array(), models = Json::array();
+  for (const Sentence& one : free_speed_sentences(input.speeds, plan)) {
+    free.push_back(sentence_json(one));
+  }
   for (const std::string& model : others(plan)) {
-    std::vector<FreeSpeed> speeds;
-    for (const FreeSpeed& one : input.speeds) {
-      if (one.model == model) speeds.push_back(one);
-    }
-    for (const Sentence& one : free_speed_sentences(speeds, plan)) {
-      free.push_back(sentence_json(one));
-    }
     Json part = plan.conditions.size() == 1 ? condition_verdict(input, 0, model)
                                             : overall_verdict(input, model);
     part["model"] = model;

@@ -16,8 +16,9 @@ struct Sentence {
   enum class Tone { kPlain, kBetter, kWorse, kWarning } tone = Tone::kPlain;
 };
 
-/// Whether one model's free speeds agree with the reference's: a sentence on the conditions in
-/// which they do not, one on those where that is not known, one on those where they do.
+/// Whether the models' free speeds agree with the reference's. For each model a sentence on the
+/// conditions in which they do not, one on those where that is not known, one on those where they
+/// do.
 std::vector<Sentence> free_speed_sentences(std::span<const FreeSpeed> speeds, const Plan& plan);
 
 /// One difference that was found: by how much, how sure, better or worse for those concerned.

@@ -30,7 +30,7 @@ Comparison comparison(const std::string& measure, double reference, double sampl
 Plan plan_of(std::size_t conditions) {
   Plan plan;
   plan.study.reference = "striping";
-  plan.study.models = {"striping", "heuristic"};
+  plan.study.models = {"striping", "heuristic", "orca"};
   for (std::size_t i = 0; i < conditions; ++i)
     plan.conditions.push_back({0, {}, "demand=" + std::to_string(i)});
   return plan;
@@ -192,6 +192,15 @@ TEST(FreeSpeedVerdict, many_that_disagree_are_one_warning) {
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_THAT(sentences.front().head,
               HasSubstr("3.0 % to 4.0 % faster than striping in 9 conditions"));
+}
+
+TEST(FreeSpeedVerdict, each_model_has_its_own) {
+  const std::vector<FreeSpeed> speeds{{0, "heuristic", 12, 0.996, 0.9, 1.0, true},
+                                      {0, "orca", 12, 0.994, 0.9, 1.0, true}};
+  const std::vector<Sentence> sentences = free_speed_sentences(speeds, plan_of(1));
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_THAT(sentences[0].head, HasSubstr("heuristic walks 0.4 %"));
+  EXPECT_THAT(sentences[1].head, HasSubstr("orca walks 0.6 %"));
 }
 
 TEST(Numbers, have_the_digits_that_their_uncertainty_leaves) {
