@@ -30,6 +30,10 @@ tools/install.sh
 [[ -f build/build.ninja ]] || cmake --preset release
 cmake --build --preset release --target pedzone
 
+# Results of another build are refused, as they should be; here they are only an example.
+build=$(sha256sum build/src/app/pedzone | cut -d ' ' -f 1)
+[[ ! -d $out ]] || grep -qs "$build" $out/study.json || rm -rf $out
+
 build/src/app/pedzone study run scenarios/study/plaza.study.xml --out $out --jobs "$(nproc)" \
   "${options[@]}"
 
