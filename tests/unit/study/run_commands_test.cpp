@@ -80,8 +80,7 @@ TEST_F(RunCommandsTest, pedzone_walks_by_its_model) {
   ASSERT_EQ(made.commands.size(), 1u);
   EXPECT_EQ(line(made.commands[0]),
             "/opt/pedzone run IN/plaza/plaza-low.sumocfg --zone OUT/zone.zone.xml --model orca "
-            "--seed 7 --threads 1 --end 90.5 --summary OUT/summary.json --trajectories "
-            "OUT/trajectories.csv -- --scale 2 " +
+            "--seed 7 --threads 1 --end 90.5 --summary OUT/summary.json -- --scale 2 " +
                 std::string(kMeasured));
 }
 
