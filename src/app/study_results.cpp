@@ -16,7 +16,7 @@ void write(const Store& store, const std::string& name, const std::string& text)
 }
 
 void print_sentence(const Sentence& sentence) {
-  if (!sentence.head.empty()) fmt::print("  {}{}\n", sentence.head, sentence.rest);
+  fmt::print("  {}{}\n", sentence.head, sentence.rest);
 }
 
 /// What was found of one model: in its only condition, or over all.
@@ -26,16 +26,18 @@ void print_findings(const Plan& plan, const std::vector<Comparison>& comparisons
   for (const Comparison& one : comparisons) {
     if (one.model == model && find_measure(one.measure)->primary) primary.push_back(one);
   }
-  fmt::print("{} instead of {}:\n", model, plan.study.reference);
+  std::vector<Sentence> different;
   if (plan.conditions.size() == 1) {
-    const Verdict verdict = verdict_of(primary);
-    for (const Sentence& sentence : verdict.different) print_sentence(sentence);
-    if (verdict.different.empty()) fmt::print("  No difference was found.\n");
-    return;
+    different = verdict_of(primary).different;
+  } else {
+    for (const Measure& measure : measure_list()) {
+      if (measure.primary) different.push_back(overall_sentence(primary, measure.key));
+    }
+    std::erase_if(different, [](const Sentence& sentence) { return sentence.head.empty(); });
   }
-  for (const Measure& measure : measure_list()) {
-    if (measure.primary) print_sentence(overall_sentence(primary, measure.key));
-  }
+  fmt::print("{} instead of {}:\n", model, plan.study.reference);
+  for (const Sentence& sentence : different) print_sentence(sentence);
+  if (different.empty()) fmt::print("  No difference was found.\n");
 }
 
 /// The verdict's first lines.
