@@ -4,8 +4,8 @@
 usage: readme_commands.py PEDZONE PROJECT_FOLDER
 
 Every block of lines indented by four spaces in scenarios/*/README.md is typed, in a copy of the
-project's folders that it names; simulations end after 20 s of simulated time. Commands that need a
-display (sumo-gui) are left out. Exit code: 0 when all of them ran.
+project's folders that it names; simulations end after 20 s of simulated time, studies have one
+seed. Commands that need a display (sumo-gui) are left out. Exit code: 0 when all of them ran.
 """
 
 import os
@@ -32,6 +32,14 @@ def commands(readme):
         yield text
 
 
+def shorten(study):
+    text = study.read_text(encoding="utf-8")
+    for attribute, value in (("seeds", "1"), ("end", END)):
+        text, found = re.subn(rf'(<study\b[^>]*\b{attribute}=")[^"]*"', rf'\g<1>{value}"', text)
+        assert found == 1, f"{study} has no {attribute}"
+    study.write_text(text, encoding="utf-8")
+
+
 def main():
     pedzone, project = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
     env = {**os.environ, "PATH": f"{pedzone.parent}:{os.environ['PATH']}",
@@ -41,6 +49,8 @@ def main():
         folder = Path(name)
         for part in ("networks", "scenarios"):
             shutil.copytree(project / part, folder / part)
+        for study in (folder / "scenarios").glob("*/*.study.xml"):
+            shorten(study)
         for part in ("tests", "tools"):
             (folder / part).symlink_to(project / part)
         for readme in sorted((project / "scenarios").glob("*/README.md")):
