@@ -1,14 +1,13 @@
 #include "study/plan/sumo_options.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
-#include <memory>
 #include <optional>
 
 #include "core/error.hpp"
 #include "core/xml.hpp"
 #include "study/plan/study_file.hpp"
+#include "study/plan/sumo_answer.hpp"
 #include "sumo/file_list.hpp"
 
 namespace pedzone {
@@ -22,15 +21,7 @@ using OptionTable = std::map<std::string, OptionInfo, std::less<>>;  ///< by eac
 
 /// What `sumo` itself says that it has.
 OptionTable read_option_table() {
-  constexpr const char* kCommand = "sumo --save-template /dev/stdout 2>/dev/null";
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(kCommand, "r"), pclose);
-  std::string text;
-  char piece[4096];
-  while (pipe) {
-    const std::size_t got = fread(piece, 1, sizeof piece, pipe.get());
-    if (got == 0) break;
-    text.append(piece, got);
-  }
+  const std::string text = sumo_answer({"--save-template", "/dev/stdout"});
   pugi::xml_document document;
   OptionTable table;
   if (document.load_buffer(text.data(), text.size())) {
@@ -44,7 +35,7 @@ OptionTable read_option_table() {
       }
     }
   }
-  if (table.empty()) throw SumoError("SUMO's program `sumo` cannot be started");
+  if (table.empty()) throw SumoError("sumo --save-template tells no options");
   return table;
 }
 
@@ -150,6 +141,8 @@ std::optional<std::string> SumoOptions::find(std::string_view name) const {
   }
   return std::nullopt;
 }
+
+void ask_sumo_options() { option_table(); }
 
 std::optional<std::string> known_sumo_option(std::string_view name) {
   const auto found = option_table().find(name);

@@ -32,6 +32,10 @@ class SumoOptions {
   std::vector<std::string> words_;
 };
 
+/// Asks SUMO for its options at once, not when they are first needed: what a driver knows, the
+/// processes that it forks need not ask again. Throws as sumo_answer().
+void ask_sumo_options();
+
 /// An option's first name, also where a study may not set it; nothing where SUMO has none.
 std::optional<std::string> known_sumo_option(std::string_view name);
 

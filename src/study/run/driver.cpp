@@ -8,6 +8,7 @@
 #include <list>
 
 #include "core/error.hpp"
+#include "study/plan/sumo_options.hpp"
 #include "study/run/failure.hpp"
 #include "study/run/process.hpp"
 #include "study/run/signal_queue.hpp"
@@ -158,6 +159,7 @@ std::vector<std::size_t> missing_runs(const Records& records, bool retry_failed)
 
 DriverResult make_runs(Workshop& workshop, const std::vector<std::size_t>& runs, int jobs,
                        const DriverEvents& events) {
+  ask_sumo_options();
   return Driver(workshop, jobs, events).work(runs);
 }
 

@@ -10,9 +10,9 @@
 #include <regex>
 #include <span>
 
+#include "core/command_output.hpp"
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
-#include "study/run/command_output.hpp"
 #include "study/run/shell_word.hpp"
 #include "study/run/slurm_jobs.hpp"
 

@@ -11,8 +11,8 @@
 #include <set>
 #include <sstream>
 
+#include "core/command_output.hpp"
 #include "core/error.hpp"
-#include "study/run/command_output.hpp"
 
 namespace pedzone {
 namespace {

@@ -8,7 +8,7 @@ namespace pedzone {
 
 /// By name: pedzone, sumo; build (SHA-256 of the program `pedzone` itself: between two versions, it
 /// tells one day's from the next). Results of different ones are not mixed.
-/// `pedzone`: absolute path of the program. Throws InputError where SUMO is not installed.
+/// `pedzone`: absolute path of the program. Throws as sumo_answer().
 std::map<std::string, std::string> program_versions(const std::string& version,
                                                     const std::string& pedzone);
 

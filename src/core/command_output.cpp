@@ -1,4 +1,4 @@
-#include "study/run/command_output.hpp"
+#include "core/command_output.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
