@@ -1,7 +1,7 @@
 #include "app/recording_options.hpp"
 
 #include "app/share_bar.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/place_reader.hpp"
 
 namespace pedzone {
 
@@ -29,13 +29,8 @@ void add_recording_options(CLI::App& command, RecordingOptions& options) {
 
 std::unique_ptr<Place> read_place(const RecordingOptions& options) {
   if (options.scenario.empty()) return nullptr;
-  ZoneFile file;
-  if (!options.zone_file.empty()) file = read_zone_file(options.zone_file);
-  auto place = std::make_unique<Place>();
-  place->network = read_scenario_network(read_any_scenario(options.scenario, {}));
-  place->zones = build_zones(place->network, file.zones);
-  place->paths = find_paths(place->network, place->zones, file.paths);
-  return place;
+  return std::make_unique<Place>(
+      read_place(read_any_scenario(options.scenario, {}), options.zone_file));
 }
 
 Recording read_recording(const RecordingOptions& options) {

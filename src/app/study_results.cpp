@@ -10,9 +10,7 @@ namespace pedzone {
 namespace {
 
 void write(const Store& store, const std::string& name, const std::string& text) {
-  CompleteFile file(store.folder() + "/" + name, "--out");
-  file.write(text);
-  file.finish();
+  write_complete_file(store.folder() + "/" + name, text, kOutOption);
 }
 
 void print_sentence(const Sentence& sentence) {

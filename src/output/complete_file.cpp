@@ -45,4 +45,11 @@ void CompleteFile::finish() {
   }
 }
 
+void write_complete_file(const std::string& path, std::string_view text,
+                         const std::string& option) {
+  CompleteFile file(path, option);
+  file.write(text);
+  file.finish();
+}
+
 }  // namespace pedzone

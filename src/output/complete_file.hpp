@@ -31,4 +31,7 @@ class CompleteFile {
   std::FILE* file_ = nullptr;
 };
 
+/// Writes a whole file at once. Throws as CompleteFile.
+void write_complete_file(const std::string& path, std::string_view text, const std::string& option);
+
 }  // namespace pedzone

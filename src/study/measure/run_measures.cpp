@@ -37,9 +37,7 @@ double free_share(const Scenario& scenario) {
 }
 
 void write_file(const std::string& path, const std::string& text) {
-  CompleteFile file(path, kFolder);
-  file.write(text);
-  file.finish();
+  write_complete_file(path, text, kFolder);
 }
 
 /// All that is measured step by step.

@@ -4,9 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sumo/scenario.hpp"
-#include "zone/paths.hpp"
-#include "zone/zone_file.hpp"
+#include "sumo/place_reader.hpp"
 
 namespace pedzone {
 namespace {
@@ -18,15 +16,6 @@ Scenario scenario_of(const Plan& plan, const PlannedRun& run) {
   return read_any_scenario(plan.study.resolve(scenario.file), scenario.sumo_options);
 }
 
-Place place_of(const Plan& plan, const PlannedRun& run, const std::string& zone_file) {
-  const ZoneFile file = fs::exists(zone_file) ? read_zone_file(zone_file) : ZoneFile{};
-  Place place;
-  place.network = read_scenario_network(scenario_of(plan, run));
-  place.zones = build_zones(place.network, file.zones);
-  place.paths = find_paths(place.network, place.zones, file.paths);
-  return place;
-}
-
 }  // namespace
 
 const Place& RunPlaces::of(const PlannedRun& run, const std::string& folder) {
@@ -36,7 +25,9 @@ const Place& RunPlaces::of(const PlannedRun& run, const std::string& folder) {
   const std::string key = std::to_string(plan_.conditions[run.condition].scenario) + '\n' + text;
   const auto known = places_.find(key);
   if (known != places_.end()) return known->second;
-  return places_.emplace(key, place_of(plan_, run, zone_file)).first->second;
+  return places_
+      .emplace(key, read_place(scenario_of(plan_, run), fs::exists(zone_file) ? zone_file : ""))
+      .first->second;
 }
 
 RecordingCast run_cast(const Plan& plan, const PlannedRun& run, const std::string& folder) {

@@ -68,9 +68,7 @@ void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& gi
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().filename() != kLogFile) fs::remove_all(entry.path());
   }
-  CompleteFile file(folder + "/record.json", "--out");
-  file.write(record_text(record));
-  file.finish();
+  write_complete_file(folder + "/record.json", record_text(record), kOutOption);
   workshop.store.finish(folder, run.id);
 }
 

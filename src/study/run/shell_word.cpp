@@ -17,4 +17,10 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
+std::string shell_command(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
+  return text;
+}
+
 }  // namespace pedzone

@@ -15,6 +15,7 @@
 #include "output/complete_file.hpp"
 #include "study/run/shell_word.hpp"
 #include "study/run/slurm_jobs.hpp"
+#include "study/run/store.hpp"
 
 namespace pedzone {
 namespace {
@@ -56,17 +57,13 @@ std::vector<std::string> sbatch_words(const SlurmOptions& options) {
 }
 
 void write(const std::string& path, const std::string& text) {
-  CompleteFile file(path, "--out");
-  file.write(text);
-  file.finish();
+  write_complete_file(path, text, kOutOption);
 }
 
 /// A script that becomes the command, so that Slurm's signals reach it. `more` goes to its end as
 /// it is.
 std::string script(const std::vector<std::string>& command, const std::string& more = "") {
-  std::string text = "#!/bin/sh\nexec";
-  for (const std::string& word : command) text += " " + shell_word(word);
-  return text + more + "\n";
+  return "#!/bin/sh\nexec " + shell_command(command) + more + "\n";
 }
 
 /// sbatch puts values for %a and the like into the whole path.

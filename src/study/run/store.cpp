@@ -108,12 +108,6 @@ std::string text_of(const std::string& file) {
   return text.str();
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  CompleteFile file(path, "--out");
-  file.write(text);
-  file.finish();
-}
-
 std::string host_name() {
   std::string name(256, '\0');
   gethostname(name.data(), name.size() - 1);
@@ -136,8 +130,8 @@ Store Store::create(const std::string& folder, const Study& study,
   store.lock_ = std::make_shared<const DirectoryLock>(store.folder_, "pedzone study run");
   check_folder(folder, identity);  // another driver may have been faster
   make_folders(store.folder_ + "/runs");
-  write_file(store.folder_ + "/study.json", identity_text(identity));
-  write_file(store.folder_ + "/study.xml", text_of(study.file));
+  write_complete_file(store.folder_ + "/study.json", identity_text(identity), kOutOption);
+  write_complete_file(store.folder_ + "/study.xml", text_of(study.file), kOutOption);
   return store;
 }
 

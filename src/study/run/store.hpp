@@ -18,6 +18,9 @@
 
 namespace pedzone {
 
+/// What the user names the directory with, for messages.
+inline constexpr const char* kOutOption = "--out";
+
 class Store {
  public:
   /// Opens a study's directory to write runs, or makes it where it is missing or empty; holds its

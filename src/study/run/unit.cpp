@@ -14,18 +14,11 @@
 #include "study/measure/run_measures.hpp"
 #include "study/run/process.hpp"
 #include "study/run/shell_word.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/place_reader.hpp"
 #include "sumo/sumo_home.hpp"
-#include "zone/zone_file.hpp"
 
 namespace pedzone {
 namespace {
-
-void write_file(const std::string& path, const std::string& text) {
-  CompleteFile file(path, "--out");
-  file.write(text);
-  file.finish();
-}
 
 /// From here on whatever this process and those that it starts print goes to the folder's log. Its
 /// lock says that the folder is in use.
@@ -39,13 +32,6 @@ void print_to_log(const std::string& folder) {
   lock_file(STDOUT_FILENO);
 }
 
-/// As one would type it, for the log.
-std::string shell_text(const std::vector<std::string>& command) {
-  std::string text = "$";
-  for (const std::string& word : command) text += " " + shell_word(word);
-  return text;
-}
-
 /// Why a run failed.
 struct Failure {
   std::string sentence;
@@ -54,10 +40,10 @@ struct Failure {
 
 void simulate(const RunCommands& commands, const std::string& where, const std::string& folder) {
   for (const RunCommands::File& file : commands.files) {
-    write_file(folder + "/" + file.name, file.text);
+    write_complete_file(folder + "/" + file.name, file.text, kOutOption);
   }
   for (const std::vector<std::string>& command : commands.commands) {
-    fmt::print("{}\n", shell_text(command));
+    fmt::print("$ {}\n", shell_command(command));  // as one would type it
     const Ending ending = run_program(command, where);
     if (ending.good()) continue;
     const std::string program = command.front().substr(command.front().rfind('/') + 1);
@@ -67,14 +53,9 @@ void simulate(const RunCommands& commands, const std::string& where, const std::
 
 /// The place where it was, with the zones that it had.
 Place place_of(const RunOutputs& outputs) {
-  Place place;
-  ZoneFile file;
   const std::string zone_file = outputs.folder + "/" + kZoneFile;
-  if (std::filesystem::exists(zone_file)) file = read_zone_file(zone_file);
-  place.network = read_scenario_network(read_any_scenario(outputs.config, outputs.sumo_options));
-  place.zones = build_zones(place.network, file.zones);
-  place.paths = find_paths(place.network, place.zones, file.paths);
-  return place;
+  return read_place(read_any_scenario(outputs.config, outputs.sumo_options),
+                    std::filesystem::exists(zone_file) ? zone_file : "");
 }
 
 void measure(const RunOutputs& outputs, RunKind kind, RunRecord& record) {
@@ -125,13 +106,13 @@ void make(Workshop& workshop, const PlannedRun& run, int attempt, const std::str
   measure(outputs_of(workshop, run, commands, folder), run.kind, record);
   record.attempts = attempt;
   record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  write_file(folder + "/record.json", record_text(record));
+  write_complete_file(folder + "/record.json", record_text(record), kOutOption);
   workshop.store.finish(folder, run.id);
 }
 
 int fail(const Failure& failure, const std::string& folder) {
   fmt::print(stderr, "Error: {}\n", failure.sentence);
-  write_file(folder + "/" + kFailureFile, failure.sentence);
+  write_complete_file(folder + "/" + kFailureFile, failure.sentence, kOutOption);
   return failure.code;
 }
 
