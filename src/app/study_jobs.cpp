@@ -44,14 +44,11 @@ std::vector<std::string> read_chunk(const std::string& file) {
 
 /// Results of different programs are not mixed: a node may have others than the one that submitted.
 void check_versions(const Store& store) {
-  for (const auto& [program, version] : program_versions(PEDZONE_VERSION, this_program())) {
-    const auto wanted = store.versions().find(program);
-    if (wanted != store.versions().end() && wanted->second == version) continue;
-    throw InputError("is another version than the study's",
-                     {.element = program,
-                      .value = version,
-                      .allowed = wanted == store.versions().end() ? "" : wanted->second});
-  }
+  const auto change =
+      version_change(store.versions(), program_versions(PEDZONE_VERSION, this_program()));
+  if (!change) return;
+  throw InputError("is another version than the study's",
+                   {.element = change->program, .value = change->now, .allowed = change->then});
 }
 
 /// One line for each run, for the task's log.

@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <sstream>
 #include <string_view>
 
 #include "core/xml.hpp"
+#include "study/plan/additional_copy.hpp"
 #include "study/plan/walk_lengths.hpp"
 
 namespace pedzone {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kLeastInZone = 30.0;  // [m] assumed: some 20 s under each model's control
 constexpr double kUsualSpeed = 1.39;   // [m/s] SUMO's maxSpeed of pedestrians
@@ -27,8 +25,6 @@ constexpr double kLeastSpeed = 0.1;    // [m/s] numerical: keeps runs finite
 constexpr double kSlowShare = 0.5;
 constexpr double kPause = 10.0;  // [s] assumed: between one's arrival and the next departure
 
-constexpr std::string_view kMovers[] = {"vehicle",    "trip",      "flow",         "person",
-                                        "personFlow", "container", "containerFlow"};
 constexpr std::string_view kTypes[] = {"vType", "vTypeDistribution"};
 /// Attributes of a flow that a person has not.
 constexpr const char* kFlowAttributes[] = {"begin",   "end",         "number",        "period",
@@ -38,52 +34,10 @@ bool among(std::string_view name, const auto& names) {
   return std::ranges::find(names, name) != std::end(names);
 }
 
-/// Removes what makes groups; returns whether there was any.
-bool dissolve_groups(pugi::xml_node root) {
-  const auto found = root.select_nodes(".//param[@key='pedzone.group']");
-  for (const auto& node : found) node.parent().remove_child(node.node());
-  return !found.empty();
-}
-
-bool remove_movers(pugi::xml_node node) {
-  bool removed = false;
-  for (pugi::xml_node child = node.first_child(); child;) {
-    const pugi::xml_node next = child.next_sibling();
-    if (among(child.name(), kMovers)) {
-      removed = node.remove_child(child);
-    } else {
-      removed |= remove_movers(child);
-    }
-    child = next;
-  }
-  return removed;
-}
-
-/// Keeps names of files that are read working in a copy that lies elsewhere.
-void resolve_files(pugi::xml_node root, const std::string& original) {
-  const fs::path folder = fs::absolute(original).parent_path();
-  for (const char* path : {".//include/@href", ".//rerouter/@file", ".//variableSpeedSign/@file"}) {
-    for (const auto& found : root.select_nodes(path)) {
-      found.attribute().set_value((folder / found.attribute().value()).c_str());
-    }
-  }
-}
-
 std::string text_of(const pugi::xml_document& document) {
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();
-}
-
-std::optional<std::string> without_movers(const std::string& file) {
-  const XmlFile original(file);
-  pugi::xml_document copy;
-  pugi::xml_node root = copy.append_copy(original.root());
-  const bool moved = remove_movers(root), grouped = dissolve_groups(root);
-  if (!moved && !grouped) return std::nullopt;
-  root.remove_attribute("xsi:noNamespaceSchemaLocation");
-  resolve_files(root, file);
-  return text_of(copy);
 }
 
 /// Somebody who may be chosen.
@@ -231,7 +185,6 @@ FreeSpeedDemand free_speed_demand(const FreeSpeedInput& input) {
   People people(input);
   std::vector<std::unique_ptr<XmlFile>> files;  // what the candidates point into
   for (const std::string& file : input.scenario.additional_files) {
-    demand.additional.push_back(without_movers(file));
     files.push_back(std::make_unique<XmlFile>(file));
     people.take(files.back()->root(), false);
   }

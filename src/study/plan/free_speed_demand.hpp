@@ -3,10 +3,8 @@
 // difference between them in the full scenario may be just that.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <unordered_set>
-#include <vector>
 
 #include "sumo/scenario.hpp"
 
@@ -24,9 +22,6 @@ struct FreeSpeedDemand {
   std::string routes;       ///< text of a route file: types, and persons with their ids
   double end = 0.0;         ///< [s] by which everybody has long arrived
   std::size_t persons = 0;  ///< at most kFreeSpeedPersons
-  /// Text to take the place of each of the scenario's additional files; unset where the file holds
-  /// neither people nor vehicles nor groups, and can stay.
-  std::vector<std::optional<std::string>> additional;
 };
 
 inline constexpr std::size_t kFreeSpeedPersons = 12;  ///< assumed: enough for a mean within 1 %

@@ -118,9 +118,7 @@ void check_conditions(const Plan& plan) {
       return setting.kind == SettingKind::kPanel || names_input_files(setting.key);
     });
     if (plain && peopled.contains(condition.scenario)) continue;
-    const Scenario read = read_any_scenario(
-        plan.study.resolve(scenario.file),
-        with_absolute_files(options_of(plan.study, condition), plan.study).words());
+    const Scenario read = scenario_of(plan.study, condition);
     if (!zone_file_of(plan.study, scenario, settings).panels.empty()) continue;
     require_persons(read);
     peopled.insert(condition.scenario);
@@ -135,6 +133,11 @@ SumoOptions options_of(const Study& study, const Condition& condition) {
     if (setting.kind == SettingKind::kSumo) options.set(setting.key, setting.value);
   }
   return options;
+}
+
+Scenario scenario_of(const Study& study, const Condition& condition) {
+  return read_any_scenario(study.resolve(study.scenarios[condition.scenario].file),
+                           with_absolute_files(options_of(study, condition), study).words());
 }
 
 std::vector<Setting> settings_of(const Study& study, const Condition& condition) {

@@ -9,6 +9,7 @@
 
 #include "study/plan/study_file.hpp"
 #include "study/plan/sumo_options.hpp"
+#include "sumo/scenario.hpp"
 
 namespace pedzone {
 
@@ -55,6 +56,8 @@ struct Plan {
 std::vector<Setting> settings_of(const Study& study, const Condition& condition);
 /// The options for SUMO, those of the scenario with those settings.
 SumoOptions options_of(const Study& study, const Condition& condition);
+/// The condition's scenario, with those options and their files. Throws InputError.
+Scenario scenario_of(const Study& study, const Condition& condition);
 /// Whether the setting changes anything for the model: SUMO's own know neither parameters nor
 /// weather.
 bool knows_setting(const std::string& model, const Setting& setting);
@@ -74,6 +77,7 @@ struct RunCommands {
   struct File {
     std::string name;  ///< in the run's folder
     std::string text;
+    bool operator==(const File&) const = default;
   };
   std::vector<File> files;                         ///< to be written before
   std::vector<std::vector<std::string>> commands;  ///< program and arguments; in turn

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/xml.hpp"
+#include "study/plan/additional_copy.hpp"
 #include "study/plan/free_speed_demand.hpp"
 #include "study/plan/plan.hpp"
 #include "study/plan/setting.hpp"
@@ -35,15 +36,18 @@ class Commands {
         settings_(known_settings(plan, run)),
         end_(study_.end) {
     options_ = with_absolute_files(options_of(study_, plan.conditions[run.condition]), study_);
-    read_ = read_any_scenario(config_, options_.words());
+    read_ = scenario_of(study_, plan.conditions[run.condition]);
+    additional_files_ = read_.additional_files;
     if (!zone_text_.empty()) commands_.files.push_back({kZoneFile, zone_text_});
   }
 
   RunCommands take() {
     commands_.inputs = inputs();  // before options name files that are made for the run
     redirect_outputs();
+    copy_additional_files();
     measure();
     if (run_.kind == RunKind::kFreeSpeed) set_people_apart();
+    name_additional_files();
     if (makes_people()) make_people();
     if (is_sumo_model(run_.model)) {
       if (makes_people()) add_people();
@@ -60,6 +64,9 @@ class Commands {
     std::vector<std::string> files{config_, read_.net_file};
     for (const auto* more : {&read_.route_files, &read_.additional_files}) {
       files.insert(files.end(), more->begin(), more->end());
+    }
+    for (const std::string& additional : read_.additional_files) {
+      for (const std::string& file : files_named_in(additional)) files.push_back(file);
     }
     for (std::size_t i = 0; i < options_.words().size(); i += 2) {
       if (!names_input_files(options_.words()[i].substr(2))) continue;
@@ -104,6 +111,25 @@ class Commands {
     }
   }
 
+  /// The same for what additional files have SUMO write. Nobody but the chosen moves in a
+  /// free-speed run.
+  void copy_additional_files() {
+    for (std::size_t i = 0; i < additional_files_.size(); ++i) {
+      const std::string prefix = fmt::format("additional-{}.", i + 1);
+      AdditionalCopy copy =
+          additional_copy(additional_files_[i], in_folder(prefix), run_.kind == RunKind::kStudy);
+      if (!copy.needed) continue;
+      commands_.files.push_back({prefix + "xml", std::move(copy.text)});
+      additional_files_[i] = in_folder(prefix + "xml");
+    }
+  }
+
+  /// Named on the command line, additional files take the place of the configuration's.
+  void name_additional_files() {
+    if (additional_files_ == read_.additional_files) return;
+    options_.set("additional-files", fmt::format("{}", fmt::join(additional_files_, ",")));
+  }
+
   void measure() {
     options_.set("fcd-output", in_folder("fcd.xml.gz"));
     options_.set("tripinfo-output", in_folder("tripinfo.xml"));
@@ -129,15 +155,6 @@ class Commands {
     commands_.files.push_back({kPeopleFile, std::move(demand.routes)});
     options_.set("route-files", in_folder(kPeopleFile));
     options_.set("scale", "1");
-    std::vector<std::string> files = read_.additional_files;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      if (!demand.additional[i]) continue;
-      const std::string name = fmt::format("additional-{}.xml", i + 1);
-      commands_.files.push_back({name, std::move(*demand.additional[i])});
-      files[i] = in_folder(name);
-    }
-    if (files != read_.additional_files)
-      options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
   }
 
   /// The panel's people as a file: SUMO's own models are given them so, and the measures learn who
@@ -156,11 +173,9 @@ class Commands {
     commands_.commands.push_back(std::move(command));
   }
 
-  /// Named on the command line, additional files take the place of the configuration's.
   void add_people() {
-    std::vector<std::string> files = read_.additional_files;
-    files.push_back(in_folder(kPeopleFile));
-    options_.set("additional-files", fmt::format("{}", fmt::join(files, ",")));
+    additional_files_.push_back(in_folder(kPeopleFile));
+    name_additional_files();
   }
 
   std::vector<std::string> sumo() {
@@ -201,6 +216,7 @@ class Commands {
   std::optional<double> end_;  ///< [s]
   SumoOptions options_;
   Scenario read_;
+  std::vector<std::string> additional_files_;  ///< as the run reads them
   RunCommands commands_;
 };
 

@@ -24,7 +24,7 @@ class RunPlaces {
 
  private:
   const Plan& plan_;
-  std::map<std::string, Place> places_;  ///< by scenario and zone file
+  std::map<std::string, Place> places_;  ///< by the files that make it
 };
 
 /// What the files of a run say of everybody: those of its scenario, and the panel's people.

@@ -83,7 +83,6 @@ class Driver {
     const Task task = waiting_.front();
     waiting_.pop_front();
     const PlannedRun& run = run_of(task);
-    workshop_.store.discard(run.id);
     const std::string folder = workshop_.store.make_folder(run.id);
     active_.emplace_back(task, folder, [this, &run, task, folder] {
       return make_run(workshop_, run, task.attempt, folder);

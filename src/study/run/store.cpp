@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
 #include "study/run/file_sums.hpp"
+#include "study/run/versions.hpp"
 
 namespace pedzone {
 namespace {
@@ -83,15 +84,11 @@ void check_folder(const std::string& folder, const Identity& wanted) {
                               found->study, found->folder, wanted.study, wanted.folder),
                   kOtherFolder);
   }
-  for (const auto& [program, version] : wanted.versions) {
-    const auto there = found->versions.find(program);
-    const std::string made_by = there == found->versions.end() ? "unknown" : there->second;
-    if (made_by != version) {
-      throw refusal(folder,
-                    fmt::format("holds results of another version ({}: {}, now {})", program,
-                                made_by, version),
-                    "the same programs, or another folder");
-    }
+  if (const auto change = version_change(found->versions, wanted.versions)) {
+    throw refusal(folder,
+                  fmt::format("holds results of another version ({}: {}, now {})", change->program,
+                              change->then, change->now),
+                  "the same programs, or another folder");
   }
 }
 
@@ -112,6 +109,17 @@ std::string host_name() {
   std::string name(256, '\0');
   gethostname(name.data(), name.size() - 1);
   return name.c_str();
+}
+
+/// Whether a run is done in one folder from the same inputs as in another.
+bool is_done_alike(const std::string& folder, const std::string& other) {
+  try {
+    const RunRecord record = read_record(folder + "/record.json");
+    return record.status == RunStatus::kDone &&
+           record.inputs == read_record(other + "/record.json").inputs;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 void check(const std::error_code& error, const std::string& what) {
@@ -177,10 +185,14 @@ std::string Store::make_folder(const std::string& run) const {
 
 void Store::finish(const std::string& folder, const std::string& run) const {
   std::error_code error;
-  fs::rename(folder, run_folder(run), error);
-  if (!error) return;
-  if (error != std::errc::directory_not_empty && error != std::errc::file_exists) {
-    check(error, "cannot finish " + run_folder(run));
+  for (;;) {
+    fs::rename(folder, run_folder(run), error);
+    if (!error) return;
+    if (error != std::errc::directory_not_empty && error != std::errc::file_exists) {
+      check(error, "cannot finish " + run_folder(run));
+    }
+    if (is_done_alike(run_folder(run), folder)) break;
+    discard(run);
   }
   fs::remove_all(folder);
 }

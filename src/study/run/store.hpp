@@ -43,8 +43,8 @@ class Store {
 
   /// A new folder to make a run in; absolute. Throws std::system_error.
   std::string make_folder(const std::string& run) const;
-  /// Puts a folder into its place, complete, unless somebody else has been faster: then it is
-  /// thrown away. Throws std::system_error.
+  /// Puts a folder into its place, complete, instead of what failed there or had other inputs. It
+  /// is thrown away where somebody else has done the run by now. Throws std::system_error.
   void finish(const std::string& folder, const std::string& run) const;
   /// Takes away what is in a run's place.
   void discard(const std::string& run) const;

@@ -15,6 +15,16 @@ std::map<std::string, std::string> program_versions(const std::string& version,
           {"build", sha256_of_file(pedzone)}};
 }
 
+std::optional<VersionChange> version_change(const std::map<std::string, std::string>& then,
+                                            const std::map<std::string, std::string>& now) {
+  for (const auto& [program, version] : now) {
+    const auto found = then.find(program);
+    if (found != then.end() && found->second == version) continue;
+    return VersionChange{program, found == then.end() ? "unknown" : found->second, version};
+  }
+  return std::nullopt;
+}
+
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 }  // namespace pedzone

@@ -51,6 +51,17 @@ class RunCommandsTest : public StudyScene {
     return std::system((line + " > '" + out_ + "/log.txt' 2>&1").c_str());
   }
 
+  /// All files of the study's folder.
+  std::vector<std::string> left() const {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
+      if (!entry.is_regular_file()) continue;
+      files.push_back(std::filesystem::relative(entry.path(), folder_).string());
+    }
+    std::ranges::sort(files);
+    return files;
+  }
+
   const std::string out_ = folder_ + "/out put";
 };
 
@@ -114,16 +125,9 @@ TEST_F(RunCommandsTest, the_configuration_s_own_outputs_go_to_the_run_s_folder) 
       "</study>";
   const RunCommands made = commands(study, "striping");
   ASSERT_EQ(execute(made.commands[0]), 0) << text_of(out_ + "/log.txt");
-  std::vector<std::string> left;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
-    if (entry.is_regular_file()) {
-      left.push_back(std::filesystem::relative(entry.path(), folder_).string());
-    }
-  }
-  std::ranges::sort(left);
-  EXPECT_THAT(left, ElementsAre("out put/fcd.xml.gz", "out put/log.e", "out put/log.txt",
-                                "out put/s.xml", "out put/stops.xml", "out put/tripinfo.xml",
-                                "own.sumocfg", "test.study.xml"));
+  EXPECT_THAT(left(), ElementsAre("out put/fcd.xml.gz", "out put/log.e", "out put/log.txt",
+                                  "out put/s.xml", "out put/stops.xml", "out put/tripinfo.xml",
+                                  "own.sumocfg", "test.study.xml"));
   // Seconds, not 0:00:07, as the seed says.
   const XmlFile trips(out_ + "/tripinfo.xml");
   ASSERT_TRUE(trips.root().child("personinfo"));
@@ -132,6 +136,41 @@ TEST_F(RunCommandsTest, the_configuration_s_own_outputs_go_to_the_run_s_folder) 
   }
   EXPECT_THAT(line(commands(study, "orca").commands[0]),
               AllOf(HasSubstr("--pedestrian.model striping"), HasSubstr("--random false")));
+}
+
+TEST_F(RunCommandsTest, what_additional_files_have_written_goes_there_too) {
+  std::filesystem::create_directories(folder_ + "/extra");
+  write("extra/signs.xml", "<vss><step time='0' speed='5'/></vss>");
+  write("extra/poly.add.xml", "<additional><poi id='tree' x='1' y='1'/></additional>");
+  const std::string detectors = write("extra/loops.add.xml", R"(<additional>
+  <include href="poly.add.xml"/>
+  <variableSpeedSign id="sign" lanes="west_road_in_0" file="signs.xml"/>
+  <inductionLoop id="loop &lt;1&gt;" lane="west_road_in_0" pos="5" period="10" file="sub/loop.xml"/>
+  <edgeData id="edges" file="edges.xml"/> <laneData id="none" file="NUL"/>
+  <person id="extra" depart="0"><walk from="west_path" to="east_path"/></person>
+</additional>)");
+  write("own.sumocfg", "<configuration><net-file value='" PEDZONE_SCENARIOS
+                       "/../networks/plaza/plaza.net.xml'/><end value='30'/>"
+                       "<additional-files value='extra/loops.add.xml'/></configuration>");
+  const std::string study = "<study models='striping orca'><scenario file='own.sumocfg'/></study>";
+  const RunCommands made = commands(study, "striping");
+  EXPECT_THAT(made.inputs, ElementsAre(::testing::EndsWith("plaza.net.xml"), detectors,
+                                       folder_ + "/extra/poly.add.xml",
+                                       folder_ + "/extra/signs.xml", folder_ + "/own.sumocfg"));
+  ASSERT_EQ(made.files.size(), 1u);
+  write("out put/" + made.files[0].name, made.files[0].text);
+  const std::vector<std::string> before = left();
+  ASSERT_EQ(execute(made.commands[0]), 0) << text_of(out_ + "/log.txt");
+  std::vector<std::string> written;
+  std::ranges::set_difference(left(), before, std::back_inserter(written));
+  EXPECT_THAT(written,
+              ElementsAre("out put/additional-1.edges.xml", "out put/additional-1.loop.xml",
+                          "out put/fcd.xml.gz", "out put/log.txt", "out put/tripinfo.xml"));
+  EXPECT_TRUE(XmlFile(out_ + "/additional-1.loop.xml").root().child("interval"));
+  EXPECT_TRUE(XmlFile(out_ + "/tripinfo.xml").root().child("personinfo"));
+  const RunCommands walked = commands(study, "orca");
+  EXPECT_EQ(walked.files, made.files);
+  EXPECT_THAT(line(walked.commands[0]), HasSubstr("--additional-files OUT/additional-1.xml"));
 }
 
 TEST_F(RunCommandsTest, inputs_are_all_files_that_are_read) {

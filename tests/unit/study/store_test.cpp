@@ -169,6 +169,25 @@ TEST_F(StoreTest, keeps_the_first_of_two_that_finish_the_same_run) {
   EXPECT_EQ(files_in(results() + "/runs"), 1U);
 }
 
+TEST_F(StoreTest, replaces_what_failed_and_what_had_other_inputs) {
+  const Store store = created();
+  RunRecord record = record_of("a");
+  record.status = RunStatus::kFailed;
+  finish_run(store, record);
+  record.status = RunStatus::kDone;
+  record.inputs["old.xml"] = "1";
+  finish_run(store, record);
+  const auto kept = [&] { return read_record(store.run_folder("a") + "/record.json"); };
+  EXPECT_EQ(kept().status, RunStatus::kDone);
+  record.inputs["old.xml"] = "2";
+  finish_run(store, record);
+  EXPECT_EQ(kept().inputs, record.inputs);
+  record.status = RunStatus::kFailed;  // a copy that was slower
+  finish_run(store, record);
+  EXPECT_EQ(kept().status, RunStatus::kDone);
+  EXPECT_EQ(files_in(results() + "/runs"), 1U);
+}
+
 TEST_F(StoreTest, discards_a_run) {
   const Store store = created();
   finish_run(store, record_of("a"));
