@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/xml.hpp"
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
 
@@ -80,6 +81,14 @@ std::vector<std::string> unknown_to_sumo(const Study& study) {
   return {keys.begin(), keys.end()};
 }
 
+/// Whether a zone file has vehicles follow paths of their own.
+bool steers_vehicles(const Study& study) {
+  return std::ranges::any_of(study.scenarios, [&](const StudyScenario& scenario) {
+    return !scenario.zone_file.empty() &&
+           XmlFile(study.resolve(scenario.zone_file)).root().child("vehiclePath");
+  });
+}
+
 /// Whether the models of a pair had the same people and vehicles to move.
 Json fairness(const Input& input) {
   const Plan& plan = input.plan;
@@ -115,8 +124,14 @@ Json unequal(const Study& study) {
   all.push_back(
       "Outside the zones SUMO walks everybody, by striping where the model is one of "
       "pedzone's.");
+  if (std::ranges::none_of(study.models, is_sumo_model)) return all;
+  if (steers_vehicles(study)) {
+    all.push_back(
+        "Vehicles that follow a path of the zone file (<vehiclePath>): with SUMO's own models "
+        "they keep to their lanes and speeds.");
+  }
   const std::vector<std::string> keys = unknown_to_sumo(study);
-  if (!keys.empty() && std::ranges::any_of(study.models, is_sumo_model)) {
+  if (!keys.empty()) {
     all.push_back(
         fmt::format("SUMO's own models do not know {}: one run of theirs stands for all "
                     "levels of it.",
