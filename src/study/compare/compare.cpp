@@ -88,6 +88,7 @@ Finding finding_of(const Comparison& comparison) {
   if (difference.n < kLeastPairs) return Finding::kTooFew;
   if (difference.all_equal && difference.mean == 0.0) return Finding::kSame;
   if (*comparison.p_holm < kLevel) return Finding::kDifferent;
+  if (*difference.p < kLevel) return Finding::kHint;
   const double half_width = (difference.student->high - difference.student->low) / 2.0;
   const double scale = std::abs(*comparison.reference.mean);
   const bool narrow = !difference.all_equal && half_width <= kNarrow * scale;
@@ -112,6 +113,8 @@ std::string_view finding_name(Finding finding) {
   switch (finding) {
     case Finding::kDifferent:
       return "different";
+    case Finding::kHint:
+      return "hint";
     case Finding::kNotShown:
       return "notShown";
     case Finding::kInconclusive:

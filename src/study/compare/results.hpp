@@ -15,6 +15,7 @@ namespace pedzone {
 /// How a comparison comes out.
 enum class Finding {
   kDifferent,     ///< corrected p < 0.05
+  kHint,          ///< p < 0.05 by itself, but not once it is corrected
   kNotShown,      ///< no difference shown, and Student's interval is narrow: half width within 10 %
                   ///< of the reference's mean
   kInconclusive,  ///< no difference shown, but the interval is too wide to say anything, or the few
@@ -23,7 +24,7 @@ enum class Finding {
   kTooFew,        ///< fewer than 3 pairs
 };
 
-/// As in the tables: different, notShown, inconclusive, same, tooFew.
+/// As in the tables: different, hint, notShown, inconclusive, same, tooFew.
 std::string_view finding_name(Finding finding);
 
 /// A model against the reference, in one condition, by one measure. A seed gives a pair where both

@@ -18,11 +18,16 @@ Danger with_moving(const Conflict& conflict) {
   return {kClearance, conflict.clearance ? conflict.clearance->value : 0.0};
 }
 
+bool began_with_contact(const Conflict& conflict) {
+  return conflict.contact && conflict.contact->time <= conflict.begin;
+}
+
 }  // namespace
 
 Danger danger_of(const Conflict& conflict) {
   Danger danger = with_moving(conflict);
   if (moment_of(conflict).type == EncounterType::kParked) danger.kind += kKinds;
+  if (began_with_contact(conflict)) danger.kind += 2 * kKinds;
   return danger;
 }
 

@@ -25,8 +25,8 @@ constexpr double kBesideStill = 3.0;  // [m] around the two of them in the pictu
 
 constexpr const char* kRule =
     " By danger: with vehicles that move before those with standing ones; contacts first, the "
-    "hardest first, then least TTC, then least PET. The next ones are of other people, another "
-    "vehicle and another place.";
+    "hardest first, then least TTC, then least PET; last those whom SUMO put onto each other. The "
+    "next ones are of other people, another vehicle and another place.";
 
 std::string manner(EncounterType type) {
   switch (type) {

@@ -1,6 +1,32 @@
 #include "study/report/report_finding.hpp"
 
+#include <algorithm>
+
+#include "study/report/report_numbers.hpp"
+
 namespace pedzone::report {
+namespace {
+
+struct Words {
+  Finding finding;
+  const char *style, *text, *sign;  ///< of hints and differences the text is about the direction
+};
+constexpr Words kWords[] = {{Finding::kDifferent, "different ", "", ""},
+                            {Finding::kHint, "hint", "hint: ", ""},
+                            {Finding::kNotShown, "not-shown", "no difference shown", "\u2248"},
+                            {Finding::kInconclusive, "inconclusive", "cannot say", "?"},
+                            {Finding::kSame, "same", "equal", "="},
+                            {Finding::kTooFew, "too-few", "too few pairs", "\u2013"}};
+
+const Words& words_of(Finding finding) {
+  return *std::ranges::find(kWords, finding, &Words::finding);
+}
+
+bool has_direction(Finding finding) {
+  return finding == Finding::kDifferent || finding == Finding::kHint;
+}
+
+}  // namespace
 
 const char* tone_class(Sentence::Tone tone) {
   switch (tone) {
@@ -17,40 +43,26 @@ const char* tone_class(Sentence::Tone tone) {
 }
 
 std::string finding_text(const Comparison& one) {
-  switch (one.finding) {
-    case Finding::kDifferent: {
-      const Sentence::Tone tone = tone_of(one);
-      std::string text = one.difference.mean < 0.0 ? "lower" : "higher";
-      if (tone == Sentence::Tone::kBetter) text += ": better";
-      if (tone == Sentence::Tone::kWorse) text += ": worse";
-      return text;
-    }
-    case Finding::kNotShown:
-      return "no difference shown";
-    case Finding::kInconclusive:
-      return "cannot say";
-    case Finding::kSame:
-      return "equal";
-    case Finding::kTooFew:
-      break;
-  }
-  return "too few pairs";
+  std::string text = words_of(one.finding).text;
+  if (!has_direction(one.finding)) return text;
+  text += one.difference.mean < 0.0 ? "lower" : "higher";
+  const Sentence::Tone tone = tone_of(one);
+  if (tone != Sentence::Tone::kPlain) text += std::string(": ") + tone_class(tone);
+  return text;
 }
 
 std::string finding_class(const Comparison& one) {
-  switch (one.finding) {
-    case Finding::kDifferent:
-      return std::string("different ") + tone_class(tone_of(one));
-    case Finding::kNotShown:
-      return "not-shown";
-    case Finding::kInconclusive:
-      return "inconclusive";
-    case Finding::kSame:
-      return "same";
-    case Finding::kTooFew:
-      break;
-  }
-  return "too-few";
+  std::string style = words_of(one.finding).style;
+  if (one.finding == Finding::kDifferent) style += tone_class(tone_of(one));
+  return style;
+}
+
+std::string finding_sign(const Comparison& one) {
+  if (!has_direction(one.finding)) return words_of(one.finding).sign;
+  const auto percent = percent_of(one);
+  const std::string change =
+      percent ? signed_percent(*percent) : signed_text(one.difference.mean, decimals_of(one));
+  return one.finding == Finding::kHint ? "(" + change + ")" : change;
 }
 
 }  // namespace pedzone::report

@@ -11,5 +11,7 @@ const char* tone_class(Sentence::Tone tone);
 std::string finding_class(const Comparison& one);
 /// "lower: better", "cannot say" ...
 std::string finding_text(const Comparison& one);
+/// For a narrow cell: the change in percent, in brackets where it is a hint, or a sign for none.
+std::string finding_sign(const Comparison& one);
 
 }  // namespace pedzone::report

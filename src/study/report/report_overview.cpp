@@ -10,30 +10,10 @@ namespace {
 
 constexpr std::size_t kMostColumns = 4;  // of the overview: more become its rows
 
-/// What a cell of the overview says: the change in percent, or that there is none.
-std::string overview_text(const Comparison& one) {
-  switch (one.finding) {
-    case Finding::kDifferent: {
-      const auto percent = percent_of(one);
-      return percent ? signed_percent(*percent)
-                     : signed_text(one.difference.mean, decimals_of(one));
-    }
-    case Finding::kNotShown:
-      return "\u2248";
-    case Finding::kInconclusive:
-      return "?";
-    case Finding::kSame:
-      return "=";
-    case Finding::kTooFew:
-      break;
-  }
-  return "\u2013";
-}
-
 Json overview_cell(const Comparison* one) {
   if (one == nullptr) return {{"text", "\u2013"}, {"class", "too-few"}, {"say", "too few pairs"}};
   return {
-      {"text", overview_text(*one)}, {"class", finding_class(*one)}, {"say", finding_text(*one)}};
+      {"text", finding_sign(*one)}, {"class", finding_class(*one)}, {"say", finding_text(*one)}};
 }
 
 std::vector<const Measure*> primary_measures() {
@@ -114,8 +94,8 @@ Json condition_verdict(const Input& input, std::size_t condition, const std::str
   const Verdict verdict = verdict_of(comparisons_of(input, condition, model));
   Json found = Json::array(), others = Json::array();
   for (const Sentence& one : verdict.different) found.push_back(sentence_json(one));
-  for (const Sentence* one :
-       {&verdict.inconclusive, &verdict.not_shown, &verdict.same, &verdict.too_few}) {
+  for (const Sentence* one : {&verdict.hints, &verdict.inconclusive, &verdict.not_shown,
+                              &verdict.same, &verdict.too_few}) {
     if (!one->head.empty()) others.push_back(sentence_json(*one));
   }
   const bool none = found.empty();

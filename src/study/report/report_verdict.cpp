@@ -81,6 +81,7 @@ std::string range_text(const Comparison& comparison) {
 std::string list_note(const Comparison& comparison) {
   std::string note;
   switch (comparison.finding) {
+    case Finding::kHint:
     case Finding::kNotShown:
       note = range_text(comparison);
       break;
@@ -109,6 +110,8 @@ struct ListKind {
   Finding finding;
   const char *head, *before, *after;
 };
+constexpr ListKind kHintKind{Finding::kHint, "Hints, no more,", " of a difference in ",
+                             ": alone each would count, among so many measures it may be chance."};
 constexpr ListKind kNotShownKind{Finding::kNotShown, "No difference shown", " in ", "."};
 constexpr ListKind kInconclusiveKind{Finding::kInconclusive, "Cannot say",
                                      " from so few runs whether there is a difference in ", "."};
@@ -160,6 +163,7 @@ Sentence tally_sentence(std::span<const Comparison> comparisons) {
   if (all == 0) return {};
   constexpr std::pair<Finding, const char*> kWords[] = {
       {Finding::kDifferent, "a difference"},
+      {Finding::kHint, "a hint of one, which may be chance"},
       {Finding::kNotShown, "no difference to speak of"},
       {Finding::kSame, "equal values in every pair"},
       {Finding::kInconclusive, "not to be told from so few seeds"},
@@ -220,6 +224,7 @@ Verdict verdict_of(std::span<const Comparison> comparisons) {
       verdict.different.push_back(difference_sentence(one));
     }
   }
+  verdict.hints = list_sentence(comparisons, kHintKind);
   verdict.not_shown = list_sentence(comparisons, kNotShownKind);
   verdict.inconclusive = list_sentence(comparisons, kInconclusiveKind);
   verdict.same = list_sentence(comparisons, kSameKind);

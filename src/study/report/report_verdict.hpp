@@ -27,7 +27,7 @@ Sentence difference_sentence(const Comparison& comparison);
 /// All that is said of one model in one condition, of measures of the primary family.
 struct Verdict {
   std::vector<Sentence> different;
-  Sentence not_shown, inconclusive, same, too_few;  ///< no head where there is none
+  Sentence hints, not_shown, inconclusive, same, too_few;  ///< no head where there is none
 };
 Verdict verdict_of(std::span<const Comparison> comparisons);
 

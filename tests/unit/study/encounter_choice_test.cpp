@@ -23,6 +23,7 @@ Conflict between(const std::string& person, const std::string& vehicle) {
   Conflict conflict;
   conflict.person = person;
   conflict.vehicle = vehicle;
+  conflict.begin = -1.0;  // [s] before any extreme
   return conflict;
 }
 
@@ -67,6 +68,16 @@ class EncounterChoices : public testing::Test {
 };
 
 TEST_F(EncounterChoices, are_empty_where_nobody_met) { EXPECT_THAT(rows(3), IsEmpty()); }
+
+TEST_F(EncounterChoices, take_last_who_was_put_onto_another) {
+  Conflict put = next();
+  put.contact = extreme(9.0, place());
+  put.begin = put.contact->time;
+  add(put);                               // 0
+  add_ttc(0.01, EncounterType::kParked);  // 1
+  add_contact(0.5);                       // 2
+  EXPECT_THAT(rows(10), ElementsAre(2, 1, 0));
+}
 
 TEST_F(EncounterChoices, take_contacts_first_then_ttc_then_pet) {
   add_pet(0.1);                              // 0

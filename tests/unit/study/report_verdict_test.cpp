@@ -81,6 +81,7 @@ TEST(Verdict, every_finding_has_its_sentence) {
   const std::vector<Comparison> all{
       comparison("person.travelTime", 84.2, 72.1, 3.0, Finding::kDifferent),
       comparison("person.delay", 10.0, 10.1, 0.5, Finding::kNotShown),
+      comparison("vehicle.travelTime", 80.0, 76.0, 1.0, Finding::kHint),
       unclear,
       same,
       comparison("conflict.count", 0.0, 0.0, 0.0, Finding::kTooFew, 0),
@@ -89,6 +90,9 @@ TEST(Verdict, every_finding_has_its_sentence) {
   ASSERT_EQ(verdict.different.size(), 1u);
   EXPECT_EQ(text(verdict.not_shown),
             "No difference shown in people's delay in the zone (−0.40 to +0.60 s).");
+  EXPECT_EQ(text(verdict.hints),
+            "Hints, no more, of a difference in vehicles' travel time (−5.0 to −3.0 s): alone each "
+            "would count, among so many measures it may be chance.");
   EXPECT_EQ(text(verdict.inconclusive),
             "Cannot say from so few runs whether there is a difference in vehicles' stops "
             "(−0.9 to +1.1; +41 seeds).");
@@ -115,8 +119,8 @@ TEST(Verdict, one_is_singular) {
 TEST(Verdict, nothing_found_says_nothing) {
   const Verdict verdict = verdict_of({});
   EXPECT_TRUE(verdict.different.empty());
-  for (const Sentence* one :
-       {&verdict.not_shown, &verdict.inconclusive, &verdict.same, &verdict.too_few}) {
+  for (const Sentence* one : {&verdict.hints, &verdict.not_shown, &verdict.inconclusive,
+                              &verdict.same, &verdict.too_few}) {
     EXPECT_EQ(text(*one), "");
   }
 }

@@ -121,6 +121,19 @@ TEST_F(ResultsTest, findings_tell_no_difference_from_no_knowledge) {
   EXPECT_EQ(few.finding, Finding::kInconclusive) << "5 equal signs come by chance in 1 of 16";
 }
 
+TEST_F(ResultsTest, what_only_counts_by_itself_is_a_hint) {
+  measure(0, "striping", kTime, {100, 100, 100, 100, 100});
+  measure(0, "heuristic", kTime, {96, 99, 97, 99.5, 95});
+  EXPECT_EQ(comparison(0, "heuristic", kTime).finding, Finding::kDifferent) << "alone";
+  measure(0, "striping", kWaiting, {10, 10, 10, 10, 10});
+  measure(0, "heuristic", kWaiting, {11, 9, 10.5, 9.5, 10.1});
+  const Comparison found = comparison(0, "heuristic", kTime);
+  EXPECT_LT(*found.difference.p, 0.05);
+  EXPECT_GE(*found.p_holm, 0.05);
+  EXPECT_LT(found.difference.student->high, 0.0);
+  EXPECT_EQ(found.finding, Finding::kHint);
+}
+
 TEST_F(ResultsTest, nothing_is_divided_by_a_reference_of_zero) {
   measure(0, "striping", kTime, {0, 0, 0, 0, 0});
   measure(0, "heuristic", kTime, {0, 1, 0, 0, 0});
