@@ -32,6 +32,7 @@ struct PersonSample {
   double radius = 0.24;            ///< [m] (0, 5]
   std::string_view rides_in = {};  ///< vehicle that it is inside of: not measured while it rides,
                                    ///< and never against that vehicle
+  std::string_view edge = {};      ///< of SUMO, where it is known: not for conflicts
 };
 
 /// A vehicle as it is in a step.

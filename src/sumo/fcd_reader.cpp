@@ -79,6 +79,10 @@ FcdReader::Row FcdReader::row_of(const XmlElement& element, bool person,
   }
   Row row;
   row.id = &entry.first;
+  row.edge = &mover.edge;
+  if (const auto edge = element.value("edge"); person && edge && mover.edge != *edge) {
+    mover.edge = *edge;
+  }
   row.reference = {element.number("x", kPlaces), element.number("y", kPlaces)};
   row.angle = element.number("angle", kAngles);
   row.speed = element.number("speed", kSpeeds);
@@ -116,9 +120,9 @@ void FcdReader::end_step(const StepVisitor& visitor) {
         std::lower_bound(vehicle_rows_.begin(), vehicle_rows_.end(), row,
                          [](const Row& a, const Row& b) { return place_of(a) < place_of(b); });
     const bool rides = same != vehicle_rows_.end() && place_of(*same) == place_of(row);
-    person_samples_.push_back({*row.id, row.centre, row.velocity, row.heading,
-                               disc_radius(row.size),
-                               rides ? std::string_view(*same->id) : std::string_view()});
+    person_samples_.push_back(
+        {*row.id, row.centre, row.velocity, row.heading, disc_radius(row.size),
+         rides ? std::string_view(*same->id) : std::string_view(), *row.edge});
   }
   visitor(time_, person_samples_, vehicle_samples_);
   if (step_ % kForgetEvery != 0) return;

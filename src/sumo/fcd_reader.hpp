@@ -42,9 +42,11 @@ class FcdReader {
     Vec2 way = Vec2::UnitX();  ///< [m] the latest way, what is longer ago counting less
     BodySize size{0.0, 0.0};   ///< [m] length 0: not known yet
     std::string type;          ///< of a vehicle
+    std::string edge;          ///< of a person; empty where the file has none
   };
   struct Row {
     const std::string* id;
+    const std::string* edge;
     Vec2 reference;         ///< [m] as in the file
     double angle, speed;    ///< [deg], [m/s] as in the file
     double heading;         ///< [rad]

@@ -13,6 +13,7 @@
 #include "study/measure/run_series.hpp"
 #include "study/measure/trip_measures.hpp"
 #include "study/measure/vehicle_stops.hpp"
+#include "study/measure/zone_stays.hpp"
 #include "study/measure/zone_walks.hpp"
 #include "sumo/fcd_reader.hpp"
 #include "sumo/scenario.hpp"
@@ -45,7 +46,7 @@ class Observer {
  public:
   Observer(const std::string& folder, const Trips& trips, const Place& place, double free_share)
       : folder_(folder),
-        zones_(place.zones),
+        stays_(trips, place.network, place.zones),
         walkers_(trips, place.zones),
         walks_(trips, place.zones, free_share),
         crowding_(trips),
@@ -58,6 +59,7 @@ class Observer {
             std::span<const VehicleSample> vehicles) {
     const double dt = begun_ ? time - time_ : 0.0;
     const std::span<const Walker> walkers = walkers_.at(time, persons);
+    stays_.step(time, walkers);
     walks_.step(dt, walkers);
     crowding_.step(dt, walkers);
     grid_.step(dt, walkers);
@@ -78,7 +80,7 @@ class Observer {
     tracker_.finish(over_);
     take_conflicts();
     writer_.finish();
-    conflicts_.finish(values);
+    count_conflicts(values);
     walks_.finish(values);
     crowding_.finish(values);
     write_file(folder_ + "/series.csv", series_.csv());
@@ -87,28 +89,40 @@ class Observer {
 
  private:
   void take_conflicts() {
-    for (const Conflict& conflict : over_) {
+    for (Conflict& conflict : over_) {
       writer_.write(conflict);
-      // Elsewhere SUMO walks everybody, with every model.
-      if (zone_at(zones_, moment_of(conflict).position) != Walker::kNowhere) {
-        conflicts_.add(conflict);
-      }
+      told_.push_back(std::move(conflict));
     }
     over_.clear();
   }
 
+  /// Those of people in the zones: elsewhere SUMO walks everybody, with every model.
+  void count_conflicts(std::map<std::string, double>& values) const {
+    ConflictMeasures conflicts;
+    ConflictWriter writer({.xml = {},
+                           .xml_option = {},
+                           .csv = folder_ + "/" + kZoneConflicts,
+                           .csv_option = kFolder});
+    for (const Conflict& conflict : told_) {
+      if (!stays_.cover(conflict.person, moment_of(conflict).time)) continue;
+      conflicts.add(conflict);
+      writer.write(conflict);
+    }
+    writer.finish();
+    conflicts.finish(values);
+  }
+
   std::string folder_;
-  const std::vector<Zone>& zones_;
+  ZoneStays stays_;
   Walkers walkers_;
   ZoneWalks walks_;
   Crowding crowding_;
   DensityGrid grid_;
   RunSeries series_;
   VehicleStops stops_;
-  ConflictMeasures conflicts_;
   ConflictWriter writer_;
   ConflictTracker tracker_;
-  std::vector<Conflict> over_;
+  std::vector<Conflict> over_, told_;
   bool begun_ = false;
   double time_ = 0.0, dt_ = 0.0;  ///< [s] of the latest step
 };

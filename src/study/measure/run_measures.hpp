@@ -8,6 +8,8 @@
 
 namespace pedzone {
 
+inline constexpr const char* kZoneConflicts = "zone-conflicts.csv";
+
 /// Where a run's outputs lie, and what says how large everybody is.
 struct RunOutputs {
   std::string folder;                     ///< holds fcd.xml.gz and tripinfo.xml
@@ -23,9 +25,10 @@ struct RunMeasures {
 
 /// Measures a run in one pass over its floating-car data, whichever model wrote it, and writes into
 /// its folder
-///   conflicts.csv  as `pedzone conflicts --conflict-csv`
-///   series.csv     see run_series.hpp
-///   density.csv    see density_grid.hpp
+///   conflicts.csv       as `pedzone conflicts --conflict-csv`
+///   zone-conflicts.csv  those of them that count: of people in the zones (zone_stays.hpp)
+///   series.csv          see run_series.hpp
+///   density.csv         see density_grid.hpp
 /// The same outputs give the same bytes. Throws InputError where outputs are missing, cut off, or
 /// not of one run.
 RunMeasures measure_run(const RunOutputs& outputs, const Place& place);

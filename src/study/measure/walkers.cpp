@@ -22,7 +22,7 @@ std::span<const Walker> Walkers::at(double time, std::span<const PersonSample> p
     }
     const std::uint32_t person = found->second;
     walkers_.push_back({person, walk_of(person, time), zone_at(zones_, sample.position),
-                        sample.position, sample.velocity.norm()});
+                        sample.position, sample.velocity.norm(), sample.edge});
   }
   return walkers_;
 }

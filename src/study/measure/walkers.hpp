@@ -23,6 +23,7 @@ struct Walker {
   int zone = kNowhere;              ///< index of the zone in whose walkable area it is
   Vec2 at = Vec2::Zero();           ///< [m]
   double speed = 0.0;               ///< [m/s] as SUMO says
+  std::string_view edge = {};       ///< that SUMO has it on
   bool counts() const { return walk != nullptr && zone != kNowhere; }
 };
 

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "output/conflict_reader.hpp"
 #include "study/measure/conflict_measures.hpp"
+#include "study/measure/run_measures.hpp"
 #include "study/report/encounter_choice.hpp"
 #include "study/report/recording_clip.hpp"
 #include "study/report/run_recording.hpp"
@@ -157,8 +158,7 @@ class EncounterScenes {
 
  private:
   std::string table_of(std::size_t run) const {
-    return (std::filesystem::path(store_.run_folder(plan_.runs[run].id)) / "conflicts.csv")
-        .string();
+    return (std::filesystem::path(store_.run_folder(plan_.runs[run].id)) / kZoneConflicts).string();
   }
 
   EncounterChoice all_of(const std::string& model) const {
@@ -176,16 +176,11 @@ class EncounterScenes {
     return choice;
   }
 
-  /// Those in the zones: what happens elsewhere is SUMO's with every model.
   void add_all(std::size_t r, EncounterChoice& choice) const {
-    const PlannedRun& run = plan_.runs[r];
-    const Place& place = places_.of(run, store_.run_folder(run.id));
+    const std::size_t scenario = plan_.conditions[plan_.runs[r].condition].scenario;
     std::size_t row = 0;
     visit_conflicts(table_of(r), [&](const Conflict& conflict) {
-      const Vec2& at = moment_of(conflict).position;
-      const bool inside =
-          std::ranges::any_of(place.zones, [&](const Zone& zone) { return zone.walls.inside(at); });
-      if (inside) choice.add(plan_.conditions[run.condition].scenario, {r, row}, conflict);
+      choice.add(scenario, {r, row}, conflict);
       ++row;
     });
   }

@@ -8,6 +8,7 @@
 #include "core/csv_stream.hpp"
 #include "core/error.hpp"
 #include "output/conflict_reader.hpp"
+#include "study/measure/run_measures.hpp"
 #include "study/report/report_parts.hpp"
 #include "study/report/run_recording.hpp"
 #include "view/axis.hpp"
@@ -106,7 +107,7 @@ Grid conflicts(const std::vector<std::string>& folders) {
   Grid grid(kConflictCell, false);
   std::size_t runs = 0;
   for (const std::string& folder : folders) {
-    const std::string file = folder + "/conflicts.csv";
+    const std::string file = folder + "/" + kZoneConflicts;
     if (!std::filesystem::exists(file)) continue;
     ++runs;
     visit_conflicts(file, [&](const Conflict& one) {

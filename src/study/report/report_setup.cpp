@@ -122,10 +122,8 @@ Json unequal(const Study& study) {
       "Bodies: pedzone's people are discs and keep from overlapping; SUMO's stand in "
       "stripes of a lane, and its vehicles mind them on lanes and crossings only.");
   all.push_back(
-      "Outside the zones SUMO walks everybody, by striping where the model is one of "
-      "pedzone's. So it does where people come in from other streets and go out to them, over the "
-      "walking areas and crossings of junctions that zone and streets share: conflicts there count "
-      "for the zone as far as they lie in its space, whoever walks.");
+      "Outside the zones SUMO walks everybody, by striping where the model is one of pedzone's; so "
+      "it does at junctions between a zone and other streets. Conflicts there do not count.");
   if (std::ranges::none_of(study.models, is_sumo_model)) return all;
   if (steers_vehicles(study)) {
     all.push_back(

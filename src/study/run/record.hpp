@@ -10,7 +10,7 @@
 namespace pedzone {
 
 /// Raised when a record's or a measure's meaning changes.
-inline constexpr int kStudyFormat = 1;
+inline constexpr int kStudyFormat = 2;
 
 enum class RunStatus {
   kDone,
@@ -21,8 +21,8 @@ enum class RunStatus {
 /// done, failed or killed: as in records and tables.
 const char* status_name(RunStatus status);
 
-/// record.json of a run's directory. Beside it lie fcd.xml.gz, tripinfo.xml, log.txt, and
-/// conflicts.csv, series.csv, density.csv (run_measures.hpp).
+/// record.json of a run's directory. Beside it lie fcd.xml.gz, tripinfo.xml, log.txt, and the
+/// tables of run_measures.hpp.
 struct RunRecord {
   std::string id;
   RunStatus status = RunStatus::kDone;
