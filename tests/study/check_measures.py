@@ -26,6 +26,7 @@ from scenario import open_bytes, read_scenario  # noqa: E402
 from trips import demand, read_trips, trip_measures  # noqa: E402
 from visits import Ways, walk_measures  # noqa: E402
 from zone_area import TOLERANCE, PointTest, ZoneArea, ZoneRule, read_network  # noqa: E402
+from zone_conflicts import of_the_zone, read_table  # noqa: E402
 
 ENV = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
 FREE_SHARE = 0.9  # of the maximum speed: SUMO's striping takes off up to 0.2 in every step
@@ -158,56 +159,17 @@ class Comparison:
         print(f"  {what}: {'yes' if good else 'no  FAILED'}")
 
 
-def edges_of(fcd, person):
-    """[(time, edge)] at which somebody came to each edge."""
-    rows = fcd.persons
-    own = numpy.flatnonzero(rows.who == rows.names.index(person))
-    new = own[numpy.diff(rows.edge[own], prepend=-1) != 0]
-    return [(fcd.times[rows.step[row]], rows.edge_names[rows.edge[row]]) for row in new]
-
-
-def in_zone(visits, time, edges):
-    """Whether somebody is on an edge of the zone, or in a junction between two of them."""
-    now = max((i for i, (begin, _) in enumerate(visits) if begin <= time + 1e-6), default=None)
-    if now is None:
-        return False
-
-    def normal(places):
-        return next((edge in edges for _, edge in places if not edge.startswith(":")), None)
-
-    if not visits[now][1].startswith(":"):
-        return visits[now][1] in edges
-    before, after = normal(reversed(visits[:now])), normal(visits[now + 1:])
-    return bool(before) and after in (True, None)
-
-
-def of_the_zone(fcd, rows, edges):
-    """Those of people in the zone at the moment that each is told by; how many it is not sure of,
-    since times in the table are rounded."""
-    inside, unsure = [], 0
-    for row in rows:
-        moment = next(name for name in ("contact", "minTTC", "PET", "minClearance") if row[name])
-        time, visits = float(row[f"{moment}_time"]), edges_of(fcd, row["person"])
-        answers = [in_zone(visits, time + shift, edges) for shift in (-0.005, 0.0, 0.005)]
-        unsure += len(set(answers)) > 1
-        if answers[1]:
-            inside.append(row)
-    return inside, unsure
-
-
 def check_conflicts(comparison, arguments, folder, fcd, scenario, persons, edges):
     table = folder / "again.csv"
     run([arguments.pedzone, "conflicts", folder / "fcd.xml.gz", "--scenario", arguments.scenario,
          "--conflict-csv", table])
     comparison.require("conflicts.csv is that of `pedzone conflicts`",
                        table.read_bytes() == (folder / "conflicts.csv").read_bytes())
-    with open(table, newline="", encoding="utf-8") as file:
-        everywhere = list(csv.DictReader(file))
+    everywhere = read_table(table)
     rows, unsure = of_the_zone(fcd, everywhere, edges)
     print(f"  conflicts in the zone: {len(rows)} of {len(everywhere)}, not sure: {unsure}")
-    with open(folder / "zone-conflicts.csv", newline="", encoding="utf-8") as file:
-        counted = list(csv.DictReader(file))
-    comparison.require("zone-conflicts.csv has them", unsure > 0 or counted == rows)
+    comparison.require("zone-conflicts.csv has them",
+                       unsure > 0 or read_table(folder / "zone-conflicts.csv") == rows)
 
     def values(name):
         return [float(row[name]) for row in rows if row[name]]
