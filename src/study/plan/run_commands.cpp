@@ -75,7 +75,8 @@ class Commands {
     if (!scenario_.zone_file.empty()) {
       const std::string zone_file = study_.resolve(scenario_.zone_file);
       files.push_back(zone_file);
-      for (const pugi::xml_node& node : XmlFile(zone_file).root().children("vehiclePath")) {
+      const XmlFile zones(zone_file);
+      for (const pugi::xml_node& node : zones.root().children("vehiclePath")) {
         files.push_back(fs::path(zone_file).parent_path() / node.attribute("file").value());
       }
     }
