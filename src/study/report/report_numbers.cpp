@@ -76,7 +76,7 @@ std::optional<double> percent_of(const Comparison& comparison) {
 std::string percent_text(double percent) {
   constexpr double kSmall = 9.95;  // what is rounded to 10
   const double size = std::abs(percent);
-  const bool nearly_all = size >= 99.0 && size < 100.0;  // "100 %" would be all
+  const bool nearly_all = size >= 99.0 && size < 99.95;  // "100 %" would be all
   return fmt::format("{:.{}f} %", size, size < kSmall || nearly_all ? 1 : 0);
 }
 
