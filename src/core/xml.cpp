@@ -169,4 +169,10 @@ std::string describe(const NumberRange& range) {
   return text.str();
 }
 
+std::string xml_text(const pugi::xml_document& document) {
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
+}
+
 }  // namespace pedzone

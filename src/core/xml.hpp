@@ -67,4 +67,7 @@ std::vector<std::string> split_words(std::string_view text, char separator = ' '
 /// `range` as "least to most".
 std::string describe(const NumberRange& range);
 
+/// A document as the text of a file.
+std::string xml_text(const pugi::xml_document& document);
+
 }  // namespace pedzone

@@ -21,7 +21,8 @@ SEEDS = 20
 MODELS = ("striping", "nonInteracting", "constant-velocity")
 MOMENT = 0.6  # [s] within which somebody is killed, about what a run takes
 NEARLY_OVER = 10  # runs left: drivers are killed early, so that the study is not over too soon
-OUTPUTS = ("conflicts.csv", "zone-conflicts.csv", "density.csv", "series.csv")  # with neither clock nor path
+# With neither clock nor path.
+OUTPUTS = ("conflicts.csv", "zone-conflicts.csv", "density.csv", "series.csv")
 
 
 class Faults(StudyCase):

@@ -16,7 +16,7 @@ ZoneStays::ZoneStays(const Trips& trips, const Network& network, const std::vect
 
 int ZoneStays::where(std::string_view edge) const {
   if (edge.starts_with(':')) return kJunction;
-  const auto found = zone_of_edge_.find(std::string(edge));
+  const auto found = zone_of_edge_.find(edge);
   return found == zone_of_edge_.end() ? kOutside : found->second;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -14,7 +13,7 @@ namespace pedzone {
 
 class ZoneStays {
  public:
-  /// `trips` must outlive it.
+  /// `trips` and `network` must outlive it.
   ZoneStays(const Trips& trips, const Network& network, const std::vector<Zone>& zones);
 
   /// Takes a time step [s], later than the one before.
@@ -34,7 +33,7 @@ class ZoneStays {
   int where(std::string_view edge) const;
 
   std::unordered_map<std::string_view, std::size_t> index_;  ///< of persons, by id
-  std::unordered_map<std::string, int> zone_of_edge_;        ///< by id
+  std::unordered_map<std::string_view, int> zone_of_edge_;   ///< by id
   std::vector<std::vector<Stay>> stays_;  ///< by person; neighbours are in different places
 };
 

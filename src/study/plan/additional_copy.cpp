@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <string_view>
 
 #include "core/xml.hpp"
@@ -64,12 +63,6 @@ bool redirect_outputs(pugi::xml_node root, const std::string& outputs) {
 
 fs::path folder_of(const std::string& file) { return fs::absolute(file).parent_path(); }
 
-std::string text_of(const pugi::xml_document& document) {
-  std::ostringstream text;
-  document.save(text, "  ");
-  return text.str();
-}
-
 }  // namespace
 
 bool dissolve_groups(pugi::xml_node root) {
@@ -78,7 +71,8 @@ bool dissolve_groups(pugi::xml_node root) {
   return !found.empty();
 }
 
-AdditionalCopy additional_copy(const std::string& file, const std::string& outputs, bool movers) {
+std::optional<std::string> additional_copy(const std::string& file, const std::string& outputs,
+                                           bool movers) {
   const XmlFile original(file);
   pugi::xml_document copy;
   pugi::xml_node root = copy.append_copy(original.root());
@@ -87,12 +81,12 @@ AdditionalCopy additional_copy(const std::string& file, const std::string& outpu
     changed |= remove_movers(root);
     changed |= dissolve_groups(root);
   }
-  if (!changed) return {};
+  if (!changed) return std::nullopt;
   root.remove_attribute("xsi:noNamespaceSchemaLocation");
   for_each_file(root, kInputs, [&](pugi::xml_attribute name) {
     name.set_value((folder_of(file) / name.value()).c_str());
   });
-  return {text_of(copy), true};
+  return xml_text(copy);
 }
 
 std::vector<std::string> files_named_in(const std::string& file) {

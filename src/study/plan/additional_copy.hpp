@@ -9,16 +9,12 @@
 
 namespace pedzone {
 
-struct AdditionalCopy {
-  std::string text;
-  bool needed = false;  ///< whether it differs from the file: else that can be read itself
-};
-
-/// A copy to lie elsewhere: what it has SUMO write goes to files whose names begin with the path
-/// `outputs`, what it reads is named by absolute paths. `movers`: whether persons and vehicles, and
-/// what makes groups of them, stay in it. Outputs of files that it includes stay where they are.
-/// Throws InputError.
-AdditionalCopy additional_copy(const std::string& file, const std::string& outputs, bool movers);
+/// The text of a copy to lie elsewhere; unset where the file itself can be read. In the copy: what
+/// it has SUMO write goes to files whose names begin with the path `outputs`, what it reads is
+/// named by absolute paths. `movers`: whether persons and vehicles, and what makes groups of them,
+/// stay in it. Outputs of files that it includes stay where they are. Throws InputError.
+std::optional<std::string> additional_copy(const std::string& file, const std::string& outputs,
+                                           bool movers);
 
 /// The files that an additional file names to be read, those that they name in turn, too; absolute,
 /// only those that are there. Throws InputError.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <sstream>
 #include <string_view>
 
 #include "core/xml.hpp"
@@ -25,20 +24,9 @@ constexpr double kLeastSpeed = 0.1;    // [m/s] numerical: keeps runs finite
 constexpr double kSlowShare = 0.5;
 constexpr double kPause = 10.0;  // [s] assumed: between one's arrival and the next departure
 
-constexpr std::string_view kTypes[] = {"vType", "vTypeDistribution"};
 /// Attributes of a flow that a person has not.
 constexpr const char* kFlowAttributes[] = {"begin",   "end",         "number",        "period",
                                            "perHour", "probability", "personsPerHour"};
-
-bool among(std::string_view name, const auto& names) {
-  return std::ranges::find(names, name) != std::end(names);
-}
-
-std::string text_of(const pugi::xml_document& document) {
-  std::ostringstream text;
-  document.save(text, "  ");
-  return text.str();
-}
 
 /// Somebody who may be chosen.
 struct Candidate {
@@ -55,12 +43,13 @@ class People {
   /// `types`: whether they are to be copied, since the file is not read any more.
   void take(pugi::xml_node root, bool types) {
     for (const pugi::xml_node& node : root.children()) {
-      if (among(node.name(), kTypes)) {
+      const std::string_view name = node.name();
+      if (name == "vType" || name == "vTypeDistribution") {
         learn_type(node);
         if (types) types_.push_back(node);
       }
-      if (std::string_view(node.name()) == "person") consider(node, false);
-      if (std::string_view(node.name()) == "personFlow") consider(node, true);
+      if (name == "person") consider(node, false);
+      if (name == "personFlow") consider(node, true);
     }
   }
 
@@ -210,7 +199,7 @@ FreeSpeedDemand free_speed_demand(const FreeSpeedInput& input) {
     time += people.time_of(*candidate) + kPause;
   }
   dissolve_groups(routes);
-  demand.routes = text_of(document);
+  demand.routes = xml_text(document);
   demand.end = std::ceil(time);
   demand.persons = persons.size();
   return demand;

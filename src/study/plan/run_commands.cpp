@@ -35,8 +35,8 @@ class Commands {
         zone_text_(zone_text(plan, run)),
         settings_(known_settings(plan, run)),
         end_(study_.end) {
-    options_ = with_absolute_files(options_of(study_, plan.conditions[run.condition]), study_);
     read_ = scenario_of(study_, plan.conditions[run.condition]);
+    options_ = SumoOptions(read_.sumo_options);
     additional_files_ = read_.additional_files;
     if (!zone_text_.empty()) commands_.files.push_back({kZoneFile, zone_text_});
   }
@@ -117,10 +117,10 @@ class Commands {
   void copy_additional_files() {
     for (std::size_t i = 0; i < additional_files_.size(); ++i) {
       const std::string prefix = fmt::format("additional-{}.", i + 1);
-      AdditionalCopy copy =
+      std::optional<std::string> copy =
           additional_copy(additional_files_[i], in_folder(prefix), run_.kind == RunKind::kStudy);
-      if (!copy.needed) continue;
-      commands_.files.push_back({prefix + "xml", std::move(copy.text)});
+      if (!copy) continue;
+      commands_.files.push_back({prefix + "xml", std::move(*copy)});
       additional_files_[i] = in_folder(prefix + "xml");
     }
   }

@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <functional>
 #include <pugixml.hpp>
-#include <sstream>
 
 #include "core/xml.hpp"
 #include "study/plan/plan.hpp"
@@ -86,9 +85,7 @@ std::string text_of(const Study& study, const StudyScenario& scenario,
   apply(root, settings);
   change(root);
   if (!root.first_child()) return "";
-  std::ostringstream text;
-  document.save(text, "  ");
-  return text.str();
+  return xml_text(document);
 }
 
 }  // namespace

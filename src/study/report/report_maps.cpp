@@ -8,6 +8,7 @@
 #include "core/csv_stream.hpp"
 #include "core/error.hpp"
 #include "output/conflict_reader.hpp"
+#include "study/measure/conflict_measures.hpp"
 #include "study/measure/run_measures.hpp"
 #include "study/report/report_parts.hpp"
 #include "study/report/run_recording.hpp"
@@ -94,14 +95,6 @@ Grid density(const std::vector<std::string>& folders) {
   return grid;
 }
 
-std::optional<Vec2> place_of(const Conflict& conflict) {
-  for (const auto* extreme :
-       {&conflict.contact, &conflict.ttc, &conflict.pet, &conflict.drac, &conflict.clearance}) {
-    if (*extreme) return (*extreme)->position;
-  }
-  return {};
-}
-
 /// Conflicts a run.
 Grid conflicts(const std::vector<std::string>& folders) {
   Grid grid(kConflictCell, false);
@@ -110,9 +103,7 @@ Grid conflicts(const std::vector<std::string>& folders) {
     const std::string file = folder + "/" + kZoneConflicts;
     if (!std::filesystem::exists(file)) continue;
     ++runs;
-    visit_conflicts(file, [&](const Conflict& one) {
-      if (const auto at = place_of(one)) grid.add(*at, 1.0);
-    });
+    visit_conflicts(file, [&](const Conflict& one) { grid.add(moment_of(one).position, 1.0); });
   }
   for (auto& [cell, value] : grid.cells)
     value /= static_cast<double>(std::max<std::size_t>(runs, 1));

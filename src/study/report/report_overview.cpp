@@ -10,10 +10,8 @@ namespace {
 
 constexpr std::size_t kMostColumns = 4;  // of the overview: more become its rows
 
-Json overview_cell(const Comparison* one) {
-  if (one == nullptr) return {{"text", "\u2013"}, {"class", "too-few"}, {"say", "too few pairs"}};
-  return {
-      {"text", finding_sign(*one)}, {"class", finding_class(*one)}, {"say", finding_text(*one)}};
+Json overview_cell(const Comparison& one) {
+  return {{"text", finding_sign(one)}, {"class", finding_class(one)}, {"say", finding_text(one)}};
 }
 
 std::vector<const Measure*> primary_measures() {
@@ -46,7 +44,7 @@ Json overview(const Input& input) {
   const std::vector<const Measure*> measures = primary_measures();
   const auto cell = [&](const Measure& measure, const Column& column) {
     const auto found = std::ranges::find(column.comparisons, measure.key, &Comparison::measure);
-    return overview_cell(found == column.comparisons.end() ? nullptr : &*found);
+    return overview_cell(found == column.comparisons.end() ? Comparison{} : *found);
   };
   Json head = Json::array(), rows = Json::array();
   if (columns.size() <= kMostColumns) {
