@@ -50,6 +50,29 @@ SimulationOptions prepare(const RunOptions& options) {
   return prepared;
 }
 
+/// Tells of people who are stuck among people, of the first ones by name.
+class JamWarnings {
+ public:
+  void step(const Simulation& simulation, double time) {
+    for (const JammedPerson& person : simulation.jammed()) {
+      if (++count_ > kNamed) continue;
+      fmt::print(
+          stderr,
+          "Warning: person '{}' in zone '{}' is stuck among people at ({:.1f}, {:.1f}), time "
+          "{:.1f}: it squeezes through.\n",
+          person.id, simulation.zones()[person.zone].id, person.position.x(), person.position.y(),
+          time);
+    }
+  }
+  void finish() const {
+    if (count_ > kNamed) fmt::print(stderr, "Warning: {} more were stuck.\n", count_ - kNamed);
+  }
+
+ private:
+  static constexpr int kNamed = 10;
+  int count_ = 0;
+};
+
 /// The files of a run: all finished together, or none.
 struct Outputs {
   std::unique_ptr<CompleteFile> summary;
@@ -148,14 +171,17 @@ void simulate(const RunOptions& options) {
                  zone.id, zone.warnings.size());
     }
   }
+  JamWarnings jams;
   Progress progress(simulation.time(), simulation.end_time());
   while (!simulation.finished()) {
     const double time = simulation.time();
     simulation.step();
     outputs.step(time, simulation);
+    jams.step(simulation, time);
     progress.update(simulation.time(), simulation.guests().size());
   }
   progress.finish();
+  jams.finish();
   const RunSummary totals = simulation.summary();
   simulation.close();
   outputs.finish(simulation, totals);

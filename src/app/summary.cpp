@@ -28,6 +28,7 @@ std::string summary_table(const RunSummary& summary) {
   line("arrived", std::to_string(persons.arrived));
   line("still walking", std::to_string(persons.walking));
   line("lost", std::to_string(persons.lost));
+  line("jammed, and squeezed through", std::to_string(persons.jammed));
   line("mean speed in the zone", fmt::format("{:.2f} m/s", persons.mean_speed));
   line("mean delay in the zone", fmt::format("{:.1f} s", persons.mean_delay_s));
   line("mean waiting in the zone", fmt::format("{:.1f} s", persons.mean_waiting_s));
@@ -56,6 +57,7 @@ std::string summary_json(const RunSummary& summary) {
                      {"arrived", persons.arrived},
                      {"walking", persons.walking},
                      {"lost", persons.lost},
+                     {"jammed", persons.jammed},
                      {"mean_speed_mps", persons.mean_speed},
                      {"mean_delay_s", persons.mean_delay_s},
                      {"mean_waiting_s", persons.mean_waiting_s}};

@@ -3,12 +3,13 @@
 // Every pass reads the places after the pass before and writes new ones (Jacobi), and the pushes
 // on one body are summed as integers, so neither the order of persons nor the number of threads
 // can change a bit of the result. Who walks into a contact gives way in it: a standing person is
-// not shoved by one that walks up to it.
+// not shoved by one that walks up to it, but makes way for half of it to one that squeezes.
 #include <algorithm>
 #include <cmath>
 
 #include "core/random.hpp"
 #include "crowd/parallel.hpp"
+#include "crowd/shoulders.hpp"
 #include "crowd/state.hpp"
 #include "crowd/vehicle_contacts.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr int kPasses = 4;             // numerical: see the pile of bodies in the tests
 constexpr double kPushPerPass = 0.05;  // [m] numerical: a pile comes apart in steps, no jumps
 constexpr double kEvenShare = 1e-4;    // [m] numerical: bodies that both stand share a push evenly
+constexpr double kHindered = 0.5;      // assumed: share of its way that a push must take from it
 constexpr double kCoincident = 1e-9;   // [m] numerical: no direction between centres so near
 // Numerical: what a block's lists hold from the start, so that they need not grow step by step.
 // A person at four persons per square metre has about eight neighbours.
@@ -52,11 +54,15 @@ Vec2 parting_direction(const CrowdState& crowd, std::size_t i, std::size_t j) {
   return forward ? e : Vec2(-e);
 }
 
+bool squeezes(const CrowdState& crowd, std::size_t i) {
+  return crowd.walkers[i].jam.squeezed > 0.0;
+}
+
 /// How far body i has to be pushed by body j, and in which direction. Zero when they do not
 /// overlap. `start` and `now` are i's place relative to j's before and after the move.
 Vec2 push_of_pair(const CrowdState& crowd, std::size_t i, std::size_t j, const Vec2& start,
                   const Vec2& now) {
-  const double reach = crowd.persons.radius[i] + crowd.persons.radius[j];
+  const double reach = crowd.persons.present_radius[i] + crowd.persons.present_radius[j];
   const bool passed_through = now.dot(start) < 0.0;
   if (!passed_through && now.squaredNorm() >= reach * reach) return Vec2::Zero();
   Vec2 normal = passed_through ? start : now;
@@ -65,6 +71,7 @@ Vec2 push_of_pair(const CrowdState& crowd, std::size_t i, std::size_t j, const V
   normal = length < kCoincident ? parting_direction(crowd, i, j) : Vec2(normal / length);
   const double overlap = reach - now.dot(normal);
   if (j >= crowd.persons.walking) return overlap * normal;
+  if (squeezes(crowd, i) != squeezes(crowd, j)) return 0.5 * overlap * normal;
   const Motion& motion = crowd.motion;
   const double into_j = std::max(0.0, -(motion.dx[i] * normal.x() + motion.dy[i] * normal.y()));
   const double into_i = std::max(0.0, motion.dx[j] * normal.x() + motion.dy[j] * normal.y());
@@ -125,13 +132,19 @@ void move_freely(CrowdState& crowd) {
   }
 }
 
+/// Whether the push takes a good part of the way that the person means to make.
+bool hinders(const Vec2& push, const Motion& motion, std::size_t i) {
+  const Vec2 move(motion.dx[i], motion.dy[i]);
+  return -push.dot(move) > kHindered * move.squaredNorm();
+}
+
 /// Where person i is after its contacts of one pass.
-Vec2 pushed(CrowdState& crowd, std::size_t i, BlockScratch& scratch) {
+Vec2 pushed(CrowdState& crowd, std::size_t block, std::size_t i) {
   const Motion& motion = crowd.motion;
+  BlockScratch& scratch = crowd.blocks[block];
   const Vec2 here(motion.x[i], motion.y[i]);
   ExactSum sum;
-  for (std::uint32_t k = crowd.first_neighbour[i]; k < crowd.last_neighbour[i]; ++k) {
-    const std::uint32_t j = scratch.neighbours[k];
+  for (const std::uint32_t j : crowd.neighbours_of(block, i)) {
     const Vec2 now = here - Vec2(motion.x[j], motion.y[j]);
     const Vec2 start = crowd.position(i) - crowd.position(j);
     const Vec2 push = push_of_pair(crowd, i, j, start, now);
@@ -139,6 +152,7 @@ Vec2 pushed(CrowdState& crowd, std::size_t i, BlockScratch& scratch) {
   }
   if (sum.terms() == 0) return here;
   scratch.touching = true;
+  crowd.walkers[i].pressed = crowd.walkers[i].pressed || hinders(sum.value(), motion, i);
   // With many contacts their sum overshoots (each pair counts on itself alone).
   Vec2 push = sum.value() * (2.0 / (sum.terms() + 1.0));
   const double most = kPushPerPass + std::hypot(motion.dx[i], motion.dy[i]);
@@ -152,10 +166,9 @@ bool push_apart(CrowdState& crowd) {
   Motion& motion = crowd.motion;
   for_each_block(crowd.persons.walking,
                  [&](std::size_t block, std::size_t first, std::size_t last) {
-                   BlockScratch& scratch = crowd.blocks[block];
-                   scratch.touching = false;
+                   crowd.blocks[block].touching = false;
                    for (std::size_t i = first; i < last; ++i) {
-                     const Vec2 at = pushed(crowd, i, scratch);
+                     const Vec2 at = pushed(crowd, block, i);
                      motion.next_x[i] = at.x();
                      motion.next_y[i] = at.y();
                    }
@@ -197,6 +210,7 @@ void resolve_contacts(CrowdState& crowd, double dt) {
   if (crowd.persons.walking == 0) return;
   prepare_blocks(crowd);
   find_neighbours(crowd);
+  hold_shoulders(crowd, dt);
   move_freely(crowd);
   for (int pass = 0; pass < kPasses; ++pass) {
     if (!push_apart(crowd)) break;

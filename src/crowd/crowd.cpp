@@ -55,11 +55,7 @@ struct Crowd::State : CrowdState {
 
   /// Puts row `from` where row `to` is.
   void copy_row(std::size_t from, std::size_t to) {
-    for (auto* column :
-         {&persons.x, &persons.y, &persons.vx, &persons.vy, &persons.heading, &persons.radius,
-          &persons.preferred_speed, &persons.goal_direction, &persons.goal_distance}) {
-      (*column)[to] = (*column)[from];
-    }
+    for (std::vector<double>* column : persons.numbers()) (*column)[to] = (*column)[from];
     persons.key[to] = persons.key[from];
     walkers[to] = std::move(walkers[from]);
     row[walkers[to].handle] = static_cast<std::uint32_t>(to);
@@ -115,9 +111,14 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   persons.vy[i] = velocity.y();
   persons.heading[i] = wrap_angle(person.heading);
   persons.radius[i] = radius;
+  WalkState& walker = state.walkers[i];
+  walker.turned_width =
+      person.profile != nullptr ? person.profile->turned_width : state.zone.parameters.turned_width;
+  walker.full_radius = radius;
+  persons.turned_radius[i] = walker.turned_width * radius;
+  persons.present_radius[i] = radius;
   persons.preferred_speed[i] = preferred;
   persons.key[i] = person.key;
-  WalkState& walker = state.walkers[i];
   walker.handle = state.new_handle();
   walker.profile = person.profile;
   walker.group = person.group;
@@ -186,9 +187,11 @@ PersonView Crowd::view(Handle handle) const {
   const Activity activity = walker.waits                   ? Activity::kWaiting
                             : walker.slow >= kStandingTime ? Activity::kStanding
                                                            : Activity::kWalking;
-  return {state.position(i), state.velocity(i),      state.persons.heading[i],
-          activity,          walker.pastime,         walker.arrived,
-          walker.gave_up,    walker.waits_for_group, walker.holds_hand};
+  return {state.position(i),        state.velocity(i),
+          state.persons.heading[i], activity,
+          walker.pastime,           walker.arrived,
+          walker.gave_up,           walker.waits_for_group,
+          walker.holds_hand,        state.persons.present_radius[i]};
 }
 
 bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {
@@ -206,6 +209,8 @@ std::vector<Insight> Crowd::insights(std::span<const Handle> handles) {
   for (const Handle handle : handles) rows.push_back(state_->row_of(handle));
   return look_into(*state_, rows);
 }
+
+std::span<const JamNotice> Crowd::jams() const { return state_->jams; }
 
 std::size_t Crowd::size() const { return state_->persons.walking; }
 std::uint64_t Crowd::person_steps() const { return state_->person_steps; }

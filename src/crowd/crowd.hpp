@@ -64,6 +64,7 @@ struct PersonView {
   bool gave_up;          ///< arrived only since patience ran out near a blocked destination
   bool waits_for_group;  ///< is too far ahead of the last of its group
   bool holds_hand;       ///< a child whom an adult leads by the hand
+  double radius;         ///< [m] of the body as it holds its shoulders now
 };
 
 /// What a person is about to do, for pictures.
@@ -73,6 +74,8 @@ struct Insight {
   double direction = 0.0, speed = 0.0;               ///< [rad], [m/s] as it chooses them
   std::vector<Ray> rays;                             ///< how far it finds each direction free
 };
+
+struct JamNotice;
 
 class Crowd {
  public:
@@ -107,6 +110,8 @@ class Crowd {
   void step(double dt, std::span<const VehicleState> vehicles);
 
   PersonView view(Handle handle) const;
+  /// Who in the last step() had not got on among people for `jamTime`, and began to squeeze.
+  std::span<const JamNotice> jams() const;
   /// Whether the person sees or hears the vehicle.
   bool aware_of(Handle handle, const VehicleState& vehicle) const;
   /// Of those persons, in that order. Slow; changes nothing that a later step depends on.
@@ -117,6 +122,12 @@ class Crowd {
  private:
   struct State;
   std::unique_ptr<State> state_;
+};
+
+/// Somebody who is stuck among people and squeezes through from now on.
+struct JamNotice {
+  Crowd::Handle handle = 0;
+  Vec2 position = Vec2::Zero();  ///< [m]
 };
 
 }  // namespace pedzone

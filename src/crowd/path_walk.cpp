@@ -12,6 +12,7 @@ void plan_way(CrowdState& crowd, std::size_t i, const Destination& destination) 
   walker.entered = walker.arrived = walker.gave_up = false;
   walker.least_left = std::numeric_limits<double>::infinity();
   walker.blocked = 0.0;
+  walker.jam = {};
   const Vec2 to_goal = heading_point(walker.route, here) - here;
   crowd.persons.goal_direction[i] = angle_of(to_goal);
   crowd.persons.goal_distance[i] = to_goal.norm();

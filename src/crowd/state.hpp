@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "crowd/body_grid.hpp"
@@ -30,6 +31,15 @@ struct PathWalk {
   Destination destination;  ///< after the last
 };
 
+/// Somebody who does not get on among people.
+struct Jam {
+  double least_left = std::numeric_limits<double>::infinity();  ///< [m] least way left so far
+  double stuck = 0.0;                                           ///< [s] without room since that was
+  double squeezed = 0.0;  ///< [s] since it began to squeeze; 0: it does not
+  double free = 0.0;      ///< [s] since it last lacked room
+  double share = 1.0;     ///< of its turned width that is left while it squeezes
+};
+
 /// What a walked person holds beside its row in Persons: its way and its clocks.
 struct WalkState {
   Crowd::Handle handle = 0;
@@ -39,6 +49,7 @@ struct WalkState {
   WallRoom wall_room;              ///< around where the person is
   double least_left = std::numeric_limits<double>::infinity();  ///< [m] least way left so far
   double blocked = 0.0;                                         ///< [s] since that was
+  Jam jam;
   double slow = 0.0;          ///< [s] since the person was last faster than standing
   std::uint64_t planned = 0;  ///< substep of the last plan
   const Profile* profile = nullptr;
@@ -54,6 +65,8 @@ struct WalkState {
   double calm = 0.0;           ///< [s] since a vehicle drove near the child
   double awaited = 0.0;        ///< [s] since the adult began to wait for the child's hand
   double hand_side = 1.0;      ///< 1: at the adult's left hand, -1: at its right
+  double full_radius = 0.24;   ///< [m] of the body while it does not squeeze
+  double turned_width = 0.5;   ///< with the shoulders turned, over the full width
   Pastime pastime = Pastime::kNone;
   bool aware = true;  ///< of vehicles
   bool waits_for_group = false;
@@ -61,6 +74,7 @@ struct WalkState {
   bool holds_hand = false;  ///< of its adult
   bool entered = false;     ///< has been within the radius of the current waypoint
   bool waits = false;       ///< for a vehicle
+  bool pressed = false;     ///< others kept it from moving as it meant to in the last substep
   bool arrived = false, gave_up = false;
 };
 
@@ -116,11 +130,19 @@ struct CrowdState {
   std::vector<BlockScratch> blocks;
   std::vector<std::uint32_t> first_neighbour, last_neighbour;  ///< in the list of one's block
   std::vector<VehicleHit> hits;
+  std::vector<JamNotice> jams;           ///< begun in this step
+  std::vector<std::uint8_t> jam_begins;  ///< of each walked person, while they are found
+  std::vector<double> next_radius;       ///< [m] of each walked person's body, while it is found
 
   std::uint64_t substep = 0;  ///< number of substeps so far: a key of random numbers
   double time = 0.0;          ///< [s] of all substeps so far
   std::uint64_t person_steps = 0;
 
+  /// Bodies that person i of that block may touch within the substep.
+  std::span<const std::uint32_t> neighbours_of(std::size_t block, std::size_t i) const {
+    const std::uint32_t* const list = blocks[block].neighbours.data();
+    return {list + first_neighbour[i], list + last_neighbour[i]};
+  }
   Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
   Vec2 velocity(std::size_t i) const { return {persons.vx[i], persons.vy[i]}; }
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crowd/jams.hpp"
 #include "crowd/parallel.hpp"
 #include "crowd/state.hpp"
 #include "crowd/vehicle_motion.hpp"
@@ -35,6 +36,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   set_moves(crowd, dt);
   resolve_contacts(crowd, dt);
   follow_waypoints(crowd, dt);
+  notice_jams(crowd, dt);
   move_others_on(crowd, dt);
   crowd.person_steps += crowd.persons.walking;
   ++crowd.substep;
@@ -56,17 +58,15 @@ void append_seen(CrowdState& crowd) {
     persons.heading[i] = persons.goal_direction[i] = angle_of(person.velocity);
     persons.goal_distance[i] = 0.0;
     persons.radius[i] = person.radius;
+    persons.turned_radius[i] = persons.present_radius[i] =
+        crowd.zone.parameters.turned_width * person.radius;
     persons.preferred_speed[i] = person.velocity.norm();
     persons.key[i] = 0;
   }
 }
 
 void resize_rows(Persons& persons, std::size_t rows) {
-  for (auto* column :
-       {&persons.x, &persons.y, &persons.vx, &persons.vy, &persons.heading, &persons.radius,
-        &persons.preferred_speed, &persons.goal_direction, &persons.goal_distance}) {
-    column->resize(rows);
-  }
+  for (std::vector<double>* column : persons.numbers()) column->resize(rows);
   persons.key.resize(rows);
 }
 
@@ -87,6 +87,7 @@ void decide(CrowdState& crowd, double dt) {
 }
 
 void walk(CrowdState& crowd, double dt) {
+  crowd.jams.clear();
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
   for (int k = 0; k < substeps; ++k) walk_substep(crowd, dt / substeps);
   resize_rows(crowd.persons, crowd.persons.walking);

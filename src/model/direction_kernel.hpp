@@ -7,15 +7,19 @@
 
 #include "model/candidates.hpp"
 #include "model/obstacle_lists.hpp"
+#include "model/shoulders.hpp"
 
 namespace pedzone {
 
 /// The persons of a grid, by slot; kSlotGroup more may be read behind the last.
 struct PersonSlots {
-  const std::int32_t *x, *y;  ///< lattice
-  const float *vx, *vy;       ///< [m/s]
-  const float* speed2;        ///< [m²/s²] vx² + vy²
-  const float* radius;        ///< [m]
+  const std::int32_t *x, *y;    ///< lattice
+  const float *vx, *vy;         ///< [m/s]
+  const float* speed2;          ///< [m²/s²] vx² + vy²
+  const float* radius;          ///< [m]
+  const float* turned_radius;   ///< [m]
+  const float* present_radius;  ///< [m]
+  const float *hx, *hy;         ///< unit vector of the heading
 };
 
 /// Slots are looked at in groups of this many.
@@ -30,12 +34,14 @@ struct SlotGroup {
 struct Sight {
   std::int32_t x, y;  ///< lattice, the person
   float heading_cos, heading_sin;
-  float field_cos;     ///< of the half field of view
-  float reach, near;   ///< [m] d_max; who is within `near` is told apart
-  float radius;        ///< [m] of the person's body
-  float speed;         ///< [m/s] V, preferred
-  float horizon;       ///< [s]
-  float static_reach;  ///< [m] who stands farther away than this does not count
+  float field_cos;      ///< of the half field of view
+  float reach, near;    ///< [m] d_max; who is within `near` is told apart
+  float radius;         ///< [m] of the person's body
+  float turned_radius;  ///< [m]
+  Shoulders shoulders;  ///< as it holds them in what it looks for
+  float speed;          ///< [m/s] V, preferred
+  float horizon;        ///< [s]
+  float static_reach;   ///< [m] who stands farther away than this does not count
 };
 
 /// Far persons are tried in so many at a time, between two questions whether to go on.

@@ -29,13 +29,21 @@ class HeuristicModel : public WalkingModel {
 
   /// What the person is aware of, ready for the kernel, which reads it from `around`.
   DirectionTask look_around(std::size_t person, const Walker& walker, Surroundings& around) const;
+  /// Sees the others anew, as they are in the way of somebody who holds its shoulders so.
+  void see_persons(std::size_t person, const Walker& walker, const Shoulders& shoulders,
+                   Scratch& scratch, DirectionTask& task) const;
   Decision decide_one(std::size_t person, Scratch& scratch) const;
-  DirectionChoice choose(const Walker& walker, double to_goal, const DirectionTask& task,
-                         Scratch& scratch) const;
+  /// Turns the shoulders where there is no room to keep them straight.
+  DirectionChoice choose(std::size_t person, const Walker& walker, double to_goal,
+                         DirectionTask& task, Scratch& scratch) const;
+  /// [s] until somebody is met in that direction behind whom one keeps a distance.
+  float time_to_queue(std::size_t person, const Walker& walker, std::uint32_t direction,
+                      DirectionTask& task, Scratch& scratch) const;
   bool gives_way() const;
+  bool extended() const;
   PacedChoice give_way(std::size_t person, const Walker& walker, double to_goal,
-                       const DirectionTask& task, Scratch& scratch) const;
-  PacedChoice plain(const Walker& walker, double to_goal, const DirectionTask& task,
+                       DirectionTask& task, Scratch& scratch) const;
+  PacedChoice plain(std::size_t person, const Walker& walker, double to_goal, DirectionTask& task,
                     Scratch& scratch) const;
   bool waits(const Walker& walker, float ex, float ey, const Surroundings& surroundings) const;
 

@@ -14,7 +14,7 @@ namespace pedzone {
 struct Neighbour {
   Vec2 offset;      ///< [m] from the person to it
   Vec2 velocity;    ///< [m/s]
-  double radius;    ///< [m]
+  double radius;    ///< [m] as it holds its shoulders now, or would if it turned them
   double distance;  ///< [m] > 0 between the centres
 };
 
@@ -49,7 +49,8 @@ struct Perceived {
   Vec2 heading;                ///< unit vector
   Vec2 goal_direction;         ///< unit vector towards the current waypoint
   double goal_distance;        ///< [m]
-  double radius;               ///< [m]
+  double radius;               ///< [m] as it holds its shoulders now, or would if it turned them
+  double width;                ///< (0, 1] that radius over the one with straight shoulders
   double speed;                ///< [m/s] > 0 preferred
   double caution;              ///< > 0 factor of the room wanted to vehicles (profiles)
   double step;                 ///< [s] for which the decision holds

@@ -9,6 +9,9 @@
 namespace pedzone {
 namespace {
 
+/// Assumed: share of the preferred speed below which somebody is hindered.
+constexpr double kHindered = 0.5;
+
 /// [m] from the person to a lattice point, exactly.
 Vec2 offset_to(const LatticePoint& point, const LatticePoint& from) {
   return Vec2(point.x - from.x, point.y - from.y) / kLatticePerMetre;
@@ -82,8 +85,24 @@ void PerceivingModel::decide(std::size_t first, std::size_t last,
   for (std::size_t i = first; i < last; ++i) {
     perceive(i, who);
     decisions[i] = decide_from(who);
+    if (lacks_room(decisions[i], who)) {
+      see_persons(i, true, scenery_.walker(i), scenery_.senses_of(i), who);
+      decisions[i] = decide_from(who);
+      decisions[i].turns = true;
+    }
     decisions[i].speed = std::clamp(decisions[i].speed, 0.0, who.speed);
   }
+}
+
+/// Gets on slowly, and somebody ahead is near.
+bool PerceivingModel::lacks_room(const Decision& decision, const Perceived& who) const {
+  const double gain = decision.speed * unit(decision.direction).dot(who.goal_direction);
+  if (gain > kHindered * who.speed) return false;
+  const double reach = who.speed * who.parameters->turn_time;
+  return std::ranges::any_of(who.neighbours, [&](const Neighbour& other) {
+    return other.offset.dot(who.goal_direction) > 0.0 &&
+           other.distance - who.radius - other.radius < reach;
+  });
 }
 
 Decision PerceivingModel::walk_with(const Vec2& velocity, const Perceived& who) {
@@ -104,7 +123,6 @@ void PerceivingModel::perceive(std::size_t i, Perceived& who) const {
   who.heading = Vec2(heading.cos, heading.sin);
   who.goal_direction = Vec2(goal.cos, goal.sin);
   who.goal_distance = persons.goal_distance[i];
-  who.radius = persons.radius[i];
   who.speed = persons.preferred_speed[i];
   who.caution = snapshot_.attention ? snapshot_.attention->persons[i].caution : 1.0;
   who.step = snapshot_.step;
@@ -112,16 +130,20 @@ void PerceivingModel::perceive(std::size_t i, Perceived& who) const {
   who.key = persons.key[i];
   who.seed = snapshot_.seed;
   who.parameters = snapshot_.parameters;
-  see_persons(walker, senses, who);
+  see_persons(i, false, walker, senses, who);
   see_walls(walker, who);
   notice_vehicles(i, walker, senses, who);
 }
 
-void PerceivingModel::see_persons(const Walker& walker, const Senses& senses,
-                                  Perceived& who) const {
+void PerceivingModel::see_persons(std::size_t i, bool turned, const Walker& walker,
+                                  const Senses& senses, Perceived& who) const {
   static thread_local std::vector<SlotGroup> space;
   who.neighbours.clear();
+  const Persons& persons = *snapshot_.persons;
+  who.radius = turned ? persons.turned_radius[i] : persons.present_radius[i];
+  who.width = who.radius / persons.radius[i];
   const PersonSlots slots = scenery_.persons().slots();
+  const float* const radii = turned ? slots.turned_radius : slots.present_radius;
   const double reach = std::min(reach_, static_cast<double>(senses.sight));
   const double field = senses.field_cos;
   for (const SlotGroup& group : scenery_.persons().groups(walker.at, walker.heading, space)) {
@@ -132,7 +154,7 @@ void PerceivingModel::see_persons(const Walker& walker, const Senses& senses,
       const double distance = offset.norm();
       if (distance == 0.0 || distance > reach) continue;  // at 0: itself
       if (offset.dot(who.heading) < field * distance) continue;
-      const double radius = slots.radius[j];
+      const double radius = radii[j];
       const bool stands = slots.speed2[j] < kStandingSpeed * kStandingSpeed;
       if (stands && distance > walker.static_reach + who.radius + radius) continue;
       who.neighbours.push_back({offset, Vec2(slots.vx[j], slots.vy[j]), radius, distance});

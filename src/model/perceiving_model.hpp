@@ -1,6 +1,7 @@
 // Base of walking models that decide from lists of what a person is aware of. A model is one
 // function, from Perceived to Decision; sight, hearing, attention, order of persons and threads
-// are seen to here.
+// are seen to here. Whom people leave no room decides once more, as narrow as with its shoulders
+// turned, among people who have turned theirs.
 #pragma once
 
 #include <limits>
@@ -32,7 +33,10 @@ class PerceivingModel : public WalkingModel {
 
  private:
   void perceive(std::size_t person, Perceived& who) const;
-  void see_persons(const Walker& walker, const Senses& senses, Perceived& who) const;
+  bool lacks_room(const Decision& decision, const Perceived& who) const;
+  /// Lists them as they are now, or as they are with their shoulders turned.
+  void see_persons(std::size_t person, bool turned, const Walker& walker, const Senses& senses,
+                   Perceived& who) const;
   void see_walls(const Walker& walker, Perceived& who) const;
   void notice_vehicles(std::size_t person, const Walker& walker, const Senses& senses,
                        Perceived& who) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/trigonometry.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -54,7 +56,9 @@ void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, doub
   }
   size_ = persons.size();
   for (auto* array : {&x_, &y_}) array->resize(size_ + kGroup);
-  for (auto* array : {&vx_, &vy_, &speed2_, &radius_}) array->resize(size_ + kGroup);
+  for (auto* array : {&vx_, &vy_, &speed2_, &radius_, &turned_, &present_, &hx_, &hy_}) {
+    array->resize(size_ + kGroup);
+  }
   cell_.resize(size_);
   point_.resize(size_);
   bounds_ = {0, 0, -1, -1};
@@ -93,6 +97,11 @@ void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, doub
     vy_[slot] = static_cast<float>(persons.vy[i]);
     speed2_[slot] = vx_[slot] * vx_[slot] + vy_[slot] * vy_[slot];
     radius_[slot] = static_cast<float>(persons.radius[i]);
+    turned_[slot] = static_cast<float>(persons.turned_radius[i]);
+    present_[slot] = static_cast<float>(persons.present_radius[i]);
+    const SineCosine heading = sine_cosine(wrapped(persons.heading[i]));
+    hx_[slot] = static_cast<float>(heading.cos);
+    hy_[slot] = static_cast<float>(heading.sin);
   }
 }
 

@@ -83,6 +83,7 @@ Walker Scenery::walker(std::size_t i) const {
   w.vx = static_cast<float>(persons.vx[i]);
   w.vy = static_cast<float>(persons.vy[i]);
   w.radius = static_cast<float>(persons.radius[i]);
+  w.turned_radius = static_cast<float>(persons.turned_radius[i]);
   w.speed = static_cast<float>(std::max(persons.preferred_speed[i], kLeastSpeed));
   // Nobody avoids what stands behind its goal. Not nearer than what Eq. 3 brakes for, so that the
   // speed never depends on the goal. The paper is silent; without this a person turns away from

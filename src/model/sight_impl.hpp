@@ -25,8 +25,8 @@ struct SightImpl {
   /// What `see` compares with, in vectors.
   struct Seer {
     std::int32_t x, y;
-    Float heading_cos, heading_sin, field, reach2, near2, radius, speed2, horizon, walk,
-        static_reach;
+    Float heading_cos, heading_sin, field, reach2, near2, radius, turned, speed2, horizon, walk,
+        static_reach, straight, facing;
 
     explicit Seer(const Sight& s)
         : x(s.x),
@@ -37,10 +37,13 @@ struct SightImpl {
           reach2(Float::all(s.reach * s.reach)),
           near2(Float::all(s.near * s.near)),
           radius(Float::all(s.radius)),
+          turned(Float::all(s.turned_radius)),
           speed2(Float::all(s.speed * s.speed)),
           horizon(Float::all(s.horizon)),
           walk(Float::all(s.speed * s.horizon * (1.0F + kReachShare) + kReachMargin)),
-          static_reach(Float::all(s.static_reach)) {}
+          static_reach(Float::all(s.static_reach)),
+          straight(Float::all(s.shoulders.straight)),
+          facing(Float::all(s.shoulders.facing)) {}
   };
 
   static Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
@@ -73,7 +76,11 @@ struct SightImpl {
 
     p.vx = Float::load(slots.vx + first);
     p.vy = Float::load(slots.vy + first);
-    p.contact = s.radius + Float::load(slots.radius + first);
+    const Float wide = s.radius + Float::load(slots.radius + first);
+    const Float narrow = s.turned + Float::load(slots.turned_radius + first);
+    const Float alike = Float::load(slots.hx + first) * s.heading_cos +
+                        Float::load(slots.hy + first) * s.heading_sin;
+    p.contact = narrow + (s.straight + s.facing * alike) * (wide - narrow);
     const Float v2 = Float::load(slots.speed2 + first);
     const Float fx = p.x + p.vx * s.horizon, fy = p.y + p.vy * s.horizon;
     const Float farthest = p.contact + s.walk, still = p.contact + s.static_reach;

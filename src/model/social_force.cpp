@@ -25,20 +25,21 @@ Vec2 driving_force(const Vec2& velocity, const Vec2& desired) {
   return (desired - velocity) / kTau;
 }
 
-Vec2 person_force(const Neighbour& other, const Vec2& heading) {
+Vec2 person_force(const Neighbour& other, const Vec2& heading, double width) {
+  const double sigma = kSigma * width;
   const Vec2 step = other.velocity * kDeltaT;
   const Vec2 r = -other.offset, q = r - step;
   const double r_length = r.norm(), q_length = q.norm(), sum = r_length + q_length;
   const double b = std::sqrt(std::max(sum * sum - step.squaredNorm(), 0.0)) / 2.0;
   if (b < kOnAxis || r_length == 0.0 || q_length == 0.0) {
-    return exponential(kV0, kSigma, 0.0) * -left_of(heading);
+    return exponential(kV0, sigma, 0.0) * -left_of(heading);
   }
   const Vec2 gradient = sum / (4.0 * b) * (r / r_length + q / q_length);
-  return exponential(kV0, kSigma, b) * gradient;
+  return exponential(kV0, sigma, b) * gradient;
 }
 
-Vec2 border_force(const Border& border) {
-  return exponential(kU0, kR, border.distance) * away_from(border);
+Vec2 border_force(const Border& border, double width) {
+  return exponential(kU0, kR * width, border.distance) * away_from(border);
 }
 
 Vec2 vehicle_force(const SeenVehicle& vehicle, double radius, double caution) {
@@ -54,12 +55,12 @@ double weight(const Vec2& e, const Vec2& f) { return e.dot(-f) >= f.norm() * kCo
 Vec2 total_force(const Perceived& who) {
   Vec2 force = driving_force(who.velocity, who.speed * who.goal_direction);
   const auto add = [&](const Vec2& f) { force += weight(who.goal_direction, f) * f; };
-  for (const Neighbour& other : who.neighbours) add(person_force(other, who.heading));
+  for (const Neighbour& other : who.neighbours) add(person_force(other, who.heading, who.width));
   for (const SeenVehicle& vehicle : who.vehicles) {
     add(vehicle_force(vehicle, who.radius, who.caution));
   }
   for (std::size_t k = 0; k < who.borders.size(); ++k) {
-    if (pushes(who, k)) force += border_force(who.borders[k]);
+    if (pushes(who, k)) force += border_force(who.borders[k], who.width);
   }
   return force;
 }

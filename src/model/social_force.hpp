@@ -24,11 +24,12 @@ Vec2 driving_force(const Vec2& velocity, const Vec2& desired);
 
 /// Eqs. (3), (4): f_αβ = −∇V(b), b the semi-minor axis of the ellipse through α whose foci are β
 /// now and after its next step. Between them, where the paper's force has no direction, it points
-/// to the right of `heading` (assumed: in the paper fluctuations choose a side).
-Vec2 person_force(const Neighbour& other, const Vec2& heading);
+/// to the right of `heading` (assumed: in the paper fluctuations choose a side). `width`: of the
+/// body, over its full one, as it holds its shoulders; σ is that much shorter (assumed).
+Vec2 person_force(const Neighbour& other, const Vec2& heading, double width = 1.0);
 
-/// Eq. (5): −∇U of the border's nearest point.
-Vec2 border_force(const Border& border);
+/// Eq. (5): −∇U of the border's nearest point; R is shorter as σ.
+Vec2 border_force(const Border& border, double width = 1.0);
 
 /// Of a vehicle, assumed. Moving: as of a person, with b the body's distance from the room that the
 /// vehicle takes within kSweepTime, its own step, and σ times the person's caution. Parked: as of a

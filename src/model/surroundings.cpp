@@ -15,7 +15,8 @@ constexpr float kOverlap = 1e-3F;
 
 }  // namespace
 
-void Surroundings::see_persons(const Walker& walker, const Senses& senses, const PersonGrid& grid,
+void Surroundings::see_persons(const Walker& walker, const Senses& senses,
+                               const Shoulders& shoulders, const PersonGrid& grid,
                                const DirectionKernel& kernel) {
   Sight sight;
   sight.x = walker.at.x;
@@ -24,6 +25,8 @@ void Surroundings::see_persons(const Walker& walker, const Senses& senses, const
   sight.heading_sin = walker.heading_sin;
   sight.field_cos = senses.field_cos;
   sight.radius = walker.radius;
+  sight.turned_radius = walker.turned_radius;
+  sight.shoulders = shoulders;
   sight.speed = walker.speed;
   sight.horizon = senses.sight / walker.speed;
   sight.static_reach = walker.static_reach;

@@ -17,8 +17,8 @@ namespace pedzone {
 /// Refilled for each person; no allocation once sizes have settled.
 class Surroundings {
  public:
-  void see_persons(const Walker& walker, const Senses& senses, const PersonGrid& grid,
-                   const DirectionKernel& kernel);
+  void see_persons(const Walker& walker, const Senses& senses, const Shoulders& shoulders,
+                   const PersonGrid& grid, const DirectionKernel& kernel);
   void see_walls(const Walker& walker, const WallTiles& walls);
   /// `near`: indices into `vehicles` of those that may matter; `soon` [s]: see threatened();
   /// `minds(index)`: whether the person minds that one, if it perceives it. To be called last.

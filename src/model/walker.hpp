@@ -22,6 +22,7 @@ struct Walker {
   float vx = 0.0F, vy = 0.0F;                                  ///< [m/s]
   float pace() const { return std::sqrt(vx * vx + vy * vy); }  ///< [m/s]
   float radius = 0.24F;                                        ///< [m]
+  float turned_radius = 0.12F;                                 ///< [m] with its shoulders turned
   float speed = 1.34F;                                         ///< [m/s] preferred
   float static_reach = 10.0F;  ///< [m] what stands farther away than this does not count
 };

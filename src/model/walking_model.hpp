@@ -17,6 +17,7 @@ struct Decision {
   double speed = 0.0;          ///< [m/s] [0, preferred speed]
   double free_distance = 0.0;  ///< [m] [0, sight] f(α) in the chosen direction
   bool waits = false;          ///< stands for a vehicle that is about to cross
+  bool turns = false;          ///< its shoulders, for want of room among people
 };
 
 /// How far one candidate direction is free.

@@ -43,6 +43,7 @@ RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding) co
   // Not getIDCount: that counts those who are yet to depart, too.
   summary.persons.walking = static_cast<long>(api::Person::getIDList().size());
   summary.persons.lost = departed_ - arrived_ - summary.persons.walking;
+  summary.persons.jammed = walks.jams;
   if (walks.time > 0.0) summary.persons.mean_speed = walks.distance / walks.time;
   summary.persons.mean_delay_s = (walks.time - walks.free_time) / persons;
   summary.persons.mean_waiting_s = walks.waiting / persons;

@@ -16,6 +16,7 @@ namespace pedzone {
 struct RunSummary {
   struct {
     long seen = 0, controlled = 0, arrived = 0, walking = 0, lost = 0;
+    long jammed = 0;  ///< times that somebody stuck among people squeezed through
     double mean_speed = 0.0;      ///< [m/s] inside the zone
     double mean_delay_s = 0.0;    ///< [s] per person, over its free walk of the same distance
     double mean_waiting_s = 0.0;  ///< [s] per person

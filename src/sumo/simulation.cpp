@@ -218,6 +218,8 @@ const Network& Simulation::network() const { return parts_->network; }
 const std::vector<WaypointPath>& Simulation::paths() const { return parts_->paths; }
 const std::vector<Guest>& Simulation::guests() const { return parts_->takeover.guests(); }
 
+const std::vector<JammedPerson>& Simulation::jammed() const { return parts_->takeover.jammed(); }
+
 PersonView Simulation::view(const Guest& guest) const {
   return parts_->crowds[guest.zone]->view(guest.handle);
 }

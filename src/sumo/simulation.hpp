@@ -53,6 +53,8 @@ class Simulation {
   /// Persons that pedzone walks now, in the order they were taken over.
   const std::vector<Guest>& guests() const;
   PersonView view(const Guest& guest) const;
+  /// Who began to squeeze through a jam of people in the last step.
+  const std::vector<JammedPerson>& jammed() const;
   /// What the guests are about to do, in their order; slow.
   std::vector<Insight> insights();
   /// Figures so far.

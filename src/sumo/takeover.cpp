@@ -259,7 +259,22 @@ bool Takeover::may_hand_over(Guest& guest, const Vec2& place, double dt, const F
   return false;
 }
 
+/// The crowds know handles only.
+void Takeover::list_jams() {
+  jammed_.clear();
+  for (std::size_t z = 0; z < crowds_.size(); ++z) {
+    for (const JamNotice& jam : crowds_[z]->jams()) {
+      const auto found = std::ranges::find_if(guests_, [&](const Guest& guest) {
+        return guest.zone == static_cast<int>(z) && guest.handle == jam.handle;
+      });
+      if (found != guests_.end()) jammed_.push_back({found->id, jam.position, found->zone});
+    }
+  }
+  totals_.jams += static_cast<long>(jammed_.size());
+}
+
 void Takeover::write(double dt, const Fleet& fleet) {
+  list_jams();
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     const double walked = (view.position - guest.position).norm();

@@ -37,7 +37,7 @@ struct Guest {
   double check_at = 0.0;         ///< [s] when its plan is looked at again
   double held = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
   PersonColour colour;
-  bool gone = false;             ///< no longer ours: dropped at the end of the phase
+  bool gone = false;  ///< no longer ours: dropped at the end of the phase
 };
 
 /// Sums over all persons, for the summary.
@@ -47,6 +47,14 @@ struct WalkTotals {
   double time = 0.0;       ///< [s] while controlled
   double free_time = 0.0;  ///< [s] that distance at the preferred speed
   double waiting = 0.0;    ///< [s] waiting for vehicles or standing
+  long jams = 0;           ///< times that somebody was stuck among people and squeezed through
+};
+
+/// A person who was stuck among people and squeezes through.
+struct JammedPerson {
+  std::string id;
+  Vec2 position = Vec2::Zero();  ///< [m]
+  int zone = 0;                  ///< index into the zones
 };
 
 class Takeover {
@@ -66,6 +74,8 @@ class Takeover {
 
   const std::vector<Guest>& guests() const { return guests_; }
   const WalkTotals& totals() const { return totals_; }
+  /// Of the crowds' last step.
+  const std::vector<JammedPerson>& jammed() const { return jammed_; }
   Bystanders& bystanders() { return bystanders_; }
   /// The guests as vehicles see them.
   void people(std::vector<PersonAhead>& out) const;
@@ -97,6 +107,7 @@ class Takeover {
   static bool may_hand_over(Guest& guest, const Vec2& place, double dt, const Fleet& fleet);
   bool hand_over(const Guest& guest, const PersonView& view, double dt);
   void drop_gone();
+  void list_jams();
 
   const Network& network_;
   const std::vector<Zone>& zones_;
@@ -112,6 +123,7 @@ class Takeover {
   std::vector<Vec2> eyes_;                     ///< [m] who looks at bystanders
   std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
   WalkTotals totals_;
+  std::vector<JammedPerson> jammed_;
 };
 
 }  // namespace pedzone

@@ -12,6 +12,7 @@ struct Parameters {
   double sight, field_of_view, candidate_field, relaxation_time, collision_time, hearing;
   double equation, waypoint_radius, patience, heading_noise, heading_noise_time;
   double wait_distance, wait_time, near_distance;
+  double turned_width, turn_time, jam_time;
   double group_preferred_distance, group_maximum_distance;
   double vehicle_sight, discomfort, discomfort_margin, discomfort_margin_time, discomfort_horizon;
   double slowing_cost, margin_spread;

@@ -17,6 +17,7 @@ struct Profile {
 
   double speed, speed_deviation, top_speed;  ///< preferred speeds are normal; cut at the limits
   double length, width;                      ///< of the body, along and across its heading
+  double turned_width;                       ///< with the shoulders turned, over the full width
   double reaction_time, field_of_view, hearing, awareness;
   double caution, impulsiveness, patience;
   double share;    ///< among people of whom nothing else is said

@@ -1,6 +1,7 @@
 // Who is where, and how fast, at one moment. Frozen while people decide.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,6 +20,8 @@ struct Persons {
   std::vector<double> vx, vy;           ///< [m/s]
   std::vector<double> heading;          ///< [rad] (-pi, pi] where the body faces
   std::vector<double> radius;           ///< [m] (0, 1] body as a disc
+  std::vector<double> turned_radius;    ///< [m] (0, radius] with the shoulders turned all the way
+  std::vector<double> present_radius;   ///< [m] [turned_radius, radius] as they are turned now
   std::vector<double> preferred_speed;  ///< [m/s] (0, 5]
   std::vector<double> goal_direction;   ///< [rad] α0: towards the current waypoint
   std::vector<double> goal_distance;    ///< [m] to the current waypoint
@@ -26,6 +29,20 @@ struct Persons {
   std::size_t walking = 0;              ///< how many pedzone walks
 
   std::size_t size() const { return x.size(); }
+  /// All columns of numbers.
+  std::array<std::vector<double>*, 11> numbers() {
+    return {&x,
+            &y,
+            &vx,
+            &vy,
+            &heading,
+            &radius,
+            &turned_radius,
+            &present_radius,
+            &preferred_speed,
+            &goal_direction,
+            &goal_distance};
+  }
 };
 
 /// A vehicle: its rectangle and how that moves.

@@ -23,6 +23,8 @@ Persons persons_of(const std::vector<PersonSpec>& people) {
     p.vy.push_back(person.velocity.y());
     p.heading.push_back(wrap_angle(person.heading));
     p.radius.push_back(person.radius);
+    p.turned_radius.push_back(person.turned_width * person.radius);
+    p.present_radius.push_back(person.radius);
     p.preferred_speed.push_back(person.speed);
     p.goal_direction.push_back(wrap_angle(person.goal));
     p.goal_distance.push_back(person.goal_distance);

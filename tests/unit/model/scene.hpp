@@ -13,6 +13,7 @@ struct PersonSpec {
   double heading = 0.0;  ///< [rad]
   Vec2 velocity = Vec2::Zero();
   double radius = 0.24;
+  double turned_width = 0.5;  ///< share of the radius
   double speed = 1.34;  ///< preferred
   double goal = 0.0;    ///< [rad] direction
   double goal_distance = 100.0;

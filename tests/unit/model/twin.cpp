@@ -59,7 +59,12 @@ Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count, c
       const float ahead = x * s.heading_cos + y * s.heading_sin;
       if (ahead * std::abs(ahead) < s.field_cos * std::abs(s.field_cos) * d2) continue;
       const float vx = slots.vx[j], vy = slots.vy[j], v2 = vx * vx + vy * vy;
-      const float contact = s.radius + slots.radius[j], still = contact + s.static_reach;
+      const float wide = s.radius + slots.radius[j];
+      const float narrow = s.turned_radius + slots.turned_radius[j];
+      const float alike = slots.hx[j] * s.heading_cos + slots.hy[j] * s.heading_sin;
+      const float straight = s.shoulders.straight + s.shoulders.facing * alike;
+      const float contact = narrow + straight * (wide - narrow);
+      const float still = contact + s.static_reach;
       if (v2 < kStandingSpeed * kStandingSpeed && d2 > still * still) continue;
       const float soft = larger(kSoftness * d2, kLeastDiscGap);
       const float gamma = 1.0F / larger(d2 - contact * contact, soft);

@@ -1,0 +1,60 @@
+#include "crowd/jams.hpp"
+
+#include <algorithm>
+
+#include "crowd/danger.hpp"
+#include "crowd/parallel.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kProgress = 0.5;      // [m] assumed: coming nearer by less is standing in a jam
+constexpr double kVehicleNear = 10.0;  // [m] assumed: with a vehicle so near it is not people who
+                                       // are in the way
+constexpr double kFree = 2.0;          // [s] assumed: with room for so long, a jam is over
+constexpr double kNarrowest = 0.25;    // assumed: least share of the turned width. Two adults pass
+                                       // each other in 0.3 m then, as if one stepped off the kerb
+constexpr double kSqueezeTime = 10.0;  // [s] assumed: until somebody is as narrow as that
+
+/// Whether people alone keep the person from going on.
+bool lacks_room(const CrowdState& crowd, std::size_t i) {
+  const WalkState& walker = crowd.walkers[i];
+  if (walker.arrived || walker.waits || walker.waits_for_group || walker.led) return false;
+  if (!crowd.decisions[i].turns && !walker.pressed) return false;
+  return moving_near(crowd, crowd.position(i), kVehicleNear, 0.0) == nullptr;
+}
+
+/// Whether it begins to squeeze.
+bool jams(CrowdState& crowd, std::size_t i, double dt) {
+  Jam& jam = crowd.walkers[i].jam;
+  const bool stuck = lacks_room(crowd, i);
+  jam.free = stuck ? 0.0 : jam.free + dt;
+  if (jam.free > kFree) jam.squeezed = 0.0;
+  const double left = way_left(crowd.walkers[i].route, crowd.position(i));
+  if (left < jam.least_left - kProgress) {
+    jam.least_left = left;
+    jam.stuck = 0.0;
+  } else if (stuck) {
+    jam.stuck += dt;
+  }
+  const bool squeezes = jam.squeezed > 0.0 || jam.stuck >= crowd.zone.parameters.jam_time;
+  const bool begins = squeezes && jam.squeezed == 0.0;
+  if (squeezes) jam.squeezed += dt;
+  jam.share = 1.0 - (1.0 - kNarrowest) * std::min(jam.squeezed / kSqueezeTime, 1.0);
+  return begins;
+}
+
+}  // namespace
+
+void notice_jams(CrowdState& crowd, double dt) {
+  crowd.jam_begins.assign(crowd.persons.walking, 0);
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) crowd.jam_begins[i] = jams(crowd, i, dt);
+  });
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
+    if (crowd.jam_begins[i] != 0)
+      crowd.jams.push_back({crowd.walkers[i].handle, crowd.position(i)});
+  }
+}
+
+}  // namespace pedzone
