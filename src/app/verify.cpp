@@ -11,6 +11,7 @@
 #include "app/verify_output.hpp"
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
+#include "verify/page.hpp"
 #include "world/model_names.hpp"
 
 namespace pedzone {
@@ -19,7 +20,7 @@ namespace {
 constexpr int kExitFailed = 1;
 
 struct VerifyCommand {
-  std::string json;
+  std::string json, html;
   std::vector<std::string> models, only;
   int seeds = 3, threads = 0;
   bool list = false;
@@ -38,14 +39,23 @@ std::vector<std::string> models_of(const VerifyCommand& command) {
   return models;
 }
 
+/// The command line that gives the same figures.
+std::string repeat_command(const VerifyCommand& command) {
+  std::string text = fmt::format("pedzone verify --seeds {}", command.seeds);
+  if (!command.models.empty()) text += fmt::format(" --model {}", fmt::join(command.models, " "));
+  if (!command.only.empty()) text += fmt::format(" --only {}", fmt::join(command.only, " "));
+  return text + " --html verify.html";
+}
+
 /// Whether the first of the models passes all tests.
 bool verify_all(const VerifyCommand& command) {
   verify::VerifyOptions options;
   options.models = models_of(command);
   options.only = command.only;
   options.seeds = command.seeds;
-  std::unique_ptr<CompleteFile> json;
+  std::unique_ptr<CompleteFile> json, html;
   if (!command.json.empty()) json = std::make_unique<CompleteFile>(command.json, "--json");
+  if (!command.html.empty()) html = std::make_unique<CompleteFile>(command.html, "--html");
   const int threads =
       command.threads > 0 ? command.threads : static_cast<int>(std::thread::hardware_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -55,7 +65,9 @@ bool verify_all(const VerifyCommand& command) {
       verify::verify(options, [&](double share) { bar.update(share); });
   bar.finish();
   if (json) json->write(verification_json(verification));
+  if (html) html->write(verify::verification_page(verification, repeat_command(command)));
   if (json) json->finish();
+  if (html) html->finish();
   fmt::print("{}", verification_table(verification));
   return verification.passes(0);
 }
@@ -83,6 +95,8 @@ void add_verify(CLI::App& app, int& code) {
   command->add_option("--threads", options->threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  command->add_option("--html", options->html,
+                      "Write a page with set-ups, limits, figures, charts and density maps");
   command->add_option("--json", options->json, "Write all figures, limits and curves");
   command->add_flag("--list", options->list, "Print the tests and end");
   command->callback([options, &code] {

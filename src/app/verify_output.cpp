@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "verify/page.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -12,17 +14,6 @@ using Json = nlohmann::ordered_json;
 using namespace verify;
 
 constexpr std::size_t kLabel = 44, kColumn = 13;
-
-std::string limits_text(const FigureSpec& figure) {
-  if (figure.judged == Judged::kNot) return "";
-  if (figure.least && figure.most) {
-    return fmt::format("{:.{}f} to {:.{}f}", *figure.least, figure.digits, *figure.most,
-                       figure.digits);
-  }
-  if (figure.least) return fmt::format(">= {:.{}f}", *figure.least, figure.digits);
-  if (figure.most) return fmt::format("<= {:.{}f}", *figure.most, figure.digits);
-  return "";
-}
 
 std::string cell(const FigureSpec& figure, const FigureResult& result) {
   const std::string mark = figure.judged == Judged::kNot ? " " : result.passed ? "+" : "!";

@@ -16,6 +16,9 @@ constexpr double kBodyRadius = 0.239;  ///< [m] SUMO's person is 0.478 m wide
 constexpr double kMeanSpeed = 1.34;    ///< [m/s] measured: Weidmann 1993
 constexpr double kSpeedSpread = 0.26;  ///< [m/s] measured: Weidmann 1993, standard deviation
 constexpr double kStep = 0.1;          ///< [s] the crowd's substep
+/// [m] So far the ground goes on behind where people leave: more than they see (10 m), since they
+/// take the ground's border for a wall.
+constexpr double kOpenEnd = 12.0;
 
 /// Where the next person stands, is headed, and to which stream it belongs.
 struct Walker {

@@ -50,7 +50,6 @@ struct Chart {
   std::string key, title, x_title, y_title;
   std::vector<Reference> references;
   Points band_low, band_high;  ///< what passes lies between; may be empty
-  bool categories = false;     ///< x are numbers of set-ups, not a scale to read between
 };
 
 /// The set-up as it is drawn.
@@ -77,6 +76,8 @@ struct StandardTest {
   std::vector<FigureSpec> figures;
   std::vector<Chart> charts;
   Drawing drawing;
+  std::string map_of =
+      {};                 ///< a sentence on which of the cases the density map shows; may be empty
   std::size_t cases = 1;  ///< runs that do not depend on each other, numbered from 0
   std::function<Outcome(const RunInput&, std::size_t)> run;
   /// Adds figures that rest on several cases. May be empty.

@@ -17,7 +17,7 @@ constexpr double kCrowd = 3.0;       // [persons/m²] assumed: Seyfried 2009 had
 constexpr double kPerMetre = 100.0;  // [persons/m] assumed: over a minute of steady flow
 constexpr double kWall = 0.2;        // [m] assumed: a door's wall
 constexpr double kCorridor = 4.0;    // [m] long, as Seyfried 2009
-constexpr double kOutside = 6.0;     // [m] beyond it
+constexpr double kAway = 4.0;        // [m] people leave so far behind it
 
 struct Bottleneck {
   double width, length;  ///< [m]
@@ -27,10 +27,12 @@ struct Bottleneck {
   }
   double depth() const { return static_cast<double>(people()) / (kCrowd * 2.0 * kHalf); }
 
-  Region ground() const {
+  /// `open`: with the open end behind where people leave.
+  Region ground(bool open) const {
+    const double behind = kAway + (open ? kOpenEnd : 0.0);
     return joined({box(-depth() - 0.5, -kHalf, 0.0, kHalf),
                    box(-0.1, -width / 2, length + 0.1, width / 2),
-                   box(length, -kHalf, length + kOutside, kHalf)});
+                   box(length, -kHalf, length + behind, kHalf)});
   }
 };
 
@@ -39,8 +41,8 @@ std::string key_at(double width) { return fmt::format("flow-{:.1f}", width); }
 Outcome run_width(double length, const RunInput& input, std::size_t index) {
   const Bottleneck place{kWidths[index], length};
   constexpr double kMost = 400.0;  // [s] assumed: a quarter of the flow expected is no flow
-  Scene scene(place.ground(), input);
-  const Destination out = line_at_x(length + kOutside - 1.0, -kHalf + 0.5, kHalf - 0.5);
+  Scene scene(place.ground(true), input);
+  const Destination out = line_at_x(length + kAway, -kHalf + 0.5, kHalf - 0.5);
   const Vec2 low(-place.depth() - 0.5 + kBodyRadius, -kHalf), high(-kBodyRadius, kHalf);
   for (const Vec2& at : places_in(low, high, place.people(), input.seed)) scene.add(at, out);
   const double middle = 0.1;
@@ -78,7 +80,7 @@ void conclude(Outcome& outcome) {
 
 Drawing drawing_of(const Bottleneck& place) {
   Drawing drawing;
-  drawing.walkable = place.ground();
+  drawing.walkable = place.ground(false);
   drawing.starts.push_back({box(-place.depth() - 0.5, -kHalf, 0.0, kHalf), 0});
   drawing.lines.push_back({{0.1, -place.width / 2}, {0.1, place.width / 2}});
   drawing.arrows.push_back({{-2.0, 0.0}, {place.length + 3.0, 0.0}, 0});
@@ -93,6 +95,7 @@ StandardTest bottleneck_test(double length) {
     return run_width(length, input, index);
   };
   test.conclude = conclude;
+  test.map_of = "A width of 1 m.";
   test.drawing = drawing_of({1.0, length});
   // Points of Seyfried, Passon, Steffen, Boltes, Rupprecht and Klingsch 2009: 1.9 per metre.
   const Reference seyfried{"1.9 persons/(m·s), Seyfried 2009",

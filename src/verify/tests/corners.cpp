@@ -16,7 +16,7 @@ struct Corner {
 
   double outer() const { return arm + width; }
   Region ground() const {
-    return joined({box(0.0, 0.0, outer(), width), box(arm, 0.0, outer(), outer())});
+    return joined({box(0.0, 0.0, outer(), width), box(arm, 0.0, outer(), outer() + kOpenEnd)});
   }
   Destination end() const { return line_at_y(outer(), arm, outer()); }
 };
@@ -37,7 +37,8 @@ void fill(Scene& scene, const CornerRun& run) {
 Drawing drawing_of(const CornerRun& run) {
   const Corner& corner = run.corner;
   Drawing drawing;
-  drawing.walkable = corner.ground();
+  drawing.walkable = joined({box(0.0, 0.0, corner.outer(), corner.width),
+                             box(corner.arm, 0.0, corner.outer(), corner.outer())});
   drawing.starts.push_back({box(0.0, 0.0, run.start, corner.width), 0});
   const double middle = corner.arm + corner.width / 2.0;
   drawing.arrows.push_back({{run.start, corner.width / 2}, {corner.arm, corner.width / 2}, 0});
@@ -129,7 +130,7 @@ Outcome run_rimea_15(const RunInput& input, std::size_t index) {
   const Corner corner{kWide, kArm};
   const double length = index == 0 ? 2.0 * kArm : 2.0 * corner.outer();
   const bool straight = index != 1;
-  Scene scene(straight ? repair(box(0.0, 0.0, length, kWide)) : corner.ground(), input);
+  Scene scene(straight ? repair(box(0.0, 0.0, length + kOpenEnd, kWide)) : corner.ground(), input);
   const Destination end = straight ? line_at_x(length, 0.0, kWide) : corner.end();
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kCrowdLong, kWide}, kCrowd, input.seed)) {
     scene.add(at, end);
@@ -181,7 +182,7 @@ constexpr std::size_t kEach = 90;  // people of a branch
 Outcome run_junction(const RunInput& input, std::size_t) {
   const double half = kStreet / 2.0;
   Scene scene(joined({box(-half - kBranch, 0.0, half + kBranch, kStreet),
-                      box(-half, 0.0, half, kStreet + kStem)}),
+                      box(-half, 0.0, half, kStreet + kStem + kOpenEnd)}),
               input);
   const Destination end = line_at_y(kStreet + kStem, -half, half);
   for (const int stream : {0, 1}) {

@@ -101,6 +101,7 @@ StandardTest imo_counterflow() {
       {"time", "Time until the last is there", "people opposed", "time, s", {}, {}, {}});
   test.cases = std::size(kOpposed);
   test.run = run_imo;
+  test.map_of = "100 against 100.";
   test.conclude = conclude_imo;
   test.drawing.walkable = rooms();
   test.drawing.starts = {{box(0.0, 0.0, kRoom, kRoom), 0},
@@ -119,7 +120,7 @@ Outcome run_overtaking(const RunInput& input, std::size_t) {
   constexpr double kSlow = 0.5, kFast = 1.25;  // [m/s] NIST: 1.25 m/s; assumed: the slow one's
   constexpr double kFirst = 8.0;               // [m] where the slow one starts, ahead of the rest
   constexpr double kUntil = 120.0;             // [s]
-  Scene scene(repair(box(0.0, 0.0, kLong, kWide)), input);
+  Scene scene(repair(box(0.0, 0.0, kLong + kOpenEnd, kWide)), input);
   const Destination end = line_at_x(kLong, 0.0, kWide);
   scene.add({kFirst, kWide / 2.0}, end, 1, kSlow);
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kFirst - 1.0, kWide}, kFaster, input.seed)) {

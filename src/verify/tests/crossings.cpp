@@ -13,8 +13,9 @@ constexpr double kStreet = 4.0, kArm = 16.0;  // [m] width; length from the midd
 constexpr double kHalf = kStreet / 2.0;
 constexpr double kMost = 300.0;  // [s] assumed: twenty times what one person alone needs
 
-Region cross_ground() {
-  return joined({box(-kArm, -kHalf, kArm, kHalf), box(-kHalf, -kArm, kHalf, kArm)});
+/// Arms of `arm` [m].
+Region cross_ground(double arm) {
+  return joined({box(-arm, -kHalf, arm, kHalf), box(-kHalf, -arm, kHalf, arm)});
 }
 
 /// Direction of a stream: 0 to the east, 1 to the north, 2 to the west, 3 to the south.
@@ -37,7 +38,7 @@ void fill(Scene& scene, const Crossing& crossing, int stream) {
 }
 
 Outcome run_crossing(const Crossing& crossing, const RunInput& input) {
-  Scene scene(cross_ground(), input);
+  Scene scene(cross_ground(kArm + kOpenEnd), input);
   for (int stream = 0; stream < crossing.streams; ++stream) fill(scene, crossing, stream);
   // Both streams are in the square from about 5 s on; until half of the people are gone.
   AreaMeasure square(box(-kHalf, -kHalf, kHalf, kHalf), 5.0);
@@ -77,7 +78,7 @@ StandardTest crossing_test(const Crossing& crossing) {
                   {weidmann_reference(), {"Jülich, two ways", juelich_two_ways(), false}},
                   {},
                   {}}};
-  test.drawing.walkable = cross_ground();
+  test.drawing.walkable = cross_ground(kArm);
   test.drawing.measured.push_back(box(-kHalf, -kHalf, kHalf, kHalf));
   for (int stream = 0; stream < crossing.streams; ++stream) {
     const double angle = stream * kPi / 2.0;

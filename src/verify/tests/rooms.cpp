@@ -10,8 +10,11 @@
 namespace pedzone::verify {
 namespace {
 
-constexpr double kWall = 0.2;     // [m] assumed: thickness of a wall with a door
-constexpr double kOutside = 4.0;  // [m] assumed: room behind an exit
+constexpr double kWall = 0.2;  // [m] assumed: thickness of a wall with a door
+constexpr double kAway = 3.0;  // [m] assumed: people leave so far behind an exit
+
+/// [m] how far the ground goes on behind an exit.
+double behind(bool open) { return kAway + (open ? kOpenEnd : 0.0); }
 
 // RiMEA 9: 30 m by 20 m, a door of 1 m in each half of the long sides.
 
@@ -19,14 +22,16 @@ constexpr double kLong = 30.0, kDeep = 20.0, kDoor = 1.0;  // [m]
 constexpr std::size_t kThousand = 1000;
 constexpr double kDoorsAt[] = {7.5, 22.5};  // [m] assumed: middles of the doors
 
-Region big_room() {
+/// All grounds: `open` with the open ends behind where people leave, which drawings leave out.
+Region big_room(bool open) {
   Region ground = repair(box(0.0, 0.0, kLong, kDeep));
   for (const double x : kDoorsAt) {
     for (const bool top : {false, true}) {
-      const double wall = top ? kDeep : -kWall, out = top ? kDeep + kWall : -kWall - kOutside;
+      const double wall = top ? kDeep : -kWall;
+      const double out = top ? kDeep + kWall : -kWall - behind(open);
       const double half = kDoor / 2.0;
       ground = unite(ground, repair(box(x - half, wall - 0.1, x + half, wall + kWall + 0.1)));
-      ground = unite(ground, repair(box(x - 3.0, out, x + 3.0, out + kOutside)));
+      ground = unite(ground, repair(box(x - 3.0, out, x + 3.0, out + behind(open))));
     }
   }
   return ground;
@@ -36,14 +41,14 @@ Region big_room() {
 Destination exit_of(const Vec2& at, bool all) {
   const double x = at.x() < kLong / 2.0 ? kDoorsAt[0] : kDoorsAt[1];
   const bool top = all && at.y() > kDeep / 2.0;
-  const double y = top ? kDeep + kWall + kOutside - 1.0 : -kWall - kOutside + 1.0;
+  const double y = top ? kDeep + kWall + kAway : -kWall - kAway;
   return line_at_y(y, x - 2.5, x + 2.5);
 }
 
 Outcome run_rimea_9(const RunInput& input, std::size_t index) {
   constexpr double kMost = 1500.0;  // [s]
   const bool all = index == 0;
-  Scene scene(big_room(), input);
+  Scene scene(big_room(true), input);
   for (const Vec2& at :
        places_in({kBodyRadius, 0.0}, {kLong - kBodyRadius, kDeep}, kThousand, input.seed)) {
     scene.add(at, exit_of(at, all));
@@ -79,12 +84,13 @@ StandardTest rimea_9() {
                   {"two", "time with two exits", "s", 0, {}, {}, "", Judged::kNot}};
   test.cases = 2;
   test.run = run_rimea_9;
+  test.map_of = "Two exits.";
   test.conclude = [](Outcome& outcome) {
     auto& figures = outcome.figures;
     figures["ratio"] = figures["two"] / figures["four"];
     figures["arrived"] = std::min(figures["arrived-two"], figures["arrived-four"]);
   };
-  test.drawing.walkable = big_room();
+  test.drawing.walkable = big_room(false);
   test.drawing.starts.push_back({box(0.0, 0.0, kLong, kDeep), 0});
   for (const double x : kDoorsAt) {
     test.drawing.arrows.push_back({{x, 3.0}, {x, -3.0}, 0});
@@ -99,17 +105,17 @@ constexpr double kRoom = 10.0, kNeck = 5.0, kNeckWide = 1.0;  // [m]
 constexpr double kSecond = kRoom + kNeck, kExit = kSecond + kRoom;
 constexpr std::size_t kCrowd = 150;
 
-Region two_rooms() {
+Region two_rooms(bool open) {
   const double low = (kRoom - kNeckWide) / 2.0, high = (kRoom + kNeckWide) / 2.0;
   return joined({box(0.0, 0.0, kRoom, kRoom), box(kRoom - 0.1, low, kSecond + 0.1, high),
                  box(kSecond, 0.0, kExit, kRoom), box(kExit - 0.1, low, kExit + kWall + 0.1, high),
-                 box(kExit + kWall, 0.0, kExit + kWall + kOutside, kRoom)});
+                 box(kExit + kWall, 0.0, kExit + kWall + behind(open), kRoom)});
 }
 
 Outcome run_rimea_12(const RunInput& input, std::size_t) {
-  Scene scene(two_rooms(), input);
+  Scene scene(two_rooms(true), input);
   const double low = (kRoom - kNeckWide) / 2.0, high = (kRoom + kNeckWide) / 2.0;
-  const Destination end = line_at_x(kExit + kWall + kOutside - 1.0, 0.5, kRoom - 0.5);
+  const Destination end = line_at_x(kExit + kWall + kAway, 0.5, kRoom - 0.5);
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kRoom / 2.0, kRoom}, kCrowd, input.seed)) {
     scene.add(at, end);
   }
@@ -173,7 +179,7 @@ StandardTest rimea_12() {
                   {"before", "density before the corridor", "/m²", 2, {}, {}, "", Judged::kNot},
                   {"behind", "density before the exit", "/m²", 2, {}, {}, "", Judged::kNot}};
   test.run = run_rimea_12;
-  test.drawing.walkable = two_rooms();
+  test.drawing.walkable = two_rooms(false);
   test.drawing.starts.push_back({box(0.0, 0.0, kRoom / 2.0, kRoom), 0});
   test.drawing.measured = {box(kRoom - 2.0, 4.0, kRoom, 6.0), box(kExit - 2.0, 4.0, kExit, 6.0)};
   test.drawing.lines = {{{kRoom + 0.1, 4.5}, {kRoom + 0.1, 5.5}},
@@ -186,14 +192,15 @@ StandardTest rimea_12() {
 
 constexpr double kHall = 8.0, kPassage = 12.0, kPassageWide = 2.0;  // [m]
 
-Region hall() {
-  return joined({box(0.0, 0.0, kHall, kHall), box(kHall - 0.1, (kHall - kPassageWide) / 2.0,
-                                                  kHall + kPassage, (kHall + kPassageWide) / 2.0)});
+Region hall(bool open) {
+  const double low = (kHall - kPassageWide) / 2.0, high = (kHall + kPassageWide) / 2.0;
+  const double end = kHall + kPassage + (open ? kOpenEnd : 0.0);
+  return joined({box(0.0, 0.0, kHall, kHall), box(kHall - 0.1, low, end, high)});
 }
 
 Outcome run_rimea_13(const RunInput& input, std::size_t) {
   const double low = (kHall - kPassageWide) / 2.0, high = (kHall + kPassageWide) / 2.0;
-  Scene scene(hall(), input);
+  Scene scene(hall(true), input);
   for (const Vec2& at :
        places_in({kBodyRadius, 0.0}, {kHall - kBodyRadius, kHall}, kCrowd, input.seed)) {
     scene.add(at, line_at_x(kHall + kPassage, low, high));
@@ -243,7 +250,7 @@ StandardTest rimea_13() {
       {"before", "density before the corridor", "/m²", 2, {}, {}, "", Judged::kNot},
       {"inside", "density inside", "/m²", 2, {}, {}, "", Judged::kNot}};
   test.run = run_rimea_13;
-  test.drawing.walkable = hall();
+  test.drawing.walkable = hall(false);
   test.drawing.starts.push_back({box(0.0, 0.0, kHall, kHall), 0});
   test.drawing.measured = {box(kHall - 2.0, low, kHall, high),
                            box(kHall + 4.0, low, kHall + 8.0, high)};
@@ -257,18 +264,18 @@ StandardTest rimea_13() {
 constexpr double kSmallLong = 8.0, kSmallDeep = 5.0;  // [m]
 constexpr std::size_t kHundred = 100;
 
-Region small_room() {
+Region small_room(bool open) {
   const double low = kSmallDeep / 2.0 - 0.5, high = kSmallDeep / 2.0 + 0.5;
   return joined({box(0.0, 0.0, kSmallLong, kSmallDeep),
                  box(kSmallLong - 0.1, low, kSmallLong + kWall + 0.1, high),
-                 box(kSmallLong + kWall, 0.0, kSmallLong + kWall + kOutside, kSmallDeep)});
+                 box(kSmallLong + kWall, 0.0, kSmallLong + kWall + behind(open), kSmallDeep)});
 }
 
 /// Time [s] of the last passage, and the flow [1/s] from the first to the last. `speed`:
 /// everybody's.
 std::pair<double, double> leave(const RunInput& input, std::optional<double> speed) {
-  Scene scene(small_room(), input);
-  const Destination end = line_at_x(kSmallLong + kWall + kOutside - 1.0, 0.5, kSmallDeep - 0.5);
+  Scene scene(small_room(true), input);
+  const Destination end = line_at_x(kSmallLong + kWall + kAway, 0.5, kSmallDeep - 0.5);
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kSmallLong - kBodyRadius, kSmallDeep},
                                   kHundred, input.seed)) {
     scene.add(at, end, 0, speed);
@@ -283,7 +290,7 @@ std::pair<double, double> leave(const RunInput& input, std::optional<double> spe
 
 Drawing small_drawing() {
   Drawing drawing;
-  drawing.walkable = small_room();
+  drawing.walkable = small_room(false);
   drawing.starts.push_back({box(0.0, 0.0, kSmallLong, kSmallDeep), 0});
   const double x = kSmallLong + kWall / 2.0, y = kSmallDeep / 2.0;
   drawing.lines.push_back({{x, y - 0.5}, {x, y + 0.5}});

@@ -13,16 +13,16 @@
 namespace pedzone::verify {
 namespace {
 
-constexpr double kBehind = 2.0;  // [m] assumed: the ground goes on behind a line that is timed
+constexpr double kBehind = 2.0;  // [m] assumed: people aim so far behind the line that is timed
 
-/// A corridor along x from 0 to `length` [m] and kBehind more at its end, `width` wide about y = 0,
-/// turned by `angle` [rad] about its start.
+/// A corridor along x from 0 to `length` [m] and kOpenEnd more at its end, `width` wide about y =
+/// 0, turned by `angle` [rad] about its start.
 struct Corridor {
   double length, width, angle = 0.0;
 
   Vec2 at(double x, double y) const { return turned(Vec2(x, y), angle); }
   Region ground() const {
-    return repair(turned(Region{{box(0.0, -width / 2, length + kBehind, width / 2), {}}}, angle)
+    return repair(turned(Region{{box(0.0, -width / 2, length + kOpenEnd, width / 2), {}}}, angle)
                       .front()
                       .outer);
   }
@@ -59,7 +59,7 @@ Walk walk(const Corridor& corridor, const RunInput& input, double speed, double 
   scene.run(kMost, [&] {
     line.look(scene);
     const Walker& walker = scene.people().front();
-    result.drift += std::abs((walker.at - walker.before).dot(side));
+    if (line.count() == 0) result.drift += std::abs((walker.at - walker.before).dot(side));
   });
   if (line.count() > 0) result.time = line.times().front();
   return result;
@@ -174,7 +174,7 @@ Outcome walk_profile(const Ages& ages, const RunInput& input) {
   const double high = kApart * static_cast<double>(kOfEach);
   const Profiles profiles;
   const Profile* profile = profiles.find(ages.profile);
-  Scene scene(repair(box(0.0, 0.0, kLong, high)), input);
+  Scene scene(repair(box(0.0, 0.0, kLong + kOpenEnd, high)), input);
   std::vector<double> wanted, walked;
   for (std::size_t k = 0; k < kOfEach; ++k) {
     const double chance = random_normal(input.seed, k + 1, 0, Purpose::kDemand);
