@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace verify;
 
-constexpr std::size_t kLabel = 44, kColumn = 13;
+constexpr std::size_t kLabel = 62, kColumn = 13;
 
 std::string cell(const FigureSpec& figure, const FigureResult& result) {
   const std::string mark = figure.judged == Judged::kNot ? " " : result.passed ? "+" : "!";

@@ -17,6 +17,8 @@ namespace {
 
 using Json = PageJson;
 
+constexpr std::size_t kFew = 4;  // models whose columns fit beside words
+
 std::string digits_text(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "–";
 }
@@ -35,6 +37,7 @@ Json cell(const FigureSpec& figure, const FigureResult& result, int seeds) {
 Json figures(const Verification& verification, std::size_t t) {
   const StandardTest& test = verification.tests[t];
   Json rows = Json::array();
+  std::string said;  // the row above says the same
   for (std::size_t f = 0; f < test.figures.size(); ++f) {
     const FigureSpec& figure = test.figures[f];
     Json cells = Json::array();
@@ -44,8 +47,9 @@ Json figures(const Verification& verification, std::size_t t) {
     rows.push_back({{"label", figure.label},
                     {"unit", figure.unit},
                     {"limits", limits_text(figure)},
-                    {"limit_source", figure.limit_source},
+                    {"limit_source", figure.limit_source == said ? "" : figure.limit_source},
                     {"cells", cells}});
+    said = figure.limit_source;
   }
   return rows;
 }
@@ -114,15 +118,17 @@ Json page_data(const Verification& verification, const std::string& command) {
   for (const LeftOut& test : left_out_tests()) {
     left_out.push_back({{"id", test.id}, {"why", test.why}});
   }
-  return {
-      {"verdict", fmt::format("{} passes {} of {} tests.", verification.models.front(),
-                              passed(verification, 0), all)},
-      {"seeds", verification.seeds == 1 ? "one run" : fmt::format("{} runs", verification.seeds)},
-      {"models", verification.models},
-      {"tests", tests(verification)},
-      {"sums", sums},
-      {"left_out", left_out},
-      {"command", command}};
+  return {{"verdict", fmt::format("{} passes {} of {} tests.", verification.models.front(),
+                                  passed(verification, 0), all)},
+          {"seeds", verification.seeds == 1
+                        ? "One run of each."
+                        : fmt::format("Medians of {} runs that differ by chance, and their range.",
+                                      verification.seeds)},
+          {"models", verification.models},
+          {"tests", tests(verification)},
+          {"sums", sums},
+          {"left_out", left_out},
+          {"command", command}};
 }
 
 // Charts

@@ -43,7 +43,7 @@ Outcome run_imo(const RunInput& input, std::size_t index) {
   });
   Outcome outcome;
   // Of the first stream: the line is crossed from left to right only by them.
-  const double time = line.count() < kHundred ? kMost : line.times().back();
+  const double time = line.count() < kHundred ? std::nan("") : line.times().back();
   outcome.figures[fmt::format("time-{}", opposed)] = time;
   outcome.figures[fmt::format("arrived-{}", opposed)] =
       static_cast<double>(scene.arrived()) / static_cast<double>(scene.people().size());
@@ -56,7 +56,8 @@ void conclude_imo(Outcome& outcome) {
   double rise = 1e9, arrived = 1.0, before = 0.0;
   for (const std::size_t opposed : kOpposed) {
     const double time = outcome.figures[fmt::format("time-{}", opposed)];
-    if (opposed > 0) rise = std::min(rise, time - before);
+    if (opposed > 0)
+      rise = std::isnan(time - before) ? std::nan("") : std::min(rise, time - before);
     before = time;
     arrived = std::min(arrived, outcome.figures[fmt::format("arrived-{}", opposed)]);
   }

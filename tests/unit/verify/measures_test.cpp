@@ -61,45 +61,48 @@ TEST(LaneCount, empty_bands_part_no_lanes) {
   EXPECT_EQ(lane_count(people, 0, 4), 3);
 }
 
-/// One person alone in a corridor that it walks along for ever, by a model that minds nobody.
-struct Alone {
+/// Five people one behind the other in a corridor of 20 m that they walk along for ever, by a model
+/// that minds nobody.
+struct Procession {
   Scene scene{repair(box(-Period::kBeyond, 0, 20 + Period::kBeyond, 2)),
               {"constant-velocity", 1},
               [](Zone& zone) { zone.parameters.heading_noise = 0.0; }};
 
-  Alone() {
+  Procession() {
     scene.set_period({0, 20});
-    scene.add({10, 1}, line_at_x(20 + Period::kBeyond, 0, 2), 0, 1.0, 1.0);
+    for (int k = 0; k < 5; ++k) {
+      scene.add({2.0 + 4.0 * k, 1}, line_at_x(20 + Period::kBeyond, 0, 2), 0, 1.0, 1.0);
+    }
   }
 };
 
 TEST(Period, carries_people_on_with_their_speed) {
-  Alone alone;
-  alone.scene.run(60.0);
-  const Walker& walker = alone.scene.people().front();
+  Procession procession;
+  procession.scene.run(60.0);
+  const Walker& walker = procession.scene.people().front();
   EXPECT_NEAR(walker.moved.x(), 60.0, 1e-6);
-  EXPECT_NEAR(walker.at.x(), 10.0, 1e-6);
+  EXPECT_NEAR(walker.at.x(), 2.0, 1e-6);
 }
 
-TEST(AreaMeasure, of_one_person_is_its_cell_and_its_speed) {
-  Alone alone;
+TEST(AreaMeasure, of_people_in_a_row_is_one_over_their_cell_and_their_speed) {
+  Procession procession;
   AreaMeasure measure(box(0, 0, 20, 2), 1.0);
-  alone.scene.run(30.0,
-                  [&] { measure.look(alone.scene, [](const Walker&) { return Vec2(1.0, 0.0); }); });
-  // The same person, one period farther, is its only neighbour.
-  EXPECT_NEAR(measure.density(), 1.0 / 40.0, 1e-9);
+  procession.scene.run(
+      30.0, [&] { measure.look(procession.scene, [](const Walker&) { return Vec2(1.0, 0.0); }); });
+  // Four metres of a corridor 2 m wide, over the period's end, too.
+  EXPECT_NEAR(measure.density(), 1.0 / 8.0, 1e-6);
   EXPECT_NEAR(measure.speed(), 1.0, 1e-6);
 }
 
 TEST(DensityMap, sums_up_to_the_people) {
-  Alone alone;
+  Procession procession;
   DensityMap map({0, 0}, {20, 2}, 0.5);
-  alone.scene.run(20.0, [&] { map.look(alone.scene); });
+  procession.scene.run(20.0, [&] { map.look(procession.scene); });
   const GridMap grid = map.grid();
   double people = 0.0;
   for (const double density : grid.values) people += density * grid.cell * grid.cell;
   EXPECT_EQ(grid.values.size(), grid.columns * grid.rows);
-  EXPECT_NEAR(people, 1.0, 1e-9);
+  EXPECT_NEAR(people, 5.0, 1e-9);
 }
 
 }  // namespace
