@@ -13,6 +13,7 @@
 #include "app/run.hpp"
 #include "app/study.hpp"
 #include "app/validate.hpp"
+#include "app/verify.hpp"
 #include "core/error.hpp"
 #include "world/model_names.hpp"
 
@@ -153,6 +154,7 @@ int command_line(int argc, char** argv) {
   add_study(app, code);
   add_validate(app, code);
   add_calibrate(app, code);
+  add_verify(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <kainjow/mustache.hpp>
 #include <map>
 #include <set>
 
+#include "pages/page_text.hpp"
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
 #include "study/run/shell_word.hpp"
@@ -16,43 +16,10 @@
 namespace pedzone {
 
 // Made from study/report by the build.
-extern const std::string_view kReportPage, kReportStyles, kReportScripts, kReportLicences;
+extern const std::string_view kReportPage, kReportStyles, kReportScripts;
 
 namespace report {
 namespace {
-
-using Mustache = kainjow::mustache::data;
-
-/// For the template, to which an empty text is what is not there.
-Mustache mustache(const Json& json) {
-  if (json.is_object()) {
-    Mustache object{Mustache::type::object};
-    for (const auto& [key, value] : json.items()) object.set(key, mustache(value));
-    return object;
-  }
-  if (json.is_array()) {
-    Mustache list{Mustache::type::list};
-    for (const Json& one : json) list.push_back(mustache(one));
-    return list;
-  }
-  if (json.is_boolean()) return Mustache{json.get<bool>()};
-  if (!json.is_string()) return Mustache{json.dump()};
-  const auto& text = json.get_ref<const std::string&>();
-  return text.empty() ? Mustache{false} : Mustache{text};
-}
-
-/// JSON that may stand inside <script>: '<' is only in its strings.
-std::string script_json(const Json& json) {
-  std::string text;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
 
 /// A file's name, without the folders of somebody's machine, as such a word.
 std::string file_word(const std::string& path) {
@@ -179,16 +146,14 @@ std::string report_page(const Store& store, const Plan& plan, const Records& rec
   Json data = page_data(input, lines);
   data["scenes"] = scene_list(scenes);
   data["played"] = !scenes.empty();
-  Mustache all = mustache(data);
-  all.set("styles", std::string(kReportStyles));
-  all.set("scripts", std::string(kReportScripts));
-  all.set("licences", std::string(kReportLicences));
-  all.set("data", script_json(script_data(input, lines)));
   Json pages = Json::array();
   for (const Scene& one : scenes) pages.push_back(one.page);
-  all.set("scene_pages", script_json(pages));
-  kainjow::mustache::mustache page{std::string(kReportPage)};
-  return page.render(all);
+  return rendered_page(kReportPage, data,
+                       {{"styles", std::string(kReportStyles)},
+                        {"scripts", std::string(kReportScripts)},
+                        {"licences", std::string(page_licences())},
+                        {"data", script_json(script_data(input, lines))},
+                        {"scene_pages", script_json(pages)}});
 }
 
 }  // namespace pedzone

@@ -1,0 +1,106 @@
+// What a standard test is, and what comes out of it.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verify/measures.hpp"
+
+namespace pedzone::verify {
+
+struct Point {
+  double x = 0.0, y = 0.0;
+};
+using Points = std::vector<Point>;
+
+/// What the cases of one test give for one model and one seed.
+struct Outcome {
+  std::map<std::string, double> figures;  ///< by FigureSpec::key
+  std::map<std::string, Points> curves;   ///< by Chart::key
+  std::optional<GridMap> map;
+};
+
+/// How a figure of several seeds is judged.
+enum class Judged {
+  kMedian,  ///< by the median
+  kWorst,   ///< every seed has to keep the limits
+  kNot      ///< only reported
+};
+
+struct FigureSpec {
+  std::string key, label, unit;
+  int digits = 2;
+  std::optional<double> least = {}, most = {};  ///< limits, both inclusive
+  std::string limit_source = {};                ///< where they come from; "assumed: why"
+  Judged judged = Judged::kMedian;
+};
+
+/// A published curve or points, drawn beside what the models do.
+struct Reference {
+  std::string name;
+  Points points;
+  bool joined = true;  ///< drawn as a line, not as points
+};
+
+struct Chart {
+  std::string key, title, x_title, y_title;
+  std::vector<Reference> references;
+  Points band_low, band_high;  ///< what passes lies between; may be empty
+};
+
+/// The set-up as it is drawn.
+struct Drawing {
+  Region walkable;
+  struct Start {
+    Ring area;
+    int stream = 0;
+  };
+  std::vector<Start> starts;    ///< where people of a stream stand at first
+  std::vector<Ring> measured;   ///< areas in which something is measured
+  std::vector<Polyline> lines;  ///< lines across which passages are counted
+  struct Arrow {
+    Vec2 from, to;
+    int stream = 0;
+  };
+  std::vector<Arrow> arrows;
+};
+
+struct StandardTest {
+  std::string id, title, source, setup;
+  /// Whether it tests how people mind each other, so that the blind model must fail.
+  bool behaviour = true;
+  std::vector<FigureSpec> figures;
+  std::vector<Chart> charts;
+  Drawing drawing;
+  std::string map_of =
+      {};                 ///< a sentence on which of the cases the density map shows; may be empty
+  std::size_t cases = 1;  ///< runs that do not depend on each other, numbered from 0
+  std::function<Outcome(const RunInput&, std::size_t)> run;
+  /// Adds figures that rest on several cases. May be empty.
+  std::function<void(Outcome&)> conclude;
+};
+
+/// All tests in the order in which they are reported.
+std::vector<StandardTest> standard_tests();
+
+/// Standard tests of RiMEA that cannot be walked on one level, and why.
+struct LeftOut {
+  std::string id, why;
+};
+const std::vector<LeftOut>& left_out_tests();
+
+/// Each of a family of tests, in one file of tests/.
+std::vector<StandardTest> single_walker_tests();
+std::vector<StandardTest> diagram_tests();
+std::vector<StandardTest> bottleneck_tests();
+std::vector<StandardTest> room_tests();
+std::vector<StandardTest> corner_tests();
+std::vector<StandardTest> counterflow_tests();
+std::vector<StandardTest> crossing_tests();
+std::vector<StandardTest> lane_tests();
+
+}  // namespace pedzone::verify

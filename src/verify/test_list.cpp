@@ -1,0 +1,24 @@
+#include "verify/standard_test.hpp"
+
+namespace pedzone::verify {
+
+std::vector<StandardTest> standard_tests() {
+  std::vector<StandardTest> all;
+  for (const auto family : {single_walker_tests, diagram_tests, bottleneck_tests, room_tests,
+                            corner_tests, counterflow_tests, crossing_tests, lane_tests}) {
+    for (StandardTest& test : family()) all.push_back(std::move(test));
+  }
+  return all;
+}
+
+const std::vector<LeftOut>& left_out_tests() {
+  static const std::vector<LeftOut> tests{
+      {"RiMEA 2", "stairs up"},
+      {"RiMEA 3", "stairs down; a zone has one level"},
+      {"RiMEA 5", "times of reaction before walking: SUMO's departures"},
+      {"RiMEA 10, 11, 14", "choice of an exit or a route: SUMO's routes"},
+      {"RiMEA 13, second half", "stairs behind the corridor"}};
+  return tests;
+}
+
+}  // namespace pedzone::verify
