@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "check"))
 import check_run  # noqa: E402  (found only now)
 import outputs  # noqa: E402
 
-AT_STOP = 16.0  # [m] SUMO puts who comes to a stop into its place there, anywhere along 30 m of it
+AT_STOP = 16.0  # [m] SUMO puts who comes to a stop into its place there, anywhere along 20 m of it
 
 
 @dataclass
