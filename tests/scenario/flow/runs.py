@@ -20,13 +20,15 @@ class Ended:
     processor: float  # [s] of user time
 
 
-def _outputs(folder, step_length):
+def _trips(folder):
     folder.mkdir(parents=True, exist_ok=True)
+    return ["--tripinfo-output", str(folder / "tripinfo.xml"),
+            "--tripinfo-output.write-unfinished", "true", "--no-warnings", "true"]
+
+
+def _positions(folder, step_length):
     return ["--fcd-output", str(folder / "fcd.xml"),
-            "--device.fcd.period", f"{max(step_length, FCD_PERIOD):g}",
-            "--tripinfo-output", str(folder / "tripinfo.xml"),
-            "--tripinfo-output.write-unfinished", "true",
-            "--statistic-output", str(folder / "statistics.xml"), "--no-warnings", "true"]
+            "--device.fcd.period", f"{max(step_length, FCD_PERIOD):g}"]
 
 
 def _execute(words, log, timeout):
@@ -44,15 +46,15 @@ def _execute(words, log, timeout):
     return Ended(failure, time.monotonic() - began, used)
 
 
-def run_plain(config, folder, seed, step_length):
+def run_plain(config, folder, seed):
     """Plain SUMO, striping."""
     return _execute(["sumo", "-c", str(config), "--seed", str(seed), "--no-step-log",
-                     *_outputs(folder, step_length)], folder.parent / "plain.log", PLAIN_TIMEOUT)
+                     *_trips(folder)], folder.parent / "plain.log", PLAIN_TIMEOUT)
 
 
 def run_pedzone(pedzone, config, zone, folder, seed, step_length, model=None):
     """pedzone on the same input, everybody on the zone's footways walked by it."""
-    outputs = _outputs(folder, step_length)
     words = [pedzone, "run", str(config), "--zone", str(zone), "--seed", str(seed),
-             "--threads", "1", *(["--model", model] if model else []), "--", *outputs]
+             "--threads", "1", *(["--model", model] if model else []), "--",
+             *_trips(folder), *_positions(folder, step_length)]
     return _execute(words, folder.parent / "pedzone.log", PEDZONE_TIMEOUT)
