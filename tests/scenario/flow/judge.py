@@ -120,9 +120,9 @@ def broken_limits(limits, verdict):
         yield f"the last arrives at {own.last:.0f} s, with striping at {plain.last:.0f} s"
     if not verdict.walked:
         yield "nobody was walked by pedzone"
-    for count, what in ((verdict.overlaps, "pairs of bodies overlap"), (verdict.lost, "people lost"),
-                        (verdict.outside, "people outside the footway"),
-                        (verdict.jumps, "people thrown about")):
+    for count, what in ((verdict.overlaps, "pairs of bodies overlap"),
+                        (verdict.lost, "people lost"), (verdict.jumps, "people thrown about"),
+                        (verdict.outside, "people outside the footway")):
         if count:
             yield f"{count} {what}"
 

@@ -55,14 +55,14 @@ class Demand:
                                            "departPosLat": "random"})
             ET.SubElement(person, "ride", {"busStop": goal, "lines": line})
 
-    def bus(self, name, line, depart, edges, stops, alighting=(), alight_at=None, duration=20.0):
-        """A bus that calls at the stops; alighting: for each person aboard (edges, direction) of its
-        walk from the stop `alight_at` on."""
+    def bus(self, name, line, depart, edges, stops, alighting=(), alight_at=None):
+        """A bus that calls at the stops; alighting: (edges, direction) of each person aboard who walks
+        on from the stop `alight_at`."""
         bus = ET.Element("vehicle", {"id": name, "type": "bus", "line": line,
                                      "depart": f"{depart:.2f}"})
         ET.SubElement(bus, "route", {"edges": " ".join(edges)})
         for stop in stops:
-            ET.SubElement(bus, "stop", {"busStop": stop, "duration": f"{duration:g}"})
+            ET.SubElement(bus, "stop", {"busStop": stop, "duration": "20"})
         self._add(depart, bus)
         for index, (way, direction) in enumerate(alighting):
             person = ET.Element("person", {"id": f"{name}-out{index}", "type": PEDESTRIAN,
