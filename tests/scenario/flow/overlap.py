@@ -2,8 +2,8 @@
 
 A body is a disc as wide as its person, and no narrower than a share of that while its owner has
 turned its shoulders. Two centres must therefore never be nearer than that share of the sum of both
-radii. Whom SUMO inserts (or sets down) upon somebody overlaps until they have stepped apart: such a
-pair counts once it has been apart, or after SETTLE.
+radii. Whom SUMO inserts or sets down it puts upon those who stand there, and nobody can help it:
+pairs count once both are farther than ENTRY from where they began.
 """
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ import numpy
 
 TURNED = 0.5  # share of a body's width that is left when its owner turns sideways
 TOLERANCE = 0.01  # [m] SUMO writes positions to 0.01 m
-SETTLE = 5.0  # [s] within which two who begin on one spot have stepped apart
+ENTRY = 5.0  # [m] round the place where somebody begins to be walked
 _NEIGHBOURS = ((0, 0), (1, 0), (-1, 1), (0, 1), (1, 1))  # of a cell: every pair of cells once
 
 
@@ -50,32 +50,18 @@ def _near_pairs(persons, rows, reach):
     return tuple(numpy.concatenate(part) for part in zip(*pairs))
 
 
-def _walked_since(fcd, rows):
-    """[s] by row of FCD: since when its person has been walked without a break."""
+def _newcomers(fcd, rows):
+    """Whether, by row of FCD, its person is still at the place where it began to be walked."""
     persons = fcd.persons
     order = rows[numpy.lexsort((persons.step[rows], persons.who[rows]))]
-    times, who = fcd.times[persons.step[order]], persons.who[order]
+    step, who = persons.step[order], persons.who[order]
     begins = numpy.ones(len(order), bool)
-    begins[1:] = (who[1:] != who[:-1]) | (persons.step[order][1:] > persons.step[order][:-1] + 1)
-    since = numpy.full(len(persons.x), numpy.inf)
-    since[order] = times[begins][numpy.cumsum(begins) - 1]
-    return since
-
-
-def _begun_together(fcd, since, first, second):
-    """Whether each overlap, in order of time, goes on from the moment when the later of the two
-    began to be walked, and that was no longer than SETTLE ago."""
-    persons = fcd.persons
-    excused = numpy.zeros(len(first), bool)
-    last = {}  # pair -> time step of its last excused overlap
-    for index, (one, other) in enumerate(zip(first, second)):
-        pair = frozenset((persons.who[one], persons.who[other]))
-        step, begun = persons.step[one], max(since[one], since[other])
-        goes_on = last.get(pair) == step - 1 or fcd.times[step] == begun
-        if goes_on and fcd.times[step] - begun <= SETTLE:
-            excused[index] = True
-            last[pair] = step
-    return excused
+    begins[1:] = (who[1:] != who[:-1]) | (step[1:] > step[:-1] + 1)  # again, after a ride
+    first = order[begins][numpy.cumsum(begins) - 1]
+    new = numpy.zeros(len(persons.x), bool)
+    new[order] = numpy.hypot(persons.x[order] - persons.x[first],
+                             persons.y[order] - persons.y[first]) <= ENTRY
+    return new
 
 
 def find_overlaps(fcd, walked, radius, turned=TURNED, tolerance=TOLERANCE):
@@ -86,13 +72,11 @@ def find_overlaps(fcd, walked, radius, turned=TURNED, tolerance=TOLERANCE):
     if len(rows) < 2:
         return Overlaps(none, none, numpy.empty(0), numpy.inf)
     first, second = (rows[part] for part in _near_pairs(persons, rows, 2 * radius.max()))
-    in_time = numpy.argsort(persons.step[first], kind="stable")
-    first, second = first[in_time], second[in_time]
+    new = _newcomers(fcd, rows)
+    settled = ~(new[first] | new[second])
+    first, second = first[settled], second[settled]
     apart = numpy.hypot(persons.x[first] - persons.x[second], persons.y[first] - persons.y[second])
     both = radius[persons.who[first]] + radius[persons.who[second]]
-    counts = numpy.ones(len(first), bool)
     near = numpy.flatnonzero(apart < turned * both - tolerance)
-    counts[near] = ~_begun_together(fcd, _walked_since(fcd, rows), first[near], second[near])
-    near = near[counts[near]]
-    nearest = (apart / both)[counts].min(initial=numpy.inf)
+    nearest = (apart / both).min(initial=numpy.inf)
     return Overlaps(first[near], second[near], (turned * both - apart)[near], float(nearest))

@@ -56,8 +56,8 @@ class Demand:
             ET.SubElement(person, "ride", {"busStop": goal, "lines": line})
 
     def bus(self, name, line, depart, edges, stops, alighting=(), alight_at=None):
-        """A bus that calls at the stops; alighting: (edges, direction) of each person aboard who walks
-        on from the stop `alight_at`."""
+        """A bus that calls at the stops; alighting: (edges, direction) of each person aboard that
+        walks on from the stop `alight_at`."""
         bus = ET.Element("vehicle", {"id": name, "type": "bus", "line": line,
                                      "depart": f"{depart:.2f}"})
         ET.SubElement(bus, "route", {"edges": " ".join(edges)})
