@@ -33,11 +33,11 @@ struct PathWalk {
 
 /// Somebody who does not get on among people.
 struct Jam {
-  double least_left = std::numeric_limits<double>::infinity();  ///< [m] least way left so far
-  double stuck = 0.0;                                           ///< [s] without room since that was
-  double squeezed = 0.0;  ///< [s] since it began to squeeze; 0: it does not
-  double free = 0.0;      ///< [s] since it last lacked room
-  double share = 1.0;     ///< of its turned width that is left while it squeezes
+  float least_left = std::numeric_limits<float>::infinity();  ///< [m] least way left so far
+  float stuck = 0.0F;                                         ///< [s] without room since that was
+  float squeezed = 0.0F;  ///< [s] since it began to squeeze; 0: it does not
+  float free = 0.0F;      ///< [s] since it last lacked room
+  float share = 1.0F;     ///< of its turned width that is left while it squeezes
 };
 
 /// What a walked person holds beside its row in Persons: its way and its clocks.
@@ -65,8 +65,8 @@ struct WalkState {
   double calm = 0.0;           ///< [s] since a vehicle drove near the child
   double awaited = 0.0;        ///< [s] since the adult began to wait for the child's hand
   double hand_side = 1.0;      ///< 1: at the adult's left hand, -1: at its right
-  double full_radius = 0.24;   ///< [m] of the body while it does not squeeze
-  double turned_width = 0.5;   ///< with the shoulders turned, over the full width
+  float full_radius = 0.24F;   ///< [m] of the body while it does not squeeze
+  float turned_width = 0.5F;   ///< with the shoulders turned, over the full width
   Pastime pastime = Pastime::kNone;
   bool aware = true;  ///< of vehicles
   bool waits_for_group = false;
