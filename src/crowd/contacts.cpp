@@ -55,7 +55,7 @@ Vec2 parting_direction(const CrowdState& crowd, std::size_t i, std::size_t j) {
 }
 
 bool squeezes(const CrowdState& crowd, std::size_t i) {
-  return crowd.walkers[i].jam.squeezed > 0.0;
+  return crowd.walkers[i].jam.squeezed > 0.0F;
 }
 
 /// How far body i has to be pushed by body j, and in which direction. Zero when they do not

@@ -110,13 +110,14 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   persons.vx[i] = velocity.x();
   persons.vy[i] = velocity.y();
   persons.heading[i] = wrap_angle(person.heading);
-  persons.radius[i] = radius;
   WalkState& walker = state.walkers[i];
   walker.turned_width =
-      person.profile != nullptr ? person.profile->turned_width : state.zone.parameters.turned_width;
-  walker.full_radius = radius;
-  persons.turned_radius[i] = walker.turned_width * radius;
-  persons.present_radius[i] = radius;
+      static_cast<float>(person.profile != nullptr ? person.profile->turned_width
+                                                   : state.zone.parameters.turned_width);
+  walker.full_radius = static_cast<float>(radius);
+  persons.radius[i] = walker.full_radius;
+  persons.turned_radius[i] = static_cast<double>(walker.turned_width * walker.full_radius);
+  persons.present_radius[i] = persons.radius[i];
   persons.preferred_speed[i] = preferred;
   persons.key[i] = person.key;
   walker.handle = state.new_handle();

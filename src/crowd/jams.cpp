@@ -8,13 +8,13 @@
 namespace pedzone {
 namespace {
 
-constexpr double kProgress = 0.5;      // [m] assumed: coming nearer by less is standing in a jam
+constexpr float kProgress = 0.5F;      // [m] assumed: coming nearer by less is standing in a jam
 constexpr double kVehicleNear = 10.0;  // [m] assumed: with a vehicle so near it is not people who
                                        // are in the way
-constexpr double kFree = 2.0;          // [s] assumed: with room for so long, a jam is over
-constexpr double kNarrowest = 0.25;    // assumed: least share of the turned width. Two adults pass
+constexpr float kFree = 2.0F;          // [s] assumed: with room for so long, a jam is over
+constexpr float kNarrowest = 0.25F;    // assumed: least share of the turned width. Two adults pass
                                        // each other in 0.3 m then, as if one stepped off the kerb
-constexpr double kSqueezeTime = 10.0;  // [s] assumed: until somebody is as narrow as that
+constexpr float kSqueezeTime = 10.0F;  // [s] assumed: until somebody is as narrow as that
 
 /// Whether people alone keep the person from going on.
 bool lacks_room(const CrowdState& crowd, std::size_t i) {
@@ -27,20 +27,22 @@ bool lacks_room(const CrowdState& crowd, std::size_t i) {
 /// Whether it begins to squeeze.
 bool jams(CrowdState& crowd, std::size_t i, double dt) {
   Jam& jam = crowd.walkers[i].jam;
+  const auto step = static_cast<float>(dt);
   const bool stuck = lacks_room(crowd, i);
-  jam.free = stuck ? 0.0 : jam.free + dt;
-  if (jam.free > kFree) jam.squeezed = 0.0;
-  const double left = way_left(crowd.walkers[i].route, crowd.position(i));
+  jam.free = stuck ? 0.0F : jam.free + step;
+  if (jam.free > kFree) jam.squeezed = 0.0F;
+  const auto left = static_cast<float>(way_left(crowd.walkers[i].route, crowd.position(i)));
   if (left < jam.least_left - kProgress) {
     jam.least_left = left;
-    jam.stuck = 0.0;
+    jam.stuck = 0.0F;
   } else if (stuck) {
-    jam.stuck += dt;
+    jam.stuck += step;
   }
-  const bool squeezes = jam.squeezed > 0.0 || jam.stuck >= crowd.zone.parameters.jam_time;
-  const bool begins = squeezes && jam.squeezed == 0.0;
-  if (squeezes) jam.squeezed += dt;
-  jam.share = 1.0 - (1.0 - kNarrowest) * std::min(jam.squeezed / kSqueezeTime, 1.0);
+  const bool squeezes =
+      jam.squeezed > 0.0F || jam.stuck >= static_cast<float>(crowd.zone.parameters.jam_time);
+  const bool begins = squeezes && jam.squeezed == 0.0F;
+  if (squeezes) jam.squeezed += step;
+  jam.share = 1.0F - (1.0F - kNarrowest) * std::min(jam.squeezed / kSqueezeTime, 1.0F);
   return begins;
 }
 

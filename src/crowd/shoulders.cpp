@@ -31,9 +31,9 @@ double room_around(const CrowdState& crowd, std::size_t i,
 
 /// Who is led by the hand cannot turn; who squeezes is taken for a narrower person by everybody.
 void set_widths(const WalkState& walker, double& full, double& turned) {
-  turned = walker.holds_hand ? walker.full_radius
-                             : walker.jam.share * walker.turned_width * walker.full_radius;
-  full = walker.jam.squeezed > 0.0 ? turned : walker.full_radius;
+  const float share = walker.holds_hand ? 1.0F : walker.jam.share * walker.turned_width;
+  turned = static_cast<double>(share * walker.full_radius);
+  full = walker.jam.squeezed > 0.0F ? turned : walker.full_radius;
 }
 
 }  // namespace
