@@ -3,7 +3,16 @@
 // 2019: pedestrians rotate their bodies when the gap is narrower than their shoulders).
 #pragma once
 
+#include "model/obstacle_lists.hpp"
+
 namespace pedzone {
+
+/// Softness (obstacle_lists.hpp) of turned bodies, q = 0: a contact counts within acos(√0.33) = 55°
+/// of the other's direction, so that somebody slips past along it. Assumed: with the 72° of
+/// straight bodies those who have walked into each other never part, since by Eq. 1 standing is as
+/// good as a free way 60° off the goal. Behind those who walk ahead, q = 1, it is kSoftness; linear
+/// between.
+inline constexpr float kTurnedSoftness = 0.33F;
 
 /// How somebody who looks for a way takes itself and others to hold their shoulders. The contact
 /// distance of two is T + q·(R − T), with R the sum of their radii, T that of their turned radii,

@@ -66,7 +66,8 @@ Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count, c
       const float contact = narrow + straight * (wide - narrow);
       const float still = contact + s.static_reach;
       if (v2 < kStandingSpeed * kStandingSpeed && d2 > still * still) continue;
-      const float soft = larger(kSoftness * d2, kLeastDiscGap);
+      const float soft =
+          larger((kTurnedSoftness - straight * (kTurnedSoftness - kSoftness)) * d2, kLeastDiscGap);
       const float gamma = 1.0F / larger(d2 - contact * contact, soft);
       DiscGroup& out = far.discs[n / kObstacleGroup];
       const std::size_t k = n++ % kObstacleGroup;
