@@ -16,7 +16,7 @@ inline constexpr float kTurnedSoftness = 0.33F;
 
 /// How somebody who looks for a way takes itself and others to hold their shoulders. The contact
 /// distance of two is T + q·(R − T), with R the sum of their radii, T that of their turned radii,
-/// q = straight + facing·cos h, and h the angle between their headings.
+/// q = (straight + facing·cos h)², and h the angle between their headings.
 struct Shoulders {
   float straight = 1.0F, facing = 0.0F;
 
@@ -24,9 +24,9 @@ struct Shoulders {
   static constexpr Shoulders kept_straight() { return {}; }
   /// T: where there is none.
   static constexpr Shoulders turned() { return {0.0F, 0.0F}; }
-  /// T towards somebody who comes, R behind somebody who walks ahead: queues keep their distance,
-  /// for the sake of feet, which do not turn. With T there, doors let through 2.6 to 3.8 persons a
-  /// metre and second, twice what is measured.
+  /// cos⁴(h/2): T towards somebody who comes, R behind somebody who walks ahead: queues keep their
+  /// distance, for the sake of feet, which do not turn. With T there, doors let through 2.6 to 3.8
+  /// persons a metre and second, twice what is measured.
   static constexpr Shoulders by_facing() { return {0.5F, 0.5F}; }
 };
 

@@ -80,7 +80,7 @@ struct SightImpl {
     const Float narrow = s.turned + Float::load(slots.turned_radius + first);
     const Float alike = Float::load(slots.hx + first) * s.heading_cos +
                         Float::load(slots.hy + first) * s.heading_sin;
-    const Float q = s.straight + s.facing * alike;
+    const Float root = s.straight + s.facing * alike, q = root * root;
     const Float contact = narrow + q * (wide - narrow);
     const Float v2 = Float::load(slots.speed2 + first);
     const Float fx = p.x + p.vx * s.horizon, fy = p.y + p.vy * s.horizon;
