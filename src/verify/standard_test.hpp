@@ -39,6 +39,19 @@ struct FigureSpec {
   Judged judged = Judged::kMedian;
 };
 
+/// Figures with their limits (both inclusive) and where those come from.
+FigureSpec at_least(std::string key, std::string label, std::string unit, int digits, double least,
+                    std::string source);
+FigureSpec at_most(std::string key, std::string label, std::string unit, int digits, double most,
+                   std::string source);
+FigureSpec between(std::string key, std::string label, std::string unit, int digits, double least,
+                   double most, std::string source);
+/// A figure that is only reported; `remark` stands where others have their source.
+FigureSpec told(std::string key, std::string label, std::string unit, int digits,
+                std::string remark = "");
+/// The same, judged by the worst seed.
+FigureSpec in_every_seed(FigureSpec figure);
+
 /// A published curve or points, drawn beside what the models do.
 struct Reference {
   std::string name;

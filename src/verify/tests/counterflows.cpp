@@ -73,30 +73,13 @@ StandardTest imo_counterflow() {
   test.setup =
       "100 people walk from one room of 10 m by 10 m through a corridor 2 m wide and 10 m long "
       "into another, against 0, 10, 50 or 100 others. Time until the last of the 100 is there.";
-  test.figures = {{"rise",
-                   "least rise of the time with the number opposed",
-                   "s",
-                   1,
-                   0.0,
-                   {},
-                   "IMO: time rises"},
-                  {"arrived",
-                   "share of people who arrive within 600 s",
-                   "",
-                   2,
-                   1.0,
-                   {},
-                   "all arrive",
-                   Judged::kWorst}};
+  test.figures = {at_least("rise", "least rise of the time with the number opposed", "s", 1, 0.0,
+                           "IMO: time rises"),
+                  in_every_seed(at_least("arrived", "share of people who arrive within 600 s", "",
+                                         2, 1.0, "all arrive"))};
   for (const std::size_t opposed : kOpposed) {
-    test.figures.push_back({fmt::format("time-{}", opposed),
-                            fmt::format("time against {}", opposed),
-                            "s",
-                            0,
-                            {},
-                            {},
-                            "",
-                            Judged::kNot});
+    test.figures.push_back(
+        told(fmt::format("time-{}", opposed), fmt::format("time against {}", opposed), "s", 0));
   }
   test.charts.push_back(
       {"time", "Time until the last is there", "people opposed", "time, s", {}, {}, {}});
@@ -148,23 +131,11 @@ StandardTest overtaking() {
   test.source = "ISO 20414, test 7; NIST 1822 (without its ramp)";
   test.setup =
       "24 people with 1.25 m/s walk behind one with 0.5 m/s in a corridor 2 m wide and 40 m long.";
-  test.figures = {{"before",
-                   "faster people who are there first",
-                   "",
-                   0,
-                   static_cast<double>(kFaster),
-                   {},
-                   "ISO: they overtake",
-                   Judged::kWorst},
-                  {"fast", "time of the last of them", "s", 1, {}, {}, "", Judged::kNot},
-                  {"slow",
-                   "time of the slow one",
-                   "s",
-                   1,
-                   {},
-                   90.0,
-                   "assumed: 64 s alone, and not held up by half as much",
-                   Judged::kWorst}};
+  test.figures = {in_every_seed(at_least("before", "faster people who are there first", "", 0,
+                                         static_cast<double>(kFaster), "ISO: they overtake")),
+                  told("fast", "time of the last of them", "s", 1),
+                  in_every_seed(at_most("slow", "time of the slow one", "s", 1, 90.0,
+                                        "assumed: 64 s alone, and not held up by half as much"))};
   test.run = run_overtaking;
   test.drawing.walkable = repair(box(0.0, 0.0, kLong, kWide));
   test.drawing.starts = {{box(0.0, 0.0, 7.0, kWide), 0}, {box(7.6, 0.6, 8.4, 1.4), 1}};
