@@ -84,7 +84,8 @@ struct Drawing {
 
 struct StandardTest {
   std::string id, title, source, setup;
-  /// Whether it tests how people mind each other, so that the blind model must fail.
+  /// Whether it tests how people mind each other, so that the blind model must fail. Not so where
+  /// walls and bodies alone, which the crowd keeps apart for every model, bring people through.
   bool behaviour = true;
   std::vector<FigureSpec> figures;
   std::vector<Chart> charts;

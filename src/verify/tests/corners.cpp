@@ -213,6 +213,7 @@ StandardTest junction() {
   const double half = kStreet / 2.0;
   StandardTest test;
   test.id = "t-junction";
+  test.behaviour = false;
   test.title = "Two streams join";
   test.source = "Zhang, Klingsch, Schadschneider and Seyfried 2011 (T-junction); Weidmann 1993";
   test.setup =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "verify/measures.hpp"
 #include "verify/standard_test.hpp"
@@ -100,6 +101,16 @@ StandardTest imo_counterflow() {
 constexpr double kLong = 40.0, kWide = 2.0;  // [m]
 constexpr std::size_t kFaster = 24;          // as NIST
 
+/// Those whose bodies touch the first person's now.
+void add_touching(const Scene& scene, std::set<std::size_t>& touching) {
+  constexpr double kTouch = 0.01;  // [m] numerical: bodies pushed apart lie this near
+  const auto& people = scene.people();
+  for (std::size_t i = 1; i < people.size() && people[0].here; ++i) {
+    const double distance = (people[i].at - people[0].at).norm();
+    if (people[i].here && distance < 2.0 * kBodyRadius + kTouch) touching.insert(i);
+  }
+}
+
 Outcome run_overtaking(const RunInput& input, std::size_t) {
   constexpr double kSlow = 0.5, kFast = 1.25;  // [m/s] NIST: 1.25 m/s; assumed: the slow one's
   constexpr double kFirst = 8.0;               // [m] where the slow one starts, ahead of the rest
@@ -110,7 +121,8 @@ Outcome run_overtaking(const RunInput& input, std::size_t) {
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kFirst - 1.0, kWide}, kFaster, input.seed)) {
     scene.add(at, end, 0, kFast);
   }
-  scene.run(kUntil);
+  std::set<std::size_t> touching;
+  scene.run(kUntil, [&] { add_touching(scene, touching); });
   Outcome outcome;
   double before = 0.0;
   const Walker& slow = scene.people().front();
@@ -121,18 +133,21 @@ Outcome run_overtaking(const RunInput& input, std::size_t) {
   outcome.figures["before"] = before;
   outcome.figures["fast"] = scene.last_arrival(kUntil, 0);
   outcome.figures["slow"] = its;
+  outcome.figures["touching"] = static_cast<double>(touching.size());
   return outcome;
 }
 
 StandardTest overtaking() {
   StandardTest test;
   test.id = "iso-overtaking";
+  test.behaviour = false;
   test.title = "Overtaking somebody slow";
   test.source = "ISO 20414, test 7; NIST 1822 (without its ramp)";
   test.setup =
       "24 people with 1.25 m/s walk behind one with 0.5 m/s in a corridor 2 m wide and 40 m long.";
   test.figures = {in_every_seed(at_least("before", "faster people who are there first", "", 0,
                                          static_cast<double>(kFaster), "ISO: they overtake")),
+                  told("touching", "faster people who touch the slow one", "", 0),
                   told("fast", "time of the last of them", "s", 1),
                   in_every_seed(at_most("slow", "time of the slow one", "s", 1, 90.0,
                                         "assumed: 64 s alone, and not held up by half as much"))};

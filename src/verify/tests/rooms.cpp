@@ -65,6 +65,7 @@ Outcome run_rimea_9(const RunInput& input, std::size_t index) {
 StandardTest rimea_9() {
   StandardTest test;
   test.id = "rimea-9";
+  test.behaviour = false;
   test.title = "A thousand people leave a room";
   test.source = "RiMEA 4.1.1, test 9; IMO 1533, test 9";
   test.setup =
@@ -141,6 +142,7 @@ Outcome run_rimea_12(const RunInput& input, std::size_t) {
 StandardTest rimea_12() {
   StandardTest test;
   test.id = "rimea-12";
+  test.behaviour = false;
   test.title = "The effect of a bottleneck";
   test.source = "RiMEA 4.1.1, test 12";
   test.setup =
