@@ -218,8 +218,7 @@ StandardTest rimea_13() {
       "before it, not in it. The stairs behind it are left out: a zone has one level.";
   test.figures = {
       at_least("jam", "density before the corridor less that inside", "/m²", 2, 0.0, "RiMEA"),
-      between("flow", "flow into the corridor", "/(m·s)", 2, 1.3, 1.9,
-              "as bottlenecks of 2 m: Kretz 2006, Seyfried 2009, Rupprecht 2011"),
+      between("flow", "flow into the corridor", "/(m·s)", 2, 1.3, 1.9, "as doors of 2 m"),
       in_every_seed(at_least("arrived", "people who get out within 300 s", "", 0,
                              static_cast<double>(kCrowd), "nobody is stuck")),
       told("before", "density before the corridor", "/m²", 2),
@@ -259,7 +258,7 @@ std::pair<double, double> leave(const RunInput& input, std::optional<double> spe
   FlowLine line({x, kSmallDeep / 2.0 + 0.5}, {x, kSmallDeep / 2.0 - 0.5});
   constexpr double kMost = 400.0;
   scene.run(kMost, [&] { line.look(scene); });
-  const double last = line.count() == kHundred ? line.times().back() : kMost;
+  const double last = line.count() == kHundred ? line.times().back() : std::nan("");
   return {last, line.flow(0.0, 1.0)};
 }
 
@@ -302,8 +301,9 @@ StandardTest rimea_8() {
   };
   test.conclude = [](Outcome& outcome) {
     auto& figures = outcome.figures;
-    figures["least-fall"] = std::min(figures["time-0.6"] - figures["time-0.9"],
-                                     figures["time-0.9"] - figures["time-1.34"]);
+    const double first = figures["time-0.6"] - figures["time-0.9"];
+    const double second = figures["time-0.9"] - figures["time-1.34"];
+    figures["least-fall"] = std::isnan(second) ? second : std::min(first, second);
   };
   test.drawing = small_drawing();
   return test;
