@@ -24,7 +24,7 @@ struct Shoulders {
   static constexpr Shoulders kept_straight() { return {}; }
   /// T: where there is none.
   static constexpr Shoulders turned() { return {0.0F, 0.0F}; }
-  /// cos⁴(h/2): T towards somebody who comes, R behind somebody who walks ahead: queues keep their
+  /// q = cos⁴(h/2): T towards somebody who comes, R behind somebody who walks ahead. Queues keep their
   /// distance, for the sake of feet, which do not turn. With T there, doors let through 2.6 to 3.8
   /// persons a metre and second, twice what is measured.
   static constexpr Shoulders by_facing() { return {0.5F, 0.5F}; }
