@@ -5,9 +5,7 @@
 
 #include "core/random.hpp"
 #include "core/vec.hpp"
-#include "model/giving_way.hpp"
-#include "model/making_way.hpp"
-#include "model/surroundings.hpp"
+#include "model/heuristic_scratch.hpp"
 #include "model/trigonometry.hpp"
 
 namespace pedzone {
@@ -38,14 +36,6 @@ void set_goal(DirectionTask& task, double to_goal, bool half_angle) {
 }
 
 }  // namespace
-
-/// What one thread needs while it decides; reused from person to person and step to step.
-struct HeuristicModel::Scratch {
-  Surroundings surroundings;
-  MakingWay making_way;
-  GivingWay giving_way;
-  bool turned = false;  ///< sees people as one who has turned its shoulders
-};
 
 HeuristicModel::HeuristicModel(VehicleForm form, const DirectionKernel& kernel, bool original)
     : form_(form), kernel_(kernel), original_(original) {}
