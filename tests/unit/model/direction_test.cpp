@@ -166,13 +166,14 @@ TEST_P(Oracle, is_agreed_with_in_random_scenes) {
       EXPECT_NEAR(off, wrap_angle(expected.choice.offset), 1e-6) << "seed " << seed << " of " << i;
       EXPECT_NEAR(d.free_distance, expected.free, 0.02) << "seed " << seed << " of " << i;
       EXPECT_NEAR(d.speed, std::min(person.speed, expected.free / 0.5), 0.02 / 0.5);
+      EXPECT_EQ(d.turns, expected.turns) << "seed " << seed << " of " << i;
       ++compared;
       turned += expected.turns ? 1 : 0;
       queueing += expected.free < expected.choice.free - 0.05 ? 1 : 0;
     }
   }
   EXPECT_GT(compared, 250);
-  EXPECT_GT(turned, 25);
+  EXPECT_GT(turned, 20);
   EXPECT_GT(queueing, 5);
 }
 
@@ -217,9 +218,11 @@ TEST(Direction, a_wall_behind_the_goal_still_slows_a_person_that_would_run_into_
 
 TEST(Direction, somebody_who_touches_counts_only_for_directions_that_lead_closer) {
   Scene scene;
+  scene.model_name = "plain";  // by Eq. 1 nobody turns aside so far
   scene.people = {walking_to({0, 0}, 0.0), walking_to({0.47, 0.0}, kPi / 2)};
   scene.people[1].velocity = Vec2::Zero();
-  scene.people[0].goal = kPi / 2;  // sideways: neither closer nor farther
+  for (PersonSpec& p : scene.people) p.turned_width = 1.0;  // or they would not touch
+  scene.people[0].goal = kPi / 2;                           // sideways: neither closer nor farther
   Decision d = scene.first();
   EXPECT_NEAR(d.direction, kPi / 2, 2.6 * kDegree);
   EXPECT_EQ(d.speed, 1.34);

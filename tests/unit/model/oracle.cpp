@@ -183,6 +183,20 @@ OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_dir
   return best;
 }
 
+/// [m] least way to a contact with people in any of the main directions.
+static double way_to_people(const Scene& scene, std::size_t person) {
+  const PersonSpec& self = scene.people[person];
+  const std::vector<Obstacle> obstacles = aware_of(scene, person);
+  double time = scene.parameters.sight / self.speed;
+  for (const double offset : main_offsets()) {
+    const Vec2 velocity = self.speed * unit(self.heading + offset);
+    for (const Obstacle& o : obstacles) {
+      if (o.kind == Obstacle::Kind::kDisc) time = time_to_contact(o, self.at, velocity, time);
+    }
+  }
+  return time * self.speed;
+}
+
 OracleDecision decision_of(const Scene& scene, std::size_t person) {
   constexpr double kClose = 0.02;  // [m]
   const PersonSpec& self = scene.people[person];
@@ -194,7 +208,9 @@ OracleDecision decision_of(const Scene& scene, std::size_t person) {
   };
   OracleChoice& best = decision.choice;
   best = best_direction(scene, person, false);
-  decision.turns = less(best.free, p.turn_time * self.speed);
+  const double turning = p.turn_time * self.speed;
+  // Where walls alone are in the way there is nothing to be gained.
+  decision.turns = less(best.free, turning) && less(way_to_people(scene, person), turning);
   const Width width = decision.turns ? Width::kTurned : Width::kFull;
   if (decision.turns) best = best_direction(scene, person, false, width);
   if (less(best.free, p.near_distance)) best = best_direction(scene, person, true, width);

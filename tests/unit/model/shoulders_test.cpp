@@ -1,6 +1,8 @@
 // Who turns its shoulders, how near it gets to others then, and by which equation it chooses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "model/perceiving_model.hpp"
 #include "oracle.hpp"
 #include "scene.hpp"
@@ -146,6 +148,25 @@ TEST(Shoulders, are_each_persons_own) {
         EXPECT_LT(d.speed, 1.34);
       }
       EXPECT_TRUE(d.turns);
+    }
+  }
+}
+
+TEST(Rays, are_those_of_who_has_turned_where_it_does) {
+  // The chosen direction's ray is as long as it was found free, but for the distance to a queue.
+  for (const char* name : {"heuristic", "plain"}) {
+    for (const double heading : {0.0, kPi}) {
+      Scene scene = before_a_row(heading);
+      const auto model = make_model(name);
+      const Decision d = scene.decide(*model)[0];
+      const Persons persons = persons_of(scene.people);
+      model->prepare({&persons, {}, nullptr, &scene.parameters});
+      std::vector<Ray> rays;
+      model->rays(0, rays);
+      const auto ray = std::ranges::find(rays, d.direction, &Ray::direction);
+      ASSERT_NE(ray, rays.end());
+      EXPECT_TRUE(d.turns);
+      EXPECT_NEAR(ray->free_distance, scene.parameters.sight, kGraze) << name << " " << heading;
     }
   }
 }
