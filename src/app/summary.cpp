@@ -28,7 +28,7 @@ std::string summary_table(const RunSummary& summary) {
   line("arrived", std::to_string(persons.arrived));
   line("still walking", std::to_string(persons.walking));
   line("lost", std::to_string(persons.lost));
-  line("jammed, and squeezed through", std::to_string(persons.jammed));
+  line("jammed, and squeezed through", std::to_string(summary.jams.size()));
   line("mean speed in the zone", fmt::format("{:.2f} m/s", persons.mean_speed));
   line("mean delay in the zone", fmt::format("{:.1f} s", persons.mean_delay_s));
   line("mean waiting in the zone", fmt::format("{:.1f} s", persons.mean_waiting_s));
@@ -57,7 +57,7 @@ std::string summary_json(const RunSummary& summary) {
                      {"arrived", persons.arrived},
                      {"walking", persons.walking},
                      {"lost", persons.lost},
-                     {"jammed", persons.jammed},
+                     {"jammed", summary.jams.size()},
                      {"mean_speed_mps", persons.mean_speed},
                      {"mean_delay_s", persons.mean_delay_s},
                      {"mean_waiting_s", persons.mean_waiting_s}};
@@ -68,6 +68,14 @@ std::string summary_json(const RunSummary& summary) {
                       {"mean_delay_s", vehicles.mean_delay_s}};
   // JSON has no infinity: no vehicle ever came near.
   if (!std::isfinite(vehicles.min_clearance_m)) json["vehicles"]["min_clearance_m"] = nullptr;
+  json["jams"] = nlohmann::ordered_json::array();
+  for (const JamRecord& jam : summary.jams) {
+    json["jams"].push_back({{"time", jam.time},
+                            {"person", jam.person},
+                            {"zone", jam.zone},
+                            {"x", jam.position.x()},
+                            {"y", jam.position.y()}});
+  }
   json["time"] = {{"simulated_s", time.simulated_s},
                   {"wall_s", time.wall_s},
                   {"sumo_s", time.sumo_s},

@@ -120,7 +120,7 @@ void move_freely(CrowdState& crowd) {
         for (std::size_t i = first; i < last; ++i) {
           const Vec2 from = crowd.position(i);
           const Vec2 to = from + Vec2(motion.dx[i], motion.dy[i]);
-          const Vec2 at = kept_inside(crowd.zone.walls, from, to, crowd.persons.radius[i],
+          const Vec2 at = kept_inside(crowd.zone.walls, from, to, crowd.persons.present_radius[i],
                                       crowd.walkers[i].wall_room, crowd.blocks[block].walls);
           motion.x[i] = at.x();
           motion.y[i] = at.y();
@@ -157,7 +157,7 @@ Vec2 pushed(CrowdState& crowd, std::size_t block, std::size_t i) {
   Vec2 push = sum.value() * (2.0 / (sum.terms() + 1.0));
   const double most = kPushPerPass + std::hypot(motion.dx[i], motion.dy[i]);
   if (push.norm() > most) push *= most / push.norm();
-  return kept_inside(crowd.zone.walls, crowd.position(i), here + push, crowd.persons.radius[i],
+  return kept_inside(crowd.zone.walls, crowd.position(i), here + push, crowd.persons.present_radius[i],
                      crowd.walkers[i].wall_room, scratch.walls);
 }
 

@@ -10,14 +10,16 @@ namespace pedzone {
 
 /// Waypoints from where the person was when it planned to its destination.
 struct Route {
-  Destination destination;    ///< as given
-  Vec2 aim_a = Vec2::Zero();  ///< [m] the part of the destination that the body has room
-  Vec2 aim_b = Vec2::Zero();  ///< for: what it heads for, and where `last` lies
-  std::vector<Vec2> points;   ///< [m] corners in turn, then a point of the aim; never empty
-  std::size_t next = 0;       ///< the current waypoint
-  double rest = 0.0;          ///< [m] way from the current waypoint to the end
-  bool found = true;          ///< false: there is none, the person tries the straight line
-  bool last_in_view = false;  ///< the nearest point of the aim can be headed for
+  Destination destination;     ///< as given
+  Vec2 aim_a = Vec2::Zero();   ///< [m] the part of the destination that the body has room
+  Vec2 aim_b = Vec2::Zero();   ///< for: what it heads for, and where `last` lies
+  std::vector<Vec2> points;    ///< [m] corners in turn, then a point of the aim; never empty
+  std::size_t next = 0;        ///< the current waypoint
+  Vec2 beside = Vec2::Zero();  ///< [m] from the current waypoint, a corner, to where it is passed
+  Vec2 start = Vec2::Zero();   ///< [m] where it was planned from
+  double rest = 0.0;           ///< [m] way from the current waypoint to the end
+  bool found = true;           ///< false: there is none, the person tries the straight line
+  bool last_in_view = false;   ///< the nearest point of the aim can be headed for
 
   bool on_last() const { return next + 1 == points.size(); }
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crowd/corners.hpp"
 #include "crowd/parallel.hpp"
 #include "crowd/path_walk.hpp"
 #include "crowd/state.hpp"
@@ -63,7 +64,12 @@ class Follower {
       walker_.entered = true;
     }
     if (walker_.entered && !route_.on_last()) take_entered();
-    if (!route_.on_last() && turn_ % kLookEvery == 0) look_ahead();
+    if (!route_.on_last() && turn_ % kLookEvery == 0) {
+      route_.beside = beside_corner(crowd_, row_);
+      // Who takes a corner wide turns only there: to turn as soon as the way beyond is in view
+      // leads back to the inside.
+      if (route_.beside.isZero()) look_ahead();
+    }
     if (turn_ % kCheckEvery == 0) check_sight();
     lose_patience(dt);
   }
@@ -92,7 +98,7 @@ class Follower {
     if (sees(point_after(), clearance)) {
       take_next(true);
     } else if (sees(route_.points[route_.next + 1], clearance) ||
-               (route_.points[route_.next] - here_).norm() <= kOnWaypoint) {
+               (heading_point(route_, here_) - here_).norm() <= kOnWaypoint) {
       take_next(false);
     }
   }

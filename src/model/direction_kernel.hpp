@@ -49,8 +49,8 @@ inline constexpr std::size_t kFarGroup = 2 * kObstacleGroup;
 
 /// Room for persons who are seen: as many as there are slots to look at, and two groups more.
 struct SeenSpace {
-  float *x, *y, *vx, *vy, *contact;  ///< while they are picked out
-  DiscGroup* discs;                  ///< what comes of them, filled up to two groups
+  float *x, *y, *vx, *vy, *free;  ///< while they are picked out; free [m²]: p² − R², softened
+  DiscGroup* discs;               ///< what comes of them, filled up to two groups
 };
 
 /// How many discs there are in either space.

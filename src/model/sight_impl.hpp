@@ -80,14 +80,19 @@ struct SightImpl {
     const Float narrow = s.turned + Float::load(slots.turned_radius + first);
     const Float alike = Float::load(slots.hx + first) * s.heading_cos +
                         Float::load(slots.hy + first) * s.heading_sin;
-    p.contact = narrow + (s.straight + s.facing * alike) * (wide - narrow);
+    const Float root = s.straight + s.facing * alike, q = root * root;
+    const Float contact = narrow + q * (wide - narrow);
     const Float v2 = Float::load(slots.speed2 + first);
     const Float fx = p.x + p.vx * s.horizon, fy = p.y + p.vy * s.horizon;
-    const Float farthest = p.contact + s.walk, still = p.contact + s.static_reach;
+    const Float farthest = contact + s.walk, still = contact + s.static_reach;
     const Float touchable =
         either(at_least(farthest * farthest, fx * fx + fy * fy), more(v2, s.speed2));
     const Float counts = either(at_least(v2, Float::all(kStandingSpeed * kStandingSpeed)),
                                 at_least(still * still, d2));
+
+    const Float softness =
+        Float::all(kTurnedSoftness) - q * Float::all(kTurnedSoftness - kSoftness);
+    p.free = larger(d2 - contact * contact, larger(softness * d2, Float::all(kLeastDiscGap)));
 
     const std::uint32_t lanes = bits(both(both(seen, touchable), counts)) & used;
     const std::uint32_t close = bits(at_least(s.near2, d2)) & lanes;
@@ -97,7 +102,7 @@ struct SightImpl {
 
   /// Persons picked out.
   struct Spotted {
-    Float x, y, vx, vy, contact;
+    Float x, y, vx, vy, free;
 
     std::size_t store(std::uint32_t lanes, const SeenSpace& space, std::size_t n) const {
       const typename Float::Packer pack(lanes);
@@ -105,7 +110,7 @@ struct SightImpl {
       pack.store(y, space.y + n);
       pack.store(vx, space.vx + n);
       pack.store(vy, space.vy + n);
-      pack.store(contact, space.contact + n);
+      pack.store(free, space.free + n);
       return static_cast<std::size_t>(__builtin_popcount(lanes));
     }
   };
@@ -114,7 +119,8 @@ struct SightImpl {
   static void finish_discs(const SeenSpace& space, std::size_t n, Float speed2) {
     for (std::size_t j = n; j % kFarGroup != 0; ++j) {  // somebody far away: never touched
       space.x[j] = space.y[j] = kFarAway;
-      space.vx[j] = space.vy[j] = space.contact[j] = 0.0F;
+      space.vx[j] = space.vy[j] = 0.0F;
+      space.free[j] = kFarAway * kFarAway;
     }
     for (std::size_t j = 0; j < n; j += kFarGroup) {
       for (std::size_t i = j; i < j + kFarGroup; i += kLanes) finish_lanes(space, i, speed2);
@@ -124,10 +130,7 @@ struct SightImpl {
   static void finish_lanes(const SeenSpace& space, std::size_t j, Float speed2) {
     const Float x = Float::load(space.x + j), y = Float::load(space.y + j);
     const Float vx = Float::load(space.vx + j), vy = Float::load(space.vy + j);
-    const Float contact = Float::load(space.contact + j);
-    const Float apart = x * x + y * y;
-    const Float soft = larger(Float::all(kSoftness) * apart, Float::all(kLeastDiscGap));
-    const Float gamma = Float::all(1.0F) / larger(apart - contact * contact, soft);
+    const Float gamma = Float::all(1.0F) / Float::load(space.free + j);
     DiscGroup& g = space.discs[j / kObstacleGroup];
     const std::size_t i = j % kObstacleGroup;
     (gamma * x).store(g.px + i);

@@ -44,10 +44,10 @@ void Surroundings::see_persons(const Walker& walker, const Senses& senses,
 SeenSpace Surroundings::Room::space(std::size_t persons, DiscList& discs) {
   const std::size_t needed = persons + 2 * kObstacleGroup;
   if (x.size() < needed) {
-    for (auto* array : {&x, &y, &vx, &vy, &contact}) array->resize(needed);
+    for (auto* array : {&x, &y, &vx, &vy, &free}) array->resize(needed);
   }
   discs.reserve(persons + kObstacleGroup);
-  return {x.data(), y.data(), vx.data(), vy.data(), contact.data(), discs.groups.data()};
+  return {x.data(), y.data(), vx.data(), vy.data(), free.data(), discs.groups.data()};
 }
 
 Surroundings::Segment Surroundings::segment_of(const WallFace& wall, const LatticePoint& at) {

@@ -62,7 +62,7 @@ class Surroundings {
 
   /// Room for persons while they are picked out.
   struct Room {
-    std::vector<float> x, y, vx, vy, contact;
+    std::vector<float> x, y, vx, vy, free;
     SeenSpace space(std::size_t persons, DiscList& discs);
   };
 

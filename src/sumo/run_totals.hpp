@@ -12,11 +12,17 @@
 
 namespace pedzone {
 
+/// Somebody who was stuck among people and squeezed through.
+struct JamRecord {
+  double time = 0.0;  ///< [s] when it began to
+  std::string person, zone;
+  Vec2 position = Vec2::Zero();  ///< [m]
+};
+
 /// The summary of a run, as printed and as written by `--summary`.
 struct RunSummary {
   struct {
     long seen = 0, controlled = 0, arrived = 0, walking = 0, lost = 0;
-    long jammed = 0;  ///< times that somebody stuck among people squeezed through
     double mean_speed = 0.0;      ///< [m/s] inside the zone
     double mean_delay_s = 0.0;    ///< [s] per person, over its free walk of the same distance
     double mean_waiting_s = 0.0;  ///< [s] per person
@@ -26,6 +32,7 @@ struct RunSummary {
     double min_clearance_m = std::numeric_limits<double>::infinity();
     double mean_delay_s = 0.0;  ///< [s] SUMO's timeLoss gathered near the zones
   } vehicles;
+  std::vector<JamRecord> jams;  ///< in time
   struct {
     double simulated_s = 0.0, wall_s = 0.0, sumo_s = 0.0, pedzone_s = 0.0;
     double us_per_person_step = 0.0;
@@ -38,6 +45,9 @@ class RunTotals {
  public:
   /// Who departed and arrived in SUMO's last step.
   void count_persons();
+  /// Who began to squeeze in the crowds' last step, at `time` [s].
+  void count_jams(const std::vector<JammedPerson>& jammed, const std::vector<Zone>& zones,
+                  double time);
   /// Distances between guests and vehicles now; delays of vehicles.
   void observe(const Fleet& fleet, const Takeover& takeover);
 
@@ -52,6 +62,7 @@ class RunTotals {
   double min_clearance_ = std::numeric_limits<double>::infinity();
   std::set<std::pair<std::string, std::string>> contacts_;
   std::unordered_map<std::string, Delay> delays_;
+  std::vector<JamRecord> jams_;
 };
 
 }  // namespace pedzone

@@ -176,6 +176,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   fleet.states(dt, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
   takeover.write(dt, fleet);
+  totals.count_jams(takeover.jammed(), zones, session.time());
   steering.apply(session.time());
 }
 

@@ -270,7 +270,6 @@ void Takeover::list_jams() {
       if (found != guests_.end()) jammed_.push_back({found->id, jam.position, found->zone});
     }
   }
-  totals_.jams += static_cast<long>(jammed_.size());
 }
 
 void Takeover::write(double dt, const Fleet& fleet) {

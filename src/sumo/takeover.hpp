@@ -47,7 +47,6 @@ struct WalkTotals {
   double time = 0.0;       ///< [s] while controlled
   double free_time = 0.0;  ///< [s] that distance at the preferred speed
   double waiting = 0.0;    ///< [s] waiting for vehicles or standing
-  long jams = 0;           ///< times that somebody was stuck among people and squeezed through
 };
 
 /// A person who was stuck among people and squeezes through.

@@ -92,6 +92,7 @@ Json tests(const Verification& verification) {
                    {"source", test.source},
                    {"setup", test.setup},
                    {"drawing_html", drawing_svg(test.drawing)},
+                   {"table", verification.models.size() > kFew ? "figures many" : "figures"},
                    {"figures", figures(verification, t)},
                    {"marks", marks(verification.results[t])},
                    {"charted", !test.charts.empty()},

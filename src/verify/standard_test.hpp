@@ -39,6 +39,19 @@ struct FigureSpec {
   Judged judged = Judged::kMedian;
 };
 
+/// Figures with their limits (both inclusive) and where those come from.
+FigureSpec at_least(std::string key, std::string label, std::string unit, int digits, double least,
+                    std::string source);
+FigureSpec at_most(std::string key, std::string label, std::string unit, int digits, double most,
+                   std::string source);
+FigureSpec between(std::string key, std::string label, std::string unit, int digits, double least,
+                   double most, std::string source);
+/// A figure that is only reported; `remark` stands where others have their source.
+FigureSpec told(std::string key, std::string label, std::string unit, int digits,
+                std::string remark = "");
+/// The same, judged by the worst seed.
+FigureSpec in_every_seed(FigureSpec figure);
+
 /// A published curve or points, drawn beside what the models do.
 struct Reference {
   std::string name;
@@ -71,7 +84,8 @@ struct Drawing {
 
 struct StandardTest {
   std::string id, title, source, setup;
-  /// Whether it tests how people mind each other, so that the blind model must fail.
+  /// Whether it tests how people mind each other, so that the blind model must fail. Not so where
+  /// walls and bodies alone, which the crowd keeps apart for every model, bring people through.
   bool behaviour = true;
   std::vector<FigureSpec> figures;
   std::vector<Chart> charts;

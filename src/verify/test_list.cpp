@@ -2,6 +2,33 @@
 
 namespace pedzone::verify {
 
+FigureSpec at_least(std::string key, std::string label, std::string unit, int digits, double least,
+                    std::string source) {
+  return {std::move(key), std::move(label), std::move(unit), digits, least, {}, std::move(source)};
+}
+
+FigureSpec at_most(std::string key, std::string label, std::string unit, int digits, double most,
+                   std::string source) {
+  return {std::move(key), std::move(label), std::move(unit), digits, {}, most, std::move(source)};
+}
+
+FigureSpec between(std::string key, std::string label, std::string unit, int digits, double least,
+                   double most, std::string source) {
+  return {std::move(key), std::move(label), std::move(unit), digits, least,
+          most,           std::move(source)};
+}
+
+FigureSpec told(std::string key, std::string label, std::string unit, int digits,
+                std::string remark) {
+  return {std::move(key),    std::move(label), std::move(unit), digits, {}, {},
+          std::move(remark), Judged::kNot};
+}
+
+FigureSpec in_every_seed(FigureSpec figure) {
+  figure.judged = Judged::kWorst;
+  return figure;
+}
+
 std::vector<StandardTest> standard_tests() {
   std::vector<StandardTest> all;
   for (const auto family : {single_walker_tests, diagram_tests, bottleneck_tests, room_tests,

@@ -128,21 +128,10 @@ void add_figures(StandardTest& test) {
     }
     test.figures.push_back(figure);
   }
-  test.figures.push_back({"least-rise",
-                          "least rise of flow from one width to the next",
-                          "persons/s",
-                          2,
-                          0.0,
-                          {},
-                          "flow rises with width (Seyfried 2009)"});
-  test.figures.push_back({"through",
-                          "share of people who get through within 400 s",
-                          "",
-                          2,
-                          1.0,
-                          {},
-                          "nobody is stuck",
-                          Judged::kWorst});
+  test.figures.push_back(at_least("least-rise", "least rise of flow from one width to the next",
+                                  "persons/s", 2, 0.0, "flow rises with width (Seyfried 2009)"));
+  test.figures.push_back(in_every_seed(at_least(
+      "through", "share of people who get through within 400 s", "", 2, 1.0, "nobody is stuck")));
 }
 
 StandardTest doors() {

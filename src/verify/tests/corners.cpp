@@ -58,9 +58,9 @@ StandardTest rimea_6() {
       "for 10 m.";
   test.behaviour = false;
   test.figures = {
-      {"outside", "moments with somebody outside", "", 0, {}, 0.0, "RiMEA", Judged::kWorst},
-      {"arrived", "people who arrive within 120 s", "", 0, 20.0, {}, "RiMEA", Judged::kWorst},
-      {"time", "time of the last", "s", 1, {}, {}, "", Judged::kNot}};
+      in_every_seed(at_most("outside", "moments with somebody outside", "", 0, 0.0, "RiMEA")),
+      in_every_seed(at_least("arrived", "people who arrive within 120 s", "", 0, 20.0, "RiMEA")),
+      told("time", "time of the last", "s", 1)};
   test.drawing = drawing_of(run);
   test.run = [](const RunInput& input, std::size_t) {
     constexpr double kMost = 120.0;
@@ -87,16 +87,10 @@ StandardTest corner_flow() {
       "130 people (2.7 /m²) fill 24 m of a corridor 2 m wide, which turns left. Flow 2 m behind "
       "the corner, between the passages of the first and the last fifth.";
   test.figures = {
-      {"flow", "flow behind the corner", "/(m·s)", 2, (1.0 - kBandSlack) * kWeidmannFlow, 1.9,
-       "Weidmann's greatest flow less 15 %; that of bottlenecks"},
-      {"arrived",
-       "people who arrive within 300 s",
-       "",
-       0,
-       130.0,
-       {},
-       "nobody is stuck",
-       Judged::kWorst}};
+      between("flow", "flow behind the corner", "/(m·s)", 2, (1.0 - kBandSlack) * kWeidmannFlow,
+              1.9, "Weidmann's greatest flow less 15 %; that of bottlenecks"),
+      in_every_seed(
+          at_least("arrived", "people who arrive within 300 s", "", 0, 130.0, "nobody is stuck"))};
   test.drawing = drawing_of(run);
   const double y = corner.width + 2.0;
   const Vec2 right(corner.outer(), y), left(corner.arm, y);
@@ -153,12 +147,13 @@ StandardTest rimea_15() {
       "100 people in a corridor 4 m wide: straight and as long as the inner side of the corner, "
       "round the corner, straight and as long as its outer side. Time of the last.";
   test.figures = {
-      {"after-short", "corner after short", "s", 1, 0.0, {}, "RiMEA: short ≤ corner"},
-      {"before-long", "long after corner", "s", 1, 0.0, {}, "RiMEA: corner ≤ long"},
-      {"arrived", "people who arrive, fewest", "", 0, 100.0, {}, "nobody is stuck", Judged::kWorst},
-      {"short", "time, short", "s", 1, {}, {}, "", Judged::kNot},
-      {"corner", "time, corner", "s", 1, {}, {}, "", Judged::kNot},
-      {"long", "time, long", "s", 1, {}, {}, "", Judged::kNot}};
+      at_least("after-short", "corner after short", "s", 1, 0.0, "RiMEA: short ≤ corner"),
+      at_least("before-long", "long after corner", "s", 1, 0.0, "RiMEA: corner ≤ long"),
+      in_every_seed(
+          at_least("arrived", "people who arrive, fewest", "", 0, 100.0, "nobody is stuck")),
+      told("short", "time, short", "s", 1),
+      told("corner", "time, corner", "s", 1),
+      told("long", "time, long", "s", 1)};
   test.drawing = drawing_of({corner, kCrowdLong, kCrowd});
   test.cases = 3;
   test.run = run_rimea_15;
@@ -218,24 +213,20 @@ StandardTest junction() {
   const double half = kStreet / 2.0;
   StandardTest test;
   test.id = "t-junction";
+  test.behaviour = false;
   test.title = "Two streams join";
   test.source = "Zhang, Klingsch, Schadschneider and Seyfried 2011 (T-junction); Weidmann 1993";
   test.setup =
       "90 people (2.6 /m²) come from each side of a T-junction of corridors 2.4 m wide. Flow in "
       "the "
       "stem, 2 m behind the junction.";
-  test.figures = {{"flow", "flow in the stem", "/(m·s)", 2, (1.0 - kBandSlack) * kWeidmannFlow, 1.9,
-                   "Weidmann's greatest flow less 15 %; that of bottlenecks"},
-                  {"share", "share of the left branch in the first half", "", 2, 0.35, 0.65,
-                   "assumed: both sides are alike"},
-                  {"arrived",
-                   "people who arrive within 300 s",
-                   "",
-                   0,
-                   180.0,
-                   {},
-                   "nobody is stuck",
-                   Judged::kWorst}};
+  test.figures = {
+      between("flow", "flow in the stem", "/(m·s)", 2, (1.0 - kBandSlack) * kWeidmannFlow, 1.9,
+              "Weidmann's greatest flow less 15 %; that of bottlenecks"),
+      between("share", "share of the left branch in the first half", "", 2, 0.35, 0.65,
+              "assumed: both sides are alike"),
+      in_every_seed(
+          at_least("arrived", "people who arrive within 300 s", "", 0, 180.0, "nobody is stuck"))};
   test.drawing.walkable = joined(
       {box(-half - kBranch, 0.0, half + kBranch, kStreet), box(-half, 0.0, half, kStreet + kStem)});
   test.drawing.starts = {{box(-half - kBranch, 0.0, -half - 1.5, kStreet), 0},

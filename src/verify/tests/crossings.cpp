@@ -92,20 +92,13 @@ StandardTest crossing_test(const Crossing& crossing) {
 }
 
 FigureSpec arrived() {
-  return {
-      "arrived",     "share of people who arrive within 300 s", "", 2, 1.0, {}, "nobody is stuck",
-      Judged::kWorst};
+  return in_every_seed(at_least("arrived", "share of people who arrive within 300 s", "", 2, 1.0,
+                                "nobody is stuck"));
 }
 
 FigureSpec most_turns() {
-  return {"turns",
-          "most turns of anybody round the middle",
-          "",
-          2,
-          {},
-          1.0,
-          "assumed: no vortex that does not end",
-          Judged::kWorst};
+  return in_every_seed(at_most("turns", "most turns of anybody round the middle", "", 2, 1.0,
+                               "assumed: no vortex that does not end"));
 }
 
 StandardTest right_angles() {
@@ -116,13 +109,13 @@ StandardTest right_angles() {
   test.setup =
       "70 people (1.4 /m²) each go straight on over a crossing of two streets 4 m wide. Speed "
       "along one's own way and density in the square, by Voronoi cells.";
-  test.figures = {{"ratio", "speed over that of Jülich's two ways at this density", "", 2,
-                   1.0 - kBandSlack, 1.0 + kBandSlack, "Jülich ± 15 %"},
+  test.figures = {between("ratio", "speed over that of Jülich's two ways at this density", "", 2,
+                          1.0 - kBandSlack, 1.0 + kBandSlack, "Jülich ± 15 %"),
                   arrived(),
                   most_turns(),
-                  {"density", "density in the square", "/m²", 2, {}, {}, "", Judged::kNot},
-                  {"speed", "speed in the square", "m/s", 2, {}, {}, "", Judged::kNot},
-                  {"time", "time of the last", "s", 0, {}, {}, "", Judged::kNot}};
+                  told("density", "density in the square", "/m²", 2),
+                  told("speed", "speed in the square", "m/s", 2),
+                  told("time", "time of the last", "s", 0)};
   return test;
 }
 
@@ -134,17 +127,10 @@ StandardTest four_ways() {
   test.setup = "50 people (1 /m²) come from each arm of a crossing of streets 4 m wide.";
   test.figures = {arrived(),
                   most_turns(),
-                  {"ratio",
-                   "speed over that of Jülich's two ways at this density",
-                   "",
-                   2,
-                   {},
-                   {},
-                   "",
-                   Judged::kNot},
-                  {"density", "density in the square", "/m²", 2, {}, {}, "", Judged::kNot},
-                  {"speed", "speed in the square", "m/s", 2, {}, {}, "", Judged::kNot},
-                  {"time", "time of the last", "s", 0, {}, {}, "", Judged::kNot}};
+                  told("ratio", "speed over that of Jülich's two ways at this density", "", 2),
+                  told("density", "density in the square", "/m²", 2),
+                  told("speed", "speed in the square", "m/s", 2),
+                  told("time", "time of the last", "s", 0)};
   return test;
 }
 

@@ -55,9 +55,9 @@ StandardTest moussaid() {
       "60 people, 30 each way and mixed at first, in a corridor of 16 m by 4 m whose end leads to "
       "its start. Band index, in bands of 0.5 m, from 25 s to 30 s; 1: in every band all walk one "
       "way.";
-  test.figures = {{"order", "band index", "", 2, 0.8, {}, "near 1; assumed: 0.8"},
-                  {"by-chance", "band index at first", "", 2, {}, {}, "", Judged::kNot},
-                  {"speed", "speed along one's way", "m/s", 2, {}, {}, "", Judged::kNot}};
+  test.figures = {at_least("order", "band index", "", 2, 0.8, "near 1; assumed: 0.8"),
+                  told("by-chance", "band index at first", "", 2),
+                  told("speed", "speed along one's way", "m/s", 2)};
   test.run = [](const RunInput& input, std::size_t) {
     const Lanes lanes = lanes_of(corridor, input, 25.0, 30.0);
     Outcome outcome;
@@ -71,6 +71,28 @@ StandardTest moussaid() {
 
 constexpr double kWidths[] = {2.0, 4.0, 6.0, 8.0};  // [m]
 
+Outcome run_width(const RunInput& input, std::size_t index) {
+  const double width = kWidths[index];
+  const PeriodicCorridor corridor{26.0, width, people_at(1.0, 26.0, width), true};
+  const Lanes lanes = lanes_of(corridor, input, 40.0, 60.0);
+  Outcome outcome;
+  outcome.figures[fmt::format("lanes-{:g}", width)] = lanes.lanes;
+  outcome.figures[fmt::format("order-{:g}", width)] = lanes.order;
+  outcome.curves["lanes"] = {{width, lanes.lanes}};
+  outcome.curves["order"] = {{width, lanes.order}};
+  return outcome;
+}
+
+void conclude_widths(Outcome& outcome) {
+  auto& figures = outcome.figures;
+  figures["more"] = figures["lanes-8"] - figures["lanes-2"];
+  double least = 1.0;
+  for (const double width : kWidths) {
+    least = std::min(least, figures[fmt::format("order-{:g}", width)]);
+  }
+  figures["order"] = least;
+}
+
 StandardTest lanes_by_width() {
   StandardTest test;
   test.id = "lanes-by-width";
@@ -79,48 +101,19 @@ StandardTest lanes_by_width() {
   test.setup =
       "Two ways at 1 person/m² in corridors 26 m long and 2 to 8 m wide, from 40 s to 60 s. A lane "
       "is a run of bands of 0.5 m in which two of three walk one way.";
-  test.figures = {
-      {"more", "lanes at 8 m less lanes at 2 m", "", 0, 1.0, {}, "the number grows with the width"},
-      {"order",
-       "least band index",
-       "",
-       2,
-       0.6,
-       {},
-       "assumed: as lanes of Helbing and Molnár's model"}};
+  test.figures = {at_least("more", "lanes at 8 m less lanes at 2 m", "", 0, 1.0,
+                           "the number grows with the width"),
+                  at_least("order", "least band index", "", 2, 0.6,
+                           "assumed: as lanes of Helbing and Molnár's model")};
   for (const double width : kWidths) {
-    test.figures.push_back({fmt::format("lanes-{:g}", width),
-                            fmt::format("lanes at {:g} m", width),
-                            "",
-                            0,
-                            {},
-                            {},
-                            "",
-                            Judged::kNot});
+    test.figures.push_back(
+        told(fmt::format("lanes-{:g}", width), fmt::format("lanes at {:g} m", width), "", 0));
   }
   test.charts = {{"lanes", "Number of lanes", "width, m", "lanes", {}, {}, {}},
                  {"order", "Order of lanes", "width, m", "band index", {}, {}, {}}};
   test.cases = std::size(kWidths);
-  test.run = [](const RunInput& input, std::size_t index) {
-    const double width = kWidths[index];
-    const PeriodicCorridor corridor{26.0, width, people_at(1.0, 26.0, width), true};
-    const Lanes lanes = lanes_of(corridor, input, 40.0, 60.0);
-    Outcome outcome;
-    outcome.figures[fmt::format("lanes-{:g}", width)] = lanes.lanes;
-    outcome.figures[fmt::format("order-{:g}", width)] = lanes.order;
-    outcome.curves["lanes"] = {{width, lanes.lanes}};
-    outcome.curves["order"] = {{width, lanes.order}};
-    return outcome;
-  };
-  test.conclude = [](Outcome& outcome) {
-    auto& figures = outcome.figures;
-    figures["more"] = figures["lanes-8"] - figures["lanes-2"];
-    double least = 1.0;
-    for (const double width : kWidths) {
-      least = std::min(least, figures[fmt::format("order-{:g}", width)]);
-    }
-    figures["order"] = least;
-  };
+  test.run = run_width;
+  test.conclude = conclude_widths;
   test.drawing = PeriodicCorridor{26.0, 4.0, 1, true}.drawing();
   return test;
 }

@@ -73,7 +73,7 @@ StandardTest rimea_1() {
   test.source = "RiMEA 4.1.1, test 1; IMO 1533, test 1; ISO 20414, test 2";
   test.setup = "One person with 1.33 m/s walks 40 m in a corridor 2 m wide, from rest.";
   test.behaviour = false;
-  test.figures = {{"time", "time for 40 m", "s", 1, 26.0, 34.0, "RiMEA", Judged::kWorst}};
+  test.figures = {in_every_seed(between("time", "time for 40 m", "s", 1, 26.0, 34.0, "RiMEA"))};
   test.drawing = drawing_of(corridor);
   test.run = [corridor](const RunInput& input, std::size_t) {
     Outcome outcome;
@@ -93,7 +93,7 @@ StandardTest free_flow() {
       "One person walks 10 m in the middle of a corridor at its 1 m/s from the start; from rest, "
       "the relaxation time of 0.5 s would use up the limit.";
   test.behaviour = false;
-  test.figures = {{"time", "time for 10 m", "s", 2, 9.5, 10.5, "Jülich: 10 s ± 0.5 s"}};
+  test.figures = {between("time", "time for 10 m", "s", 2, 9.5, 10.5, "Jülich: 10 s ± 0.5 s")};
   test.drawing = drawing_of(corridor);
   test.run = [corridor](const RunInput& input, std::size_t) {
     Outcome outcome;
@@ -113,7 +113,7 @@ StandardTest rotated() {
       "The same corridor turned by 0, 15, 45, 90 and 157 degrees, walked at 1 m/s from the start.";
   test.behaviour = false;
   test.figures = {
-      {"off", "greatest difference from 10 s", "s", 3, {}, 0.1, "Jülich: 0.1 s", Judged::kWorst}};
+      in_every_seed(at_most("off", "greatest difference from 10 s", "s", 3, 0.1, "Jülich: 0.1 s"))};
   test.drawing = drawing_of({10.0, 2.0, kPi / 4.0});
   test.cases = degrees.size();
   test.run = [](const RunInput& input, std::size_t index) {
@@ -144,8 +144,8 @@ StandardTest drift() {
       "As free walking, with the variation of the heading (parameter headingNoise) switched off: "
       "that is chance, and this is about the rule.";
   test.behaviour = false;
-  test.figures = {
-      {"drift", "sum of steps to the side", "m", 4, {}, 0.005, "Jülich: 0.005 m", Judged::kWorst}};
+  test.figures = {in_every_seed(
+      at_most("drift", "sum of steps to the side", "m", 4, 0.005, "Jülich: 0.005 m"))};
   test.drawing = drawing_of(corridor);
   test.run = [corridor](const RunInput& input, std::size_t) {
     Outcome outcome;
@@ -212,18 +212,13 @@ StandardTest rimea_7() {
   const Profiles profiles;
   for (const Ages& ages : kAges) {
     const double chance = 2.0 * profiles.find(ages.profile)->speed_deviation / std::sqrt(kOfEach);
-    test.figures.push_back({"mean-" + std::string(ages.profile),
-                            fmt::format("mean speed, {} ({})", ages.label, ages.profile), "m/s", 2,
-                            ages.least - chance, ages.most + chance,
-                            "RiMEA, test 7, and two standard errors of a mean of 50"});
+    test.figures.push_back(between("mean-" + std::string(ages.profile),
+                                   fmt::format("mean speed, {} ({})", ages.label, ages.profile),
+                                   "m/s", 2, ages.least - chance, ages.most + chance,
+                                   "RiMEA, test 7, and two standard errors of a mean of 50"));
   }
-  test.figures.push_back({"off",
-                          "greatest difference from one's own speed",
-                          "share",
-                          3,
-                          {},
-                          0.05,
-                          "assumed: the variation of the heading costs less"});
+  test.figures.push_back(at_most("off", "greatest difference from one's own speed", "share", 3,
+                                 0.05, "assumed: the variation of the heading costs less"));
   test.cases = std::size(kAges);
   test.run = [](const RunInput& input, std::size_t index) {
     return walk_profile(kAges[index], input);

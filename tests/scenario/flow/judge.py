@@ -1,4 +1,5 @@
 """Measures one run beside striping's, and says which limits it breaks."""
+import json
 import statistics
 import sys
 from dataclasses import dataclass, field
@@ -7,6 +8,7 @@ from pathlib import Path
 import numpy
 
 from overlap import find_overlaps
+from runs import SUMMARY
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "check"))
 import check_run  # noqa: E402  (found only now)
@@ -35,7 +37,8 @@ class Verdict:
     striping: Side = None
     pedzone: Side = None
     walked: int = 0  # persons that pedzone walked at some time
-    overlaps: int = 0  # pairs of people whose bodies overlapped
+    overlaps: int = 0  # pairs of people whose bodies overlapped, neither squeezing
+    jams: int = 0  # times that pedzone says it let somebody squeeze through
     nearest: float = None  # [m/m] least distance of two centres over the sum of the radii
     lost: int = 0
     outside: int = 0  # persons
@@ -82,6 +85,21 @@ def _put_into_place(check, jump):
         moment is not None and abs(moment - jump["time"]) <= 1.5 * period for moment in moments)
 
 
+def _squeezed(verdict, check, folder):
+    """Which rows are of somebody who has squeezed by then: narrower than with turned shoulders.
+    Only pedzone knows who does; the table counts them."""
+    jams = json.loads((folder / SUMMARY).read_text())["jams"]
+    verdict.jams = len(jams)
+    began = numpy.full(len(check.fcd.persons.names), numpy.inf)
+    number = {name: k for k, name in enumerate(check.fcd.persons.names)}
+    for jam in jams:
+        who = number.get(jam["person"])
+        if who is not None:
+            began[who] = min(began[who], jam["time"])
+    persons = check.fcd.persons
+    return check.fcd.times[persons.step] >= began[persons.who] - 1.0
+
+
 def inspect(verdict, config, zone, folder):
     """Fills in what positions tell: people lost, outside, thrown about, overlapping."""
     check = check_run.Check(check_run.parse_arguments(
@@ -94,7 +112,7 @@ def inspect(verdict, config, zone, folder):
                         for jump in figures["jumps"]["controlled_jumps"])
     radius = numpy.array([check.scenario.size(check.run.persons[name].type)[1] / 2
                           for name in check.fcd.persons.names])
-    found = find_overlaps(check.fcd, check.controlled, radius)
+    found = find_overlaps(check.fcd, check.controlled & ~_squeezed(verdict, check, folder), radius)
     who = check.fcd.persons.who
     pairs = numpy.sort(numpy.column_stack([who[found.first], who[found.second]]), axis=1)
     verdict.overlaps = len(numpy.unique(pairs, axis=0))

@@ -10,6 +10,7 @@ from footway import ENVIRONMENT
 PLAIN_LIMIT = 120  # [s] of processor time, so that other load on the machine breaks no test
 PEDZONE_LIMIT = 300  # [s] the same
 PATIENCE = 10  # times as long may it take in all
+SUMMARY = "summary.json"  # in the run's folder
 FCD_PERIOD = 0.5  # [s] positions are looked at so often, or each step where that is longer
 
 
@@ -65,6 +66,6 @@ def run_plain(config, folder, seed):
 def run_pedzone(pedzone, config, zone, folder, seed, step_length, model=None):
     """pedzone on the same input, everybody on the zone's footways walked by it."""
     words = [pedzone, "run", str(config), "--zone", str(zone), "--seed", str(seed),
-             "--threads", "1", *(["--model", model] if model else []), "--",
+             "--threads", "1", "--summary", str(folder / SUMMARY), *(["--model", model] if model else []), "--",
              *_trips(folder), *_positions(folder, step_length)]
     return _execute(words, folder.parent / "pedzone.log", PEDZONE_LIMIT)

@@ -2,7 +2,7 @@
 
 _COLUMNS = (("case", -52), ("seed", 4), ("people", 6), ("striping", 8), ("pedzone", 7),
             ("time s", 7), ("ratio", 6), ("on foot", 7), ("boarded", 9), ("overlap", 7),
-            ("nearest", 7), ("out", 4), ("jump", 4), ("cpu s", 10))
+            ("nearest", 7), ("out", 4), ("jump", 4), ("jams", 4), ("cpu s", 10))
 
 
 def _row(texts):
@@ -29,10 +29,10 @@ def line(verdict):
     plain, own = verdict.striping, verdict.pedzone
     cpu = "/".join(f"{seconds:.1f}" for seconds in verdict.processor)
     if own is None:
-        return _row([verdict.case, str(verdict.seed), *["-"] * 11, cpu]) + " | broken"
+        return _row([verdict.case, str(verdict.seed), *["-"] * 12, cpu]) + " | broken"
     return _row([
         verdict.case, str(verdict.seed), str(verdict.demand), str(plain.arrived), str(own.arrived),
         _number(own.mean, 0), _ratio(own.mean, plain.mean), _ratio(own.mean_walk, plain.mean_walk),
         f"{plain.boarded}/{own.boarded}", str(verdict.overlaps), _number(verdict.nearest, 2),
-        str(verdict.outside), str(verdict.jumps), cpu]) + (
+        str(verdict.outside), str(verdict.jumps), str(verdict.jams), cpu]) + (
             " | broken" if verdict.broken else " | holds")

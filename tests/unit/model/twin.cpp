@@ -62,11 +62,13 @@ Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count, c
       const float wide = s.radius + slots.radius[j];
       const float narrow = s.turned_radius + slots.turned_radius[j];
       const float alike = slots.hx[j] * s.heading_cos + slots.hy[j] * s.heading_sin;
-      const float straight = s.shoulders.straight + s.shoulders.facing * alike;
+      const float root = s.shoulders.straight + s.shoulders.facing * alike;
+      const float straight = root * root;
       const float contact = narrow + straight * (wide - narrow);
       const float still = contact + s.static_reach;
       if (v2 < kStandingSpeed * kStandingSpeed && d2 > still * still) continue;
-      const float soft = larger(kSoftness * d2, kLeastDiscGap);
+      const float soft =
+          larger((kTurnedSoftness - straight * (kTurnedSoftness - kSoftness)) * d2, kLeastDiscGap);
       const float gamma = 1.0F / larger(d2 - contact * contact, soft);
       DiscGroup& out = far.discs[n / kObstacleGroup];
       const std::size_t k = n++ % kObstacleGroup;
