@@ -30,7 +30,7 @@ bool jams(CrowdState& crowd, std::size_t i, double dt) {
   const auto step = static_cast<float>(dt);
   const bool stuck = lacks_room(crowd, i);
   jam.free = stuck ? 0.0F : jam.free + step;
-  if (jam.free > kFree) jam.squeezed = 0.0F;
+  if (jam.squeezed > 0.0F && jam.free > kFree) jam.squeezed = jam.stuck = 0.0F;
   const auto left = static_cast<float>(way_left(crowd.walkers[i].route, crowd.position(i)));
   if (left < jam.least_left - kProgress) {
     jam.least_left = left;

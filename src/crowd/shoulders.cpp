@@ -47,15 +47,16 @@ void hold_shoulders(CrowdState& crowd, double dt) {
       WalkState& walker = crowd.walkers[i];
       const auto near = crowd.neighbours_of(block, i);
       set_widths(walker, persons.radius[i], persons.turned_radius[i]);
-      const double full = persons.radius[i], present = persons.present_radius[i];
-      if (crowd.decisions[i].turns || walker.pressed || is_passed(crowd, i, near)) {
-        crowd.next_radius[i] = persons.turned_radius[i];
-      } else {
-        const double growth = (full - persons.turned_radius[i]) * dt / time;
-        crowd.next_radius[i] =
-            present < full ? std::min(full, present + std::min(growth, room_around(crowd, i, near)))
-                           : full;
-      }
+      const bool turns = crowd.decisions[i].turns || walker.pressed || is_passed(crowd, i, near);
+      const double wanted = turns ? persons.turned_radius[i] : persons.radius[i];
+      const double present = persons.present_radius[i];
+      // A body half as wide straightens within the time to turn. So does who cannot turn, after it
+      // was narrower all the same: when it squeezed, or before it was taken by the hand.
+      const double growth = 0.5 * walker.full_radius * dt / time;
+      crowd.next_radius[i] =
+          present < wanted
+              ? std::min(wanted, present + std::min(growth, room_around(crowd, i, near)))
+              : wanted;
       walker.pressed = false;
     }
   });

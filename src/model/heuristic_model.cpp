@@ -5,9 +5,7 @@
 
 #include "core/random.hpp"
 #include "core/vec.hpp"
-#include "model/giving_way.hpp"
-#include "model/making_way.hpp"
-#include "model/surroundings.hpp"
+#include "model/heuristic_scratch.hpp"
 #include "model/trigonometry.hpp"
 
 namespace pedzone {
@@ -38,14 +36,6 @@ void set_goal(DirectionTask& task, double to_goal, bool half_angle) {
 }
 
 }  // namespace
-
-/// What one thread needs while it decides; reused from person to person and step to step.
-struct HeuristicModel::Scratch {
-  Surroundings surroundings;
-  MakingWay making_way;
-  GivingWay giving_way;
-  bool turned = false;  ///< sees people as one who has turned its shoulders
-};
 
 HeuristicModel::HeuristicModel(VehicleForm form, const DirectionKernel& kernel, bool original)
     : form_(form), kernel_(kernel), original_(original) {}
@@ -171,6 +161,16 @@ void HeuristicModel::see_persons(std::size_t i, const Walker& self, const Should
   scratch.surroundings.fill(task);
 }
 
+float HeuristicModel::time_to_people(const DirectionTask& task) const {
+  alignas(32) float times[kMaxDirections];
+  float least = task.horizon;
+  for (const DiscView& people : {task.near_discs, task.far_discs}) {
+    kernel_.times_of(task, people, {}, 0, candidates_.main_padded(), times);
+    least = std::min(least, *std::min_element(times, times + candidates_.main_count()));
+  }
+  return least;
+}
+
 float HeuristicModel::time_to_queue(std::size_t i, const Walker& self, std::uint32_t direction,
                                     DirectionTask& task, Scratch& scratch) const {
   see_persons(i, self, Shoulders::by_facing(), scratch, task);
@@ -187,7 +187,8 @@ DirectionChoice HeuristicModel::choose(std::size_t i, const Walker& self, double
   DirectionChoice none;
   none.index = kNoDirection;
   DirectionChoice best = kernel_.choose(task, 0, candidates_.main_count(), none);
-  if (!scratch.turned && best.time < static_cast<float>(parameters.turn_time)) {
+  const auto turn_time = static_cast<float>(parameters.turn_time);
+  if (!scratch.turned && best.time < turn_time && time_to_people(task) < turn_time) {
     scratch.turned = true;
     see_persons(i, self, Shoulders::turned(), scratch, task);
     best = kernel_.choose(task, 0, candidates_.main_count(), none);

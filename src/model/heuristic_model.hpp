@@ -33,9 +33,11 @@ class HeuristicModel : public WalkingModel {
   void see_persons(std::size_t person, const Walker& walker, const Shoulders& shoulders,
                    Scratch& scratch, DirectionTask& task) const;
   Decision decide_one(std::size_t person, Scratch& scratch) const;
-  /// Turns the shoulders where there is no room to keep them straight.
+  /// Turns the shoulders where people leave no room to keep them straight.
   DirectionChoice choose(std::size_t person, const Walker& walker, double to_goal,
                          DirectionTask& task, Scratch& scratch) const;
+  /// [s] until somebody is met in any of the main directions.
+  float time_to_people(const DirectionTask& task) const;
   /// [s] until somebody is met in that direction behind whom one keeps a distance.
   float time_to_queue(std::size_t person, const Walker& walker, std::uint32_t direction,
                       DirectionTask& task, Scratch& scratch) const;

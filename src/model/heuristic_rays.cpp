@@ -4,16 +4,19 @@
 #include <limits>
 
 #include "core/vec.hpp"
-#include "model/heuristic_model.hpp"
-#include "model/surroundings.hpp"
+#include "model/heuristic_scratch.hpp"
+#include "model/trigonometry.hpp"
 
 namespace pedzone {
 
 void HeuristicModel::rays(std::size_t person, std::vector<Ray>& out) const {
   out.clear();
   const Walker self = scenery_.walker(person);
-  Surroundings around;
-  DirectionTask task = look_around(person, self, around);
+  Scratch scratch;
+  DirectionTask task = look_around(person, self, scratch.surroundings);
+  // As it sees others once it has turned its shoulders, where it does.
+  choose(person, self, wrapped(snapshot_.persons->goal_direction[person] - self.heading), task,
+         scratch);
   // The kernel tells the time until contact of the best direction only: let there be just one.
   std::vector<float> cost(candidates_.padded(), std::numeric_limits<float>::infinity());
   task.cost = cost.data();

@@ -30,54 +30,91 @@ std::size_t add_standing(Scene& scene, const Vec2& place, double radius, std::ui
   return scene.add(person);
 }
 
-class Pile : public ::testing::TestWithParam<int> {};
+/// Bodies are kept apart as wide as they are at the moment. Where nobody turns, that is their full
+/// width.
+double worst_overlap(const Scene& scene) {
+  if (scene.zone.parameters.turned_width == 1.0) return scene.worst_overlap();
+  return scene.worst_present_overlap();
+}
+
+struct PileOf {
+  int count;
+  double turned_width;
+};
+
+class Pile : public ::testing::TestWithParam<PileOf> {
+ protected:
+  static Zone square() {
+    Zone zone = zone_of(box(0, 0, 40, 40));
+    zone.parameters.turned_width = GetParam().turned_width;
+    return zone;
+  }
+};
 
 TEST_P(Pile, comes_apart_in_the_open) {
-  const Zone zone = zone_of(box(0, 0, 40, 40));
+  const Zone zone = square();
   Scene scene(zone);
-  const int count = GetParam();
+  const int count = GetParam().count;
   for (int k = 0; k < count; ++k) add_standing(scene, {20, 20}, 0.24);
   for (int k = 0; k < 10 * count; ++k) scene.step();
-  EXPECT_LE(scene.worst_overlap(), kOverlap);
+  EXPECT_LE(worst_overlap(scene), kOverlap);
   for (const auto& p : scene.people) EXPECT_TRUE(p.view.position.allFinite());
 }
 
 TEST_P(Pile, comes_apart_in_a_corner_inside_the_walls) {
-  const Zone zone = zone_of(box(0, 0, 40, 40));
+  const Zone zone = square();
   Scene scene(zone);
-  const int count = GetParam();
+  const int count = GetParam().count;
   for (int k = 0; k < count; ++k) add_standing(scene, {0.01 * (k % 3), 0.3}, 0.24);
   for (int k = 0; k < 20 * count; ++k) scene.step();
-  EXPECT_LE(scene.worst_overlap(), kOverlap);
+  EXPECT_LE(worst_overlap(scene), kOverlap);
   EXPECT_GE(scene.least_wall_gap(), -kTouch);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, Pile, ::testing::Values(2, 3, 10, 40));
+INSTANTIATE_TEST_SUITE_P(Sizes, Pile,
+                         ::testing::Values(PileOf{2, 1.0}, PileOf{3, 1.0}, PileOf{10, 1.0},
+                                           PileOf{40, 1.0}, PileOf{2, 0.5}, PileOf{10, 0.5},
+                                           PileOf{40, 0.5}),
+                         [](const auto& test) {
+                           return std::to_string(test.param.count) +
+                                  (test.param.turned_width < 1.0 ? "_turned" : "_hard");
+                         });
 
-TEST(Contact, two_with_the_same_key_and_place_part) {
-  const Zone zone = zone_of(box(0, 0, 40, 40));
+/// Of people whose bodies are that share as wide with their shoulders turned.
+class ContactOf : public ::testing::TestWithParam<double> {
+ protected:
+  static Zone with_bodies(Zone zone) {
+    zone.parameters.turned_width = GetParam();
+    return zone;
+  }
+};
+
+TEST_P(ContactOf, two_with_the_same_key_and_place_part) {
+  const Zone zone = with_bodies(zone_of(box(0, 0, 40, 40)));
   Scene scene(zone);
   add_standing(scene, {20, 20}, 0.3, 9);
   add_standing(scene, {20, 20}, 0.3, 9);
   for (int k = 0; k < 20; ++k) scene.step();
-  EXPECT_LE(scene.worst_overlap(), kOverlap);
+  EXPECT_LE(worst_overlap(scene), kOverlap);
+  const auto &a = scene.people[0].view, &b = scene.people[1].view;
+  EXPECT_GE((a.position - b.position).norm(), GetParam() * 2 * 0.3 - kOverlap);
 }
 
-TEST(Contact, a_standing_body_is_not_shoved_by_one_that_walks_into_it) {
-  const Zone zone = zone_of(box(0, 0, 40, 10));
+TEST_P(ContactOf, a_standing_body_is_not_shoved_by_one_that_walks_into_it) {
+  const Zone zone = with_bodies(zone_of(box(0, 0, 40, 10)));
   Scene scene(zone, 1, blind_model());
   const auto standing = add_standing(scene, {20, 5}, 0.24);
   const auto walking = scene.add({15, 5}, line_at_x(39, 0, 10));
   for (int k = 0; k < 100; ++k) {
     scene.step();
-    EXPECT_LE(scene.worst_overlap(), 1e-6);
+    EXPECT_LE(worst_overlap(scene), 1e-6);
   }
   EXPECT_NEAR(scene.people[standing].view.position.x(), 20, 0.05);
   EXPECT_LT(scene.people[walking].view.position.x(), 20);
 }
 
-TEST(Contact, fast_bodies_do_not_pass_through_each_other) {
-  const Zone zone = zone_of(box(0, 0, 40, 2.0));
+TEST_P(ContactOf, fast_bodies_do_not_pass_through_each_other) {
+  const Zone zone = with_bodies(zone_of(box(0, 0, 40, 2.0)));
   Scene scene(zone, 1, blind_model());
   const auto a = scene.add({10, 1}, line_at_x(39, 0, 2), 5.0);
   const auto b = scene.add({30, 1}, line_at_x(1, 0, 2), 5.0);
@@ -85,11 +122,12 @@ TEST(Contact, fast_bodies_do_not_pass_through_each_other) {
     scene.step();
     ASSERT_LT(scene.people[a].view.position.x(), scene.people[b].view.position.x());
   }
-  EXPECT_LE(scene.worst_overlap(), kOverlap);
+  EXPECT_LE(worst_overlap(scene), kOverlap);
 }
 
-TEST(Contact, a_blind_crowd_that_presses_at_a_gap_stays_inside_and_apart) {
-  const Zone zone = zone_of(box(0, 0, 30, 12), {box(20, -1, 20.5, 5.6), box(20, 6.6, 20.5, 13)});
+TEST_P(ContactOf, a_blind_crowd_that_presses_at_a_gap_stays_inside_and_apart) {
+  const Zone zone =
+      with_bodies(zone_of(box(0, 0, 30, 12), {box(20, -1, 20.5, 5.6), box(20, 6.6, 20.5, 13)}));
   Scene scene(zone, 1, blind_model());
   for (int k = 0; k < 80; ++k) {
     NewPerson person;
@@ -101,12 +139,16 @@ TEST(Contact, a_blind_crowd_that_presses_at_a_gap_stays_inside_and_apart) {
   double worst = 0.0;
   while (scene.time < 120 && scene.arrived() < scene.people.size()) {
     scene.step();
-    worst = std::max(worst, scene.worst_overlap());
+    worst = std::max(worst, worst_overlap(scene));
     for (const auto& p : scene.people) ASSERT_TRUE(p.view.position.allFinite());
   }
   EXPECT_GE(scene.least_wall_gap(), -kTouch);
   EXPECT_LE(worst, 0.05);  // 80 people press with all their speed; who looks keeps 1 cm (Plaza)
 }
+
+INSTANTIATE_TEST_SUITE_P(Bodies, ContactOf, ::testing::Values(1.0, 0.5), [](const auto& test) {
+  return std::string(test.param < 1.0 ? "turned" : "hard");
+});
 
 TEST(Contact, absurd_input_gives_no_nan) {
   const Zone zone = zone_of(box(0, 0, 20, 20), {box(8, 8, 12, 12)}, true);
@@ -147,9 +189,9 @@ TEST(Placement, people_on_one_point_get_free_places_near_it) {
     const auto i = scene.add(person);
     const Vec2 place = scene.people[i].view.position;
     EXPECT_LE((place - Vec2(20, 20)).norm(), 3.0);
-    EXPECT_GE((place - Vec2(20.3, 20)).norm(), 0.54);
+    EXPECT_GE((place - Vec2(20.3, 20)).norm(), 0.54 - kTouch);
   }
-  EXPECT_LE(scene.worst_overlap(), 0.0);
+  EXPECT_LE(scene.worst_overlap(), kTouch);  // places 0.48 m apart; radii are kept as floats
 }
 
 TEST(Placement, never_lies_behind_a_wall) {

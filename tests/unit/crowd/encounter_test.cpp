@@ -100,19 +100,28 @@ class Plaza : public ::testing::Test {
 };
 
 TEST_F(Plaza, all_arrive_inside_and_without_overlap) {
-  Scene scene(zone);
-  fill(scene);
-  EXPECT_LE(scene.worst_overlap(), 0.0);  // placed freely
-  double worst = 0.0;
-  while (scene.time < 120 && scene.arrived() < scene.people.size()) {
-    scene.step();
-    worst = std::max(worst, scene.worst_overlap());
+  for (const bool turning : {false, true}) {
+    const Zone its_zone = turning ? zone : with_hard_bodies(zone);
+    Scene scene(its_zone);
+    fill(scene);
+    EXPECT_LE(scene.worst_overlap(), 0.0);  // placed freely
+    double worst = 0.0, worst_straight = 0.0;
+    while (scene.time < 120 && scene.arrived() < scene.people.size()) {
+      scene.step();
+      worst = std::max(worst, scene.worst_present_overlap());
+      worst_straight = std::max(worst_straight, scene.worst_overlap());
+    }
+    EXPECT_EQ(scene.arrived(), scene.people.size());
+    EXPECT_LE(worst, kOverlap);
+    if (turning) {
+      EXPECT_GT(worst_straight, 0.05);  // some did turn
+    } else {
+      EXPECT_LE(worst_straight, kOverlap);
+    }
+    EXPECT_GE(scene.least_wall_gap(), -kTouch);
+    EXPECT_LE(scene.worst_jump(), 0.15);
+    for (const auto& p : scene.people) EXPECT_FALSE(p.view.gave_up);
   }
-  EXPECT_EQ(scene.arrived(), scene.people.size());
-  EXPECT_LE(worst, kOverlap);
-  EXPECT_GE(scene.least_wall_gap(), -kTouch);
-  EXPECT_LE(scene.worst_jump(), 0.15);
-  for (const auto& p : scene.people) EXPECT_FALSE(p.view.gave_up);
 }
 
 TEST_F(Plaza, one_second_steps_end_like_short_ones) {

@@ -51,6 +51,11 @@ Zone zone_of(const Ring& space, const std::vector<Ring>& obstacles, bool noise) 
   return zone_of(repair(space), obstacles, noise);
 }
 
+Zone with_hard_bodies(Zone zone) {
+  zone.parameters.turned_width = 1.0;
+  return zone;
+}
+
 std::unique_ptr<WalkingModel> blind_model() { return std::make_unique<BlindModel>(); }
 
 VehicleState vehicle_at(const Vec2& centre, double heading, double speed, double length,
@@ -145,16 +150,25 @@ std::size_t Scene::arrived() const {
       std::count_if(people.begin(), people.end(), [](const Person& p) { return !p.here; }));
 }
 
-double Scene::worst_overlap() const {
+template <class Radius>
+double Scene::worst_overlap_of(const Radius& radius) const {
   double worst = 0.0;
   for (std::size_t i = 0; i < people.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!people[i].here || !people[j].here) continue;
       const double distance = (people[i].view.position - people[j].view.position).norm();
-      worst = std::max(worst, people[i].given.radius + people[j].given.radius - distance);
+      worst = std::max(worst, radius(people[i]) + radius(people[j]) - distance);
     }
   }
   return worst;
+}
+
+double Scene::worst_overlap() const {
+  return worst_overlap_of([](const Person& person) { return person.given.radius; });
+}
+
+double Scene::worst_present_overlap() const {
+  return worst_overlap_of([](const Person& person) { return person.view.radius; });
 }
 
 Destination line_at_x(double x, double y0, double y1) { return {{x, y0}, {x, y1}}; }

@@ -16,6 +16,9 @@ Ring box(double x0, double y0, double x1, double y1);
 Zone zone_of(const Region& space, const std::vector<Ring>& obstacles = {}, bool noise = false);
 Zone zone_of(const Ring& space, const std::vector<Ring>& obstacles = {}, bool noise = false);
 
+/// Nobody turns its shoulders there: bodies are hard discs.
+Zone with_hard_bodies(Zone zone);
+
 /// Nobody's doing: goes straight for its goal at full speed, blind to everything.
 std::unique_ptr<WalkingModel> blind_model();
 
@@ -53,8 +56,10 @@ class Scene {
   void run(double until, double dt = 0.1);
 
   std::size_t arrived() const;
-  /// Largest overlap [m] of two bodies now (0: none).
+  /// Largest overlap [m] of two bodies now (0: none), with their shoulders straight.
   double worst_overlap() const;
+  /// The same of bodies as they hold their shoulders now.
+  double worst_present_overlap() const;
   /// Least distance [m] from any centre to a wall minus the radius, over all steps since the start;
   /// -1 when somebody was outside.
   double least_wall_gap() const { return least_wall_gap_; }
@@ -71,6 +76,8 @@ class Scene {
 
  private:
   void observe(double dt);
+  template <class Radius>
+  double worst_overlap_of(const Radius& radius) const;
 
   double least_wall_gap_ = 1e9, least_vehicle_gap_ = 1e9, worst_jump_ = 0.0;
 };

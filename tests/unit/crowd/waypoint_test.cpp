@@ -84,21 +84,26 @@ TEST(Waypoints, who_is_pushed_out_of_sight_of_its_waypoint_finds_its_way_again) 
 }
 
 TEST(Patience, an_occupied_destination_ends_the_walk_beside_it) {
-  const Zone zone = zone_of(box(0, 0, 40, 20), {}, true);
-  Scene scene(zone);
-  // A tight ring of people who stand round the point.
-  std::vector<SeenPerson> seen;
-  for (int k = 0; k < 12; ++k)
-    seen.push_back({Vec2(30, 10) + 0.95 * unit(k * kPi / 6), {0, 0}, 0.24});
-  seen.push_back({{30, 10}, {0, 0}, 0.24});
-  scene.crowd.see(seen);
-  const auto person = scene.add({5, 10}, point(30, 10));
-  scene.run(25 / 1.34 + 10 + 5);
-  ASSERT_EQ(scene.arrived(), 1u);
-  const auto& p = scene.people[person];
-  EXPECT_TRUE(p.view.gave_up);
-  EXPECT_LE((p.view.position - Vec2(30, 10)).norm(), 3.0);
-  EXPECT_GT(p.arrival_time, 23 / 1.34 + 10 - 1);
+  // A tight ring of people who stand round the point: closer together than bodies as wide as they
+  // can be at the narrowest.
+  for (const double turned_width : {1.0, 0.5}) {
+    Zone zone = zone_of(box(0, 0, 40, 20), {}, true);
+    zone.parameters.turned_width = turned_width;
+    Scene scene(zone);
+    std::vector<SeenPerson> seen;
+    const int ring = turned_width < 1.0 ? 24 : 12;  // 0.25 and 0.49 m apart
+    for (int k = 0; k < ring; ++k)
+      seen.push_back({Vec2(30, 10) + 0.95 * unit(2 * k * kPi / ring), {0, 0}, 0.24});
+    seen.push_back({{30, 10}, {0, 0}, 0.24});
+    scene.crowd.see(seen);
+    const auto person = scene.add({5, 10}, point(30, 10));
+    scene.run(25 / 1.34 + 10 + 5);
+    ASSERT_EQ(scene.arrived(), 1u);
+    const auto& p = scene.people[person];
+    EXPECT_TRUE(p.view.gave_up);
+    EXPECT_LE((p.view.position - Vec2(30, 10)).norm(), 3.0);
+    EXPECT_GT(p.arrival_time, 23 / 1.34 + 10 - 1);
+  }
 }
 
 TEST(Patience, nobody_gives_up_far_from_the_destination) {

@@ -251,7 +251,7 @@ Compared compare_with_best_value(bool wall) {
     const Scene scene = with_one_vehicle(number, wall);
     const std::vector<Obstacle> around = aware_of(scene, 0);
     const double caution = caution_of(scene, 0);
-    // Whoever has no discomfort where it would go anyway looks no further.
+    // Whoever has no discomfort where it would go anyway, by Eq. 1, looks no further.
     OracleChoice anyway = best_direction(scene, 0, false);
     if (std::abs(anyway.free - scene.parameters.near_distance) < 0.02) continue;
     if (anyway.free < scene.parameters.near_distance) anyway = best_direction(scene, 0, true);
@@ -289,16 +289,16 @@ TEST(GivingWay, takes_who_comes_to_a_wall_to_stand_there) {
 
 bool same(const Decision& a, const Decision& b) {
   return a.direction == b.direction && a.speed == b.speed && a.free_distance == b.free_distance &&
-         a.waits == b.waits;
+         a.waits == b.waits && a.turns == b.turns;
 }
 
 struct Comparison {
   std::size_t all = 0, different = 0, waiting = 0;
 };
-/// Of a scene as it is with the one as the paper has it.
-void compare_with_plain(const Scene& scene, Comparison& sum) {
+/// Of a scene as it is with the one by another model.
+void compare_with(const char* model, const Scene& scene, Comparison& sum) {
   Scene paper = scene;
-  paper.model_name = "plain";
+  paper.model_name = model;
   const std::vector<Decision> a = scene.decide(), b = paper.decide();
   for (std::size_t i = 0; i < a.size(); ++i) {
     ++sum.all;
@@ -315,9 +315,9 @@ TEST(GivingWay, of_no_weight_leaves_every_decision_as_it_was_to_the_bit) {
   Comparison without, with;
   for (std::uint32_t seed = 1; seed <= 8; ++seed) {
     Scene scene = among_vehicles(seed);
-    compare_with_plain(scene, with);
+    compare_with("plain", scene, with);
     scene.parameters.discomfort = 0.0;
-    compare_with_plain(scene, without);
+    compare_with("plain", scene, without);
   }
   EXPECT_EQ(without.different, 0U);
   EXPECT_GT(without.waiting, 20U);
@@ -325,13 +325,14 @@ TEST(GivingWay, of_no_weight_leaves_every_decision_as_it_was_to_the_bit) {
 }
 
 TEST(GivingWay, needs_a_vehicle_that_moves) {
+  // Then people walk as in the paper that it builds on, by Eq. 1.
   Comparison parked, gone;
   for (std::uint32_t seed = 1; seed <= 8; ++seed) {
     Scene scene = among_vehicles(seed);
     for (VehicleState& v : scene.vehicles) v.velocity = (seed % 2) * 0.049 * unit(v.heading);
-    compare_with_plain(scene, parked);
+    compare_with("heuristic-original", scene, parked);
     scene.vehicles.clear();
-    compare_with_plain(scene, gone);
+    compare_with("heuristic-original", scene, gone);
   }
   EXPECT_EQ(parked.different, 0U);
   EXPECT_EQ(gone.different, 0U);

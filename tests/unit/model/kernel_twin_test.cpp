@@ -24,6 +24,7 @@ void expect_same(const std::vector<Decision>& a, const std::vector<Decision>& b,
     ASSERT_EQ(a[i].free_distance, b[i].free_distance) << kernel << " seed " << seed;
     ASSERT_EQ(a[i].speed, b[i].speed) << kernel << " seed " << seed << " person " << i;
     ASSERT_EQ(a[i].waits, b[i].waits) << kernel << " seed " << seed << " person " << i;
+    ASSERT_EQ(a[i].turns, b[i].turns) << kernel << " seed " << seed << " person " << i;
   }
 }
 
@@ -31,7 +32,7 @@ TEST_P(KernelTwin, makes_the_same_choices) {
   const VehicleForm form = GetParam().form;
   HeuristicModel twin(form, twin_kernel()), baseline(form, baseline_kernel());
   HeuristicModel avx2(form, has_avx2() ? avx2_kernel() : baseline_kernel());
-  std::size_t waiting = 0, slowed = 0;
+  std::size_t waiting = 0, slowed = 0, turned = 0;
   for (std::uint32_t seed = 1; seed <= 6; ++seed) {
     Scene scene = random_scene(
         {.people = 400, .density = GetParam().density, .vehicles = 12, .obstacles = 12}, seed);
@@ -42,10 +43,12 @@ TEST_P(KernelTwin, makes_the_same_choices) {
     for (std::size_t i = 0; i < expected.size(); ++i) {
       waiting += expected[i].waits ? 1 : 0;
       slowed += expected[i].speed < scene.people[i].speed ? 1 : 0;
+      turned += expected[i].turns ? 1 : 0;
     }
   }
   EXPECT_GT(waiting, 0U);
   EXPECT_GT(slowed, 0U);
+  EXPECT_GT(turned, 20U);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -94,6 +94,7 @@ void expect_equal(const Decision& a, const Decision& b, std::size_t person) {
   ASSERT_EQ(a.speed, b.speed) << "person " << person;
   ASSERT_EQ(a.free_distance, b.free_distance) << "person " << person;
   ASSERT_EQ(a.waits, b.waits) << "person " << person;
+  ASSERT_EQ(a.turns, b.turns) << "person " << person;
 }
 
 TEST_P(Models, alone_people_walk_to_their_goal_at_their_speed) {

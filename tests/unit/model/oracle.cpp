@@ -96,7 +96,26 @@ double value(int equation, double free, double sight, double from_goal) {
   return free * free - 2.0 * sight * free * std::cos(wrap_angle(from_goal) / equation);
 }
 
-std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person) {
+double contact_distance(const PersonSpec& a, const PersonSpec& b, Width width) {
+  const double full = a.radius + b.radius;
+  const double turned = a.turned_width * a.radius + b.turned_width * b.radius;
+  switch (width) {
+    case Width::kFull:
+      return full;
+    case Width::kTurned:
+      return turned;
+    default:  // halfway between the two for who walks across
+      return (full + turned) / 2.0 + (full - turned) / 2.0 * std::cos(a.heading - b.heading);
+  }
+}
+
+int equation_of(const Scene& scene) {
+  const bool minds_vehicles = scene.model_name == "heuristic" && scene.parameters.discomfort > 0.0;
+  if (minds_vehicles || scene.model_name == "heuristic-original") return 1;
+  return static_cast<int>(scene.parameters.equation);
+}
+
+std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person, Width width) {
   const Parameters& p = scene.parameters;
   const PersonSpec& self = scene.people[person];
   const double half_field = p.field_of_view * kPi / 180.0;
@@ -108,7 +127,7 @@ std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person) {
   for (std::size_t j = 0; j < scene.people.size(); ++j) {
     const PersonSpec& other = scene.people[j];
     if (j == person || (other.at - self.at).norm() > p.sight || !in_view(other.at)) continue;
-    obstacles.push_back(disc(other.at, other.velocity, self.radius + other.radius));
+    obstacles.push_back(disc(other.at, other.velocity, contact_distance(self, other, width)));
   }
   for (const VehicleState& v : scene.vehicles) {
     const bool parked = v.velocity.norm() < 0.05;
@@ -133,11 +152,12 @@ std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person) {
   return obstacles;
 }
 
-OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_directions) {
+OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_directions,
+                            Width width) {
   const PersonSpec& self = scene.people[person];
   const double sight = scene.parameters.sight;
-  const int equation = static_cast<int>(scene.parameters.equation);
-  const std::vector<Obstacle> obstacles = aware_of(scene, person);
+  const int equation = equation_of(scene);
+  const std::vector<Obstacle> obstacles = aware_of(scene, person, width);
   std::vector<double> offsets = main_offsets();
   if (all_directions) {
     const std::vector<double> rest = rest_offsets();
@@ -161,6 +181,48 @@ OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_dir
   }
   best.margin = second - least;
   return best;
+}
+
+/// [m] least way to a contact with people in any of the main directions.
+static double way_to_people(const Scene& scene, std::size_t person) {
+  const PersonSpec& self = scene.people[person];
+  const std::vector<Obstacle> obstacles = aware_of(scene, person);
+  double time = scene.parameters.sight / self.speed;
+  for (const double offset : main_offsets()) {
+    const Vec2 velocity = self.speed * unit(self.heading + offset);
+    for (const Obstacle& o : obstacles) {
+      if (o.kind == Obstacle::Kind::kDisc) time = time_to_contact(o, self.at, velocity, time);
+    }
+  }
+  return time * self.speed;
+}
+
+OracleDecision decision_of(const Scene& scene, std::size_t person) {
+  constexpr double kClose = 0.02;  // [m]
+  const PersonSpec& self = scene.people[person];
+  const Parameters& p = scene.parameters;
+  OracleDecision decision;
+  const auto less = [&](double free, double limit) {
+    decision.clear = decision.clear && std::abs(free - limit) > kClose;
+    return free < limit;
+  };
+  OracleChoice& best = decision.choice;
+  best = best_direction(scene, person, false);
+  const double turning = p.turn_time * self.speed;
+  // Where walls alone are in the way there is nothing to be gained.
+  decision.turns = less(best.free, turning) && less(way_to_people(scene, person), turning);
+  const Width width = decision.turns ? Width::kTurned : Width::kFull;
+  if (decision.turns) best = best_direction(scene, person, false, width);
+  if (less(best.free, p.near_distance)) best = best_direction(scene, person, true, width);
+  decision.free = best.free;
+  if (!decision.turns) return decision;
+  const Vec2 velocity = self.speed * unit(self.heading + best.offset);
+  double time = best.free / self.speed;
+  for (const Obstacle& o : aware_of(scene, person, Width::kByFacing)) {
+    if (o.kind == Obstacle::Kind::kDisc) time = time_to_contact(o, self.at, velocity, time);
+  }
+  decision.free = time * self.speed;
+  return decision;
 }
 
 double signed_distance_to(const VehicleState& vehicle, const Vec2& point) {

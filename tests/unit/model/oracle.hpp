@@ -43,9 +43,19 @@ std::vector<double> rest_offsets();
 /// d(α) of Eq. 1 or Eq. 2 (without d_max², which Eq. 2 leaves out).
 double value(int equation, double free, double sight, double from_goal);
 
+/// How wide two people are to each other: as their shoulders are, or turned, or turned towards who
+/// comes and as their shoulders are behind who walks ahead.
+enum class Width { kFull, kTurned, kByFacing };
+
+/// [m] between the centres of two people who touch.
+double contact_distance(const PersonSpec& a, const PersonSpec& b, Width width);
+
 /// Obstacles that the person is aware of by sight and hearing, in a scene where nobody touches
 /// anything.
-std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person);
+std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person, Width width = Width::kFull);
+
+/// 1 or 2: by which equation the model chooses where no vehicle is felt.
+int equation_of(const Scene& scene);
 
 /// The choice by Eq. 1 or 2 among the main directions, or among all.
 struct OracleChoice {
@@ -53,7 +63,18 @@ struct OracleChoice {
   double free = 0.0;    ///< [m]
   double margin = 0.0;  ///< [m²] by which the second best is worse
 };
-OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_directions);
+OracleChoice best_direction(const Scene& scene, std::size_t person, bool all_directions,
+                            Width width = Width::kFull);
+
+/// The whole decision where no vehicle is felt: with the shoulders turned where the best of the
+/// main directions is free for less than the time to turn; by Eq. 3 before who walks ahead.
+struct OracleDecision {
+  OracleChoice choice;
+  bool turns = false;
+  double free = 0.0;  ///< [m] for Eq. 3
+  bool clear = true;  ///< else a comparison within it is too close to tell
+};
+OracleDecision decision_of(const Scene& scene, std::size_t person);
 
 /// Distance [m] from a point to a vehicle's rectangle; negative inside: the depth.
 double signed_distance_to(const VehicleState& vehicle, const Vec2& point);

@@ -186,8 +186,9 @@ constexpr double kStep = 0.1;  // [s]
 /// [rad] nobody aims quite at its goal: in perfect symmetry people stand for ever.
 constexpr double kAskew = 0.02;
 
-/// The least gap [m] between two bodies while people change places across a circle.
-double least_gap_on_circle(int people, double radius, double& slowest) {
+/// The least gap [m] between two bodies, as narrow as they can be, while people change places
+/// across a circle.
+double least_gap_on_circle(int people, double radius, double turned_width, double& slowest) {
   Scene scene;
   scene.model_name = "orca";
   scene.parameters.field_of_view = 180.0;  // agents of the paper know all positions
@@ -196,6 +197,7 @@ double least_gap_on_circle(int people, double radius, double& slowest) {
     const double angle = 2.0 * kPi * k / people;
     PersonSpec p = walking_to(radius * unit(angle), angle + kPi);
     p.velocity = Vec2::Zero();
+    p.turned_width = turned_width;
     scene.people.push_back(p);
     goals.emplace_back(-radius * unit(angle));
   }
@@ -211,7 +213,8 @@ double least_gap_on_circle(int people, double radius, double& slowest) {
       p.goal_distance = way.norm();
       left = std::max(left, way.norm());
       for (int j = 0; j < k; ++j) {
-        least = std::min(least, (p.at - scene.people[j].at).norm() - 2.0 * p.radius);
+        const double touching = 2.0 * turned_width * p.radius;
+        least = std::min(least, (p.at - scene.people[j].at).norm() - touching);
       }
     }
     if (left < 1.0) return least;
@@ -229,13 +232,15 @@ double least_gap_on_circle(int people, double radius, double& slowest) {
 }
 
 TEST(Orca, people_on_a_circle_reach_the_opposite_side_without_overlap) {
-  for (const int people : {2, 5, 12, 30}) {
-    double time = 0.0;
-    const double gap = least_gap_on_circle(people, 10.0, time);
-    // Where they meet in the middle there may be no velocity in all half-planes (section 5.3), and
-    // velocities hold for a whole step: a tenth of two radii at most.
-    EXPECT_GT(gap, -0.05) << people << " people";
-    EXPECT_LT(time, 3.0 * 20.0 / 1.34) << people << " people";
+  for (const double turned_width : {1.0, 0.5}) {
+    for (const int people : {2, 5, 12, 30}) {
+      double time = 0.0;
+      const double gap = least_gap_on_circle(people, 10.0, turned_width, time);
+      // Where they meet in the middle there may be no velocity in all half-planes (section 5.3),
+      // and velocities hold for a whole step: a tenth of two radii at most.
+      EXPECT_GT(gap, -0.05) << people << " people, width " << turned_width;
+      EXPECT_LT(time, 3.0 * 20.0 / 1.34) << people << " people, width " << turned_width;
+    }
   }
 }
 

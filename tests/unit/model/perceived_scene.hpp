@@ -14,6 +14,7 @@ inline Perceived person() {
   who.heading = who.goal_direction = Vec2(1.0, 0.0);
   who.goal_distance = 50.0;
   who.radius = 0.24;
+  who.width = 1.0;
   who.speed = 1.34;
   who.caution = 1.0;
   who.step = 0.1;

@@ -103,8 +103,9 @@ TEST(Perception, a_vehicle_is_seen_when_any_part_of_it_is_in_view) {
 }
 
 TEST(Perception, a_parked_vehicle_is_a_static_obstacle_all_round) {
-  // Its goal lies behind it, and behind a parked car: it walks round the car.
+  // Its goal lies behind it, and behind a parked car: by Eq. 2 it walks round the car.
   Scene scene;
+  scene.model_name = "plain";
   scene.people = {walking_to({0, 0}, 0.0)};
   scene.people[0].goal = kPi;
   scene.vehicles = {vehicle({-3.0, 0.0}, kPi / 2, 0.0, 4.0, 2.0)};

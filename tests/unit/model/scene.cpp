@@ -90,6 +90,7 @@ Scene random_scene(const RandomScene& spec, std::uint32_t seed) {
                       corner + along};
     for (int j = 0; j < 4; ++j) scene.walls.push_back({c[j], c[(j + 1) % 4]});
   }
+  for (PersonSpec& p : scene.people) p.turned_width = number(0.45, 1.0);
   return scene;
 }
 

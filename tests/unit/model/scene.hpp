@@ -13,9 +13,9 @@ struct PersonSpec {
   double heading = 0.0;  ///< [rad]
   Vec2 velocity = Vec2::Zero();
   double radius = 0.24;
-  double turned_width = 0.5;  ///< share of the radius
-  double speed = 1.34;  ///< preferred
-  double goal = 0.0;    ///< [rad] direction
+  double turned_width = 0.5;  ///< with the shoulders turned, over the full width
+  double speed = 1.34;        ///< preferred
+  double goal = 0.0;          ///< [rad] direction
   double goal_distance = 100.0;
   std::uint64_t key = 0;  ///< 0: its index
 };

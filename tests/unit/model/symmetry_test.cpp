@@ -51,6 +51,7 @@ void expect_equal(const Decision& a, const Decision& b, std::size_t person) {
   ASSERT_EQ(a.speed, b.speed) << "person " << person;
   ASSERT_EQ(a.free_distance, b.free_distance) << "person " << person;
   ASSERT_EQ(a.waits, b.waits) << "person " << person;
+  ASSERT_EQ(a.turns, b.turns) << "person " << person;
 }
 
 TEST(Symmetry, a_mirrored_scene_gives_mirrored_decisions_to_the_bit) {
@@ -87,6 +88,7 @@ TEST(Symmetry, a_mirrored_scene_gives_mirrored_decisions_to_the_bit) {
       ASSERT_EQ(a[i].speed, b[i].speed) << i;
       ASSERT_EQ(a[i].free_distance, b[i].free_distance) << i;
       ASSERT_EQ(a[i].waits, b[i].waits) << i;
+      ASSERT_EQ(a[i].turns, b[i].turns) << i;
     }
   }
   EXPECT_GT(minded, 200);
