@@ -117,7 +117,7 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   walker.full_radius = static_cast<float>(radius);
   persons.radius[i] = walker.full_radius;
   persons.turned_radius[i] = static_cast<double>(walker.turned_width * walker.full_radius);
-  persons.present_radius[i] = persons.turned_radius[i];  // straightens where there is room
+  persons.present_radius[i] = persons.turned_radius[i];  // until it is known who is near
   persons.preferred_speed[i] = preferred;
   persons.key[i] = person.key;
   walker.handle = state.new_handle();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "crowd/parallel.hpp"
+#include "crowd/wall_guard.hpp"
 
 namespace pedzone {
 namespace {
@@ -17,13 +18,15 @@ bool is_passed(const CrowdState& crowd, std::size_t i, std::span<const std::uint
   });
 }
 
-/// [m] by which the body can grow on all sides before it touches another, if that grows as much.
-double room_around(const CrowdState& crowd, std::size_t i,
-                   std::span<const std::uint32_t> neighbours) {
-  double least = crowd.persons.radius[i];
-  for (const std::uint32_t j : neighbours) {
-    const double gap = (crowd.position(i) - crowd.position(j)).norm() -
-                       crowd.persons.present_radius[i] - crowd.persons.present_radius[j];
+/// [m] by which the body can grow on all sides before it touches a wall, or another body that grows
+/// as much.
+double room_around(CrowdState& crowd, std::size_t block, std::size_t i) {
+  const Vec2 here = crowd.position(i);
+  const double full = crowd.persons.radius[i], present = crowd.persons.present_radius[i];
+  double least = wall_distance(crowd.zone.walls, here, full, crowd.blocks[block].walls) - present;
+  for (const std::uint32_t j : crowd.neighbours_of(block, i)) {
+    const double gap =
+        (here - crowd.position(j)).norm() - present - crowd.persons.present_radius[j];
     least = std::min(least, 0.5 * gap);
   }
   return std::max(least, 0.0);
@@ -51,12 +54,15 @@ void hold_shoulders(CrowdState& crowd, double dt) {
       const double wanted = turns ? persons.turned_radius[i] : persons.radius[i];
       const double present = persons.present_radius[i];
       // A body half as wide straightens within the time to turn. So does who cannot turn, after it
-      // was narrower all the same: when it squeezed, or before it was taken by the hand.
-      const double growth = 0.5 * walker.full_radius * dt / time;
+      // was narrower all the same: when it squeezed, or before it was taken by the hand. Whom
+      // somebody has just put here is as wide as there is room for.
+      const double growth =
+          walker.new_here ? walker.full_radius : 0.5 * walker.full_radius * dt / time;
       crowd.next_radius[i] =
           present < wanted
-              ? std::min(wanted, present + std::min(growth, room_around(crowd, i, near)))
+              ? std::min(wanted, present + std::min(growth, room_around(crowd, block, i)))
               : wanted;
+      walker.new_here = false;
       walker.pressed = false;
     }
   });

@@ -74,6 +74,7 @@ struct WalkState {
   bool holds_hand = false;  ///< of its adult
   bool entered = false;     ///< has been within the radius of the current waypoint
   bool waits = false;       ///< for a vehicle
+  bool new_here = true;     ///< has not been walked yet
   bool pressed = false;     ///< others kept it from moving as it meant to in the last substep
   bool arrived = false, gave_up = false;
 };
