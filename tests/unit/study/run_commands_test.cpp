@@ -127,8 +127,8 @@ TEST_F(RunCommandsTest, the_configuration_s_own_outputs_go_to_the_run_s_folder) 
   const RunCommands made = commands(study, "striping");
   ASSERT_EQ(execute(made.commands[0]), 0) << text_of(out_ + "/log.txt");
   EXPECT_THAT(left(), ElementsAre("out put/fcd.xml.gz", "out put/log.e", "out put/log.txt",
-                                  "out put/s.xml", "out put/stops.xml", "out put/tripinfo.xml",
-                                  "own.sumocfg", "test.study.xml"));
+                                  "out put/s.xml", "out put/statistics.xml", "out put/stops.xml",
+                                  "out put/tripinfo.xml", "own.sumocfg", "test.study.xml"));
   // Seconds, not 0:00:07, as the seed says.
   const XmlFile trips(out_ + "/tripinfo.xml");
   ASSERT_TRUE(trips.root().child("personinfo"));
@@ -166,7 +166,8 @@ TEST_F(RunCommandsTest, what_additional_files_have_written_goes_there_too) {
   std::ranges::set_difference(left(), before, std::back_inserter(written));
   EXPECT_THAT(written,
               ElementsAre("out put/additional-1.edges.xml", "out put/additional-1.loop.xml",
-                          "out put/fcd.xml.gz", "out put/log.txt", "out put/tripinfo.xml"));
+                          "out put/fcd.xml.gz", "out put/log.txt", "out put/statistics.xml",
+                          "out put/tripinfo.xml"));
   EXPECT_TRUE(XmlFile(out_ + "/additional-1.loop.xml").root().child("interval"));
   EXPECT_TRUE(XmlFile(out_ + "/tripinfo.xml").root().child("personinfo"));
   const RunCommands walked = commands(study, "orca");
