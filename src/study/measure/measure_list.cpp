@@ -30,6 +30,10 @@ constexpr Measure kMeasures[] = {
      kNeither, false},
     {"person.arrived", "Share arrived", "", "Of those who were due, by the end of the run.",
      "People", kHigher, false},
+    {"person.jams", "Jams", "",
+     "Times that somebody stuck among people was let through: by striping after jamtime, by "
+     "pedzone's models after jamTime.",
+     "People", kLower, false},
     {"person.count", "Persons", "", "Due to depart before the end of the run.", "People", kNeither,
      false},
     {"person.visitors", "In the zone", "", "Persons who have walked in the zone.", "People",

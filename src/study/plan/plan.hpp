@@ -90,8 +90,8 @@ struct RunCommands {
 std::vector<std::string> run_inputs(const Plan& plan, const PlannedRun& run);
 
 /// The commands of a run whose outputs go to the absolute path `folder`: fcd.xml.gz, tripinfo.xml,
-/// with pedzone also summary.json, and trajectories.csv of free-speed runs. They are to be started
-/// in Study::folder. `pedzone`: absolute path of the program. Throws InputError.
+/// statistics.xml, with pedzone also summary.json, and trajectories.csv of free-speed runs. They
+/// are to be started in Study::folder. `pedzone`: absolute path of the program. Throws InputError.
 RunCommands run_commands(const Plan& plan, const PlannedRun& run, const std::string& pedzone,
                          const std::string& folder);
 

@@ -134,6 +134,7 @@ class Commands {
   void measure() {
     options_.set("fcd-output", in_folder("fcd.xml.gz"));
     options_.set("tripinfo-output", in_folder("tripinfo.xml"));
+    options_.set("statistic-output", in_folder("statistics.xml"));
     options_.set("tripinfo-output.write-unfinished", "true");
     options_.set("tripinfo-output.write-undeparted", "true");
     options_.set("precision", "4");

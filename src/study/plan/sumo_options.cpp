@@ -61,6 +61,7 @@ constexpr Reserved kReserved[] = {
     {"device.fcd", kMeasured},
     {"person-device.fcd", kMeasured},
     {"tripinfo-output", kMeasured},
+    {"statistic-output", kMeasured},
     {"device.tripinfo", kMeasured},
     {"precision", kMeasured},
     {"human-readable-time", kMeasured},

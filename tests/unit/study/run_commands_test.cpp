@@ -67,6 +67,7 @@ class RunCommandsTest : public StudyScene {
 
 constexpr const char* kMeasured =
     "--fcd-output OUT/fcd.xml.gz --tripinfo-output OUT/tripinfo.xml "
+    "--statistic-output OUT/statistics.xml "
     "--tripinfo-output.write-unfinished true --tripinfo-output.write-undeparted true "
     "--precision 4";
 

@@ -1,0 +1,39 @@
+#include "study/measure/jam_count.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/xml.hpp"
+
+namespace pedzone {
+namespace {
+
+double jams_of_sumo(const std::string& path) {
+  const XmlFile file(path, {"statistics"});
+  constexpr NumberRange kAny{0.0, std::numeric_limits<double>::max()};
+  return file.number(file.root().child("persons"), "jammed", kAny, 0.0);
+}
+
+double jams_of_pedzone(const std::string& path) {
+  std::ifstream stream(path);
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  if (!json.is_object() || !json.contains("jams") || !json["jams"].is_array()) {
+    throw InputError("is not a summary with jams", {path, 0, "", "", "what pedzone run writes"});
+  }
+  return static_cast<double>(json["jams"].size());
+}
+
+}  // namespace
+
+void count_jams(const std::string& folder, std::map<std::string, double>& values) {
+  const std::string statistics = folder + "/statistics.xml", summary = folder + "/summary.json";
+  if (!std::filesystem::exists(statistics)) return;
+  double jams = jams_of_sumo(statistics);
+  if (std::filesystem::exists(summary)) jams += jams_of_pedzone(summary);
+  values["person.jams"] = jams;
+}
+
+}  // namespace pedzone
