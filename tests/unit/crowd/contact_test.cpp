@@ -68,7 +68,10 @@ TEST_P(Pile, comes_apart_in_a_corner_inside_the_walls) {
   for (int k = 0; k < count; ++k) add_standing(scene, {0.01 * (k % 3), 0.3}, 0.24);
   for (int k = 0; k < 20 * count; ++k) scene.step();
   EXPECT_LE(worst_overlap(scene), kOverlap);
-  EXPECT_GE(scene.least_wall_gap(), -kTouch);
+  // Walls give room to who straightens at them step by step: it may lack what it has grown by in
+  // one of 0.1 s, when half of its width takes 1 s.
+  const double growth = 0.1 * (1.0 - GetParam().turned_width) * 0.24;
+  EXPECT_GE(scene.least_wall_gap(), -growth - kTouch);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Pile,

@@ -130,7 +130,8 @@ void Scene::observe(double dt) {
       if (gap < 0.0) break;
       gap = std::min(gap, distance_to_segment(now, wall.a, wall.b));
     }
-    least_wall_gap_ = std::min(least_wall_gap_, gap - radius);
+    // Shoulders turn beside a wall, too.
+    least_wall_gap_ = std::min(least_wall_gap_, gap - std::min(radius, person.view.radius));
     for (const VehicleState& vehicle : vehicles) {
       least_vehicle_gap_ = std::min(least_vehicle_gap_, clearance(vehicle, now) - radius);
     }

@@ -60,8 +60,8 @@ class Scene {
   double worst_overlap() const;
   /// The same of bodies as they hold their shoulders now.
   double worst_present_overlap() const;
-  /// Least distance [m] from any centre to a wall minus the radius, over all steps since the start;
-  /// -1 when somebody was outside.
+  /// Least distance [m] from any centre to a wall minus the body's radius as it was, over all steps
+  /// since the start; -1 when somebody was outside.
   double least_wall_gap() const { return least_wall_gap_; }
   /// Least gap [m] between a body and a vehicle at the end of any step.
   double least_vehicle_gap() const { return least_vehicle_gap_; }

@@ -104,8 +104,10 @@ double contact_distance(const PersonSpec& a, const PersonSpec& b, Width width) {
       return full;
     case Width::kTurned:
       return turned;
-    default:  // halfway between the two for who walks across
-      return (full + turned) / 2.0 + (full - turned) / 2.0 * std::cos(a.heading - b.heading);
+    default: {  // as a queue demands behind who walks ahead
+      const double root = 0.56 + 0.44 * std::cos(a.heading - b.heading);
+      return turned + root * root * (full - turned);
+    }
   }
 }
 

@@ -118,7 +118,7 @@ TEST(Shoulders, of_who_walks_behind_somebody_keep_its_distance_whatever_their_wi
         scene.walls = {{{20.0, 0.32}, {-20.0, 0.32}}, {{-20.0, -0.32}, {20.0, -0.32}}};
         const Decision d = scene.first();
         const double turned = wide * 0.3 + 0.6 * 0.24;
-        const double q = 0.5 + 0.5 * std::cos(heading);
+        const double root = 0.56 + 0.44 * std::cos(heading), q = root * root;
         const double contact = turned + q * (0.3 + 0.24 - turned);
         const Obstacle ahead = disc({1.1, 0.0}, {walks, 0.0}, contact);
         const Vec2 velocity = 1.34 * unit(d.direction);
