@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "crowd/bystanding.hpp"
 #include "crowd/parallel.hpp"
 #include "crowd/shoulders.hpp"
 #include "crowd/state.hpp"
@@ -80,7 +81,7 @@ Vec2 push_of_pair(const CrowdState& crowd, std::size_t i, std::size_t j, const V
 }
 
 void prepare_blocks(CrowdState& crowd) {
-  for (std::size_t n = crowd.blocks.size(); n < block_count(crowd.persons.walking); ++n) {
+  for (std::size_t n = crowd.blocks.size(); n < block_count(crowd.persons.size()); ++n) {
     BlockScratch& scratch = crowd.blocks.emplace_back();
     scratch.neighbours.reserve(kNeighbours);
     scratch.walls.reserve(kWalls);
@@ -157,8 +158,8 @@ Vec2 pushed(CrowdState& crowd, std::size_t block, std::size_t i) {
   Vec2 push = sum.value() * (2.0 / (sum.terms() + 1.0));
   const double most = kPushPerPass + std::hypot(motion.dx[i], motion.dy[i]);
   if (push.norm() > most) push *= most / push.norm();
-  return kept_inside(crowd.zone.walls, crowd.position(i), here + push, crowd.persons.present_radius[i],
-                     crowd.walkers[i].wall_room, scratch.walls);
+  return kept_inside(crowd.zone.walls, crowd.position(i), here + push,
+                     crowd.persons.present_radius[i], crowd.walkers[i].wall_room, scratch.walls);
 }
 
 /// One pass over all contacts; whether there were any.
@@ -207,9 +208,10 @@ void commit(CrowdState& crowd) {
 }  // namespace
 
 void resolve_contacts(CrowdState& crowd, double dt) {
-  if (crowd.persons.walking == 0) return;
+  if (crowd.persons.size() == 0) return;
   prepare_blocks(crowd);
   find_neighbours(crowd);
+  make_room(crowd, dt);
   hold_shoulders(crowd, dt);
   move_freely(crowd);
   for (int pass = 0; pass < kPasses; ++pass) {

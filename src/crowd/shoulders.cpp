@@ -7,16 +7,6 @@
 namespace pedzone {
 namespace {
 
-constexpr double kMoves = 0.1;  // [m/s] assumed: who is slower does not pass anybody
-
-/// Stands, and somebody goes past.
-bool is_passed(const CrowdState& crowd, std::size_t i, std::span<const std::uint32_t> neighbours) {
-  if (!crowd.walkers[i].arrived && crowd.decisions[i].speed > kMoves) return false;
-  return std::ranges::any_of(neighbours, [&](std::uint32_t j) {
-    return crowd.velocity(j).squaredNorm() > kMoves * kMoves;
-  });
-}
-
 /// [m] by which the body can grow on all sides before it touches another, if that grows as much.
 double room_around(const CrowdState& crowd, std::size_t i,
                    std::span<const std::uint32_t> neighbours) {
@@ -48,7 +38,7 @@ void hold_shoulders(CrowdState& crowd, double dt) {
       const auto near = crowd.neighbours_of(block, i);
       set_widths(walker, persons.radius[i], persons.turned_radius[i]);
       const double full = persons.radius[i], present = persons.present_radius[i];
-      if (crowd.decisions[i].turns || walker.pressed || is_passed(crowd, i, near)) {
+      if (crowd.decisions[i].turns || walker.pressed || crowd.passed[i] != 0) {
         crowd.next_radius[i] = persons.turned_radius[i];
       } else {
         const double growth = (full - persons.turned_radius[i]) * dt / time;
