@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "crowd/bystanding.hpp"
 #include "crowd/parallel.hpp"
 #include "crowd/shoulders.hpp"
 #include "crowd/state.hpp"
@@ -94,7 +95,7 @@ Vec2 push_of_pair(const CrowdState& crowd, Part part, std::size_t i, std::size_t
 }
 
 void prepare_blocks(CrowdState& crowd) {
-  for (std::size_t n = crowd.blocks.size(); n < block_count(crowd.persons.walking); ++n) {
+  for (std::size_t n = crowd.blocks.size(); n < block_count(crowd.persons.size()); ++n) {
     BlockScratch& scratch = crowd.blocks.emplace_back();
     scratch.neighbours.reserve(kNeighbours);
     scratch.walls.reserve(kWalls);
@@ -221,9 +222,10 @@ void commit(CrowdState& crowd) {
 }  // namespace
 
 void resolve_contacts(CrowdState& crowd, double dt) {
-  if (crowd.persons.walking == 0) return;
+  if (crowd.persons.size() == 0) return;
   prepare_blocks(crowd);
   find_neighbours(crowd);
+  make_room(crowd, dt);
   hold_shoulders(crowd, dt);
   move_freely(crowd);
   for (int pass = 0; pass < kPasses; ++pass) {

@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "crowd/awareness.hpp"
+#include "crowd/bystanding.hpp"
 #include "crowd/insight.hpp"
 #include "crowd/path_walk.hpp"
 #include "crowd/placement.hpp"
@@ -167,8 +168,10 @@ void Crowd::set_preferred_speed(Handle handle, double speed) {
 void Crowd::see(std::span<const SeenPerson> others) {
   state_->seen.assign(others.begin(), others.end());
   std::erase_if(state_->seen, [](const SeenPerson& person) {
-    return !finite(person.position) || !finite(person.velocity) || !std::isfinite(person.radius);
+    return !finite(person.position) || !finite(person.velocity) || !std::isfinite(person.radius) ||
+           !std::isfinite(person.heading);
   });
+  recognise_seen(*state_);
 }
 
 void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
@@ -209,6 +212,12 @@ std::vector<Insight> Crowd::insights(std::span<const Handle> handles) {
   std::vector<std::size_t> rows;
   for (const Handle handle : handles) rows.push_back(state_->row_of(handle));
   return look_into(*state_, rows);
+}
+
+std::optional<Vec2> Crowd::seen_at(std::uint64_t key) const {
+  const auto found = std::ranges::lower_bound(state_->seen, key, {}, &SeenPerson::key);
+  if (found == state_->seen.end() || found->key != key) return std::nullopt;
+  return own_place(*state_, static_cast<std::size_t>(found - state_->seen.begin()));
 }
 
 std::span<const JamNotice> Crowd::jams() const { return state_->jams; }

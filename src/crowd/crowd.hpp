@@ -44,10 +44,14 @@ struct NewPerson {
                                           ///< somebody or something stands there
 };
 
-/// Somebody near the zone whom SUMO still walks: seen, not moved.
+/// Somebody near the zone whom SUMO still walks: seen, not moved. Who stands turns and steps back
+/// for who passes, by as much as it takes and at most half a metre; then it is taken to be there.
 struct SeenPerson {
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
   double radius = 0.24;
+  std::uint64_t key = 0;  ///< person_key(id), by which it is known again; 0: stands like a post
+  double heading = 0.0;   ///< [rad] where it faces; of who moves the velocity counts
+  bool turns = true;      ///< its shoulders; false: is as wide all round
 };
 
 /// Waiting: for a vehicle. Standing: slower than 0.1 m/s for at least a second for another reason.
@@ -116,6 +120,8 @@ class Crowd {
   bool aware_of(Handle handle, const VehicleState& vehicle) const;
   /// Of those persons, in that order. Slow; changes nothing that a later step depends on.
   std::vector<Insight> insights(std::span<const Handle> handles);
+  /// [m] Where the crowd takes somebody it sees to be now; nothing where it does not know the key.
+  std::optional<Vec2> seen_at(std::uint64_t key) const;
   std::size_t size() const;
   std::uint64_t person_steps() const;  ///< person-substeps so far
 

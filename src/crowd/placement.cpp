@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crowd/bystanding.hpp"
 #include "crowd/vehicle_contacts.hpp"
 
 namespace pedzone {
@@ -28,7 +29,9 @@ struct Surroundings {
     for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
       take(crowd.position(i), crowd.persons.radius[i]);
     }
-    for (const SeenPerson& person : crowd.seen) take(person.position, person.radius);
+    for (std::size_t k = 0; k < crowd.seen.size(); ++k) {
+      take(own_place(crowd, k), crowd.seen[k].radius);
+    }
     for (const VehicleState& vehicle : crowd.vehicles) {
       if (distance_to(vehicle, wanted) < kPlacementReach + radius + kVehicleGap) {
         vehicles.push_back(vehicle);

@@ -8,16 +8,6 @@
 namespace pedzone {
 namespace {
 
-constexpr double kMoves = 0.1;  // [m/s] assumed: who is slower does not pass anybody
-
-/// Stands, and somebody goes past.
-bool is_passed(const CrowdState& crowd, std::size_t i, std::span<const std::uint32_t> neighbours) {
-  if (!crowd.walkers[i].arrived && crowd.decisions[i].speed > kMoves) return false;
-  return std::ranges::any_of(neighbours, [&](std::uint32_t j) {
-    return crowd.velocity(j).squaredNorm() > kMoves * kMoves;
-  });
-}
-
 /// [m] by which the body can grow on all sides before it touches a wall, or another body that grows
 /// as much.
 double room_around(CrowdState& crowd, std::size_t block, std::size_t i) {
@@ -48,9 +38,8 @@ void hold_shoulders(CrowdState& crowd, double dt) {
   for_each_block(persons.walking, [&](std::size_t block, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       WalkState& walker = crowd.walkers[i];
-      const auto near = crowd.neighbours_of(block, i);
       set_widths(walker, persons.radius[i], persons.turned_radius[i]);
-      const bool turns = crowd.decisions[i].turns || walker.pressed || is_passed(crowd, i, near);
+      const bool turns = crowd.decisions[i].turns || walker.pressed || crowd.passed[i] != 0;
       const double wanted = turns ? persons.turned_radius[i] : persons.radius[i];
       const double present = persons.present_radius[i];
       // A body half as wide straightens within the time to turn. So does who cannot turn, after it

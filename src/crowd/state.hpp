@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "crowd/body_grid.hpp"
+#include "crowd/bystanding.hpp"
 #include "crowd/crowd.hpp"
 #include "crowd/groups.hpp"
 #include "crowd/route.hpp"
@@ -116,7 +117,11 @@ struct CrowdState {
   std::vector<WalkState> walkers;     ///< of the first persons.walking rows
   std::vector<std::uint32_t> row;     ///< of each handle
   std::vector<Crowd::Handle> unused;  ///< handles to give out again
-  std::vector<SeenPerson> seen;
+  std::vector<SeenPerson> seen;       ///< by key
+  std::vector<Bystanding> bystanding, bystanding_before;  ///< of each of them; and of those before
+  std::vector<std::uint8_t> stands;    ///< of all, 1: not because others hold it up
+  std::vector<std::uint8_t> passed;    ///< of the walked, 1: stands so, and somebody goes past
+  bool somebody_stands = false;        ///< of all
   std::vector<GroupMember> members;    ///< of groups, by group and key
   std::size_t grouped = 0;             ///< how many walkers have a group
   std::vector<VehicleState> vehicles;  ///< as they are in this substep; after a step, at its end

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crowd/bystanding.hpp"
 #include "crowd/jams.hpp"
 #include "crowd/parallel.hpp"
 #include "crowd/state.hpp"
@@ -34,7 +35,9 @@ void walk_substep(CrowdState& crowd, double dt) {
   wait_beside_claims(crowd);
   wait_for_groups(crowd);
   set_moves(crowd, dt);
+  notice_standing(crowd, dt);
   resolve_contacts(crowd, dt);
+  remember_seen(crowd, dt);
   follow_waypoints(crowd, dt);
   notice_jams(crowd, dt);
   move_others_on(crowd, dt);
@@ -51,15 +54,19 @@ void append_seen(CrowdState& crowd) {
   for (std::size_t k = 0; k < crowd.seen.size(); ++k) {
     const SeenPerson& person = crowd.seen[k];
     const std::size_t i = persons.walking + k;
-    persons.x[i] = person.position.x();
-    persons.y[i] = person.position.y();
+    const Vec2 place = own_place(crowd, k);
+    persons.x[i] = place.x();
+    persons.y[i] = place.y();
     persons.vx[i] = person.velocity.x();
     persons.vy[i] = person.velocity.y();
-    persons.heading[i] = persons.goal_direction[i] = angle_of(person.velocity);
+    persons.heading[i] = persons.goal_direction[i] =
+        person.velocity.isZero() ? wrap_angle(person.heading) : angle_of(person.velocity);
     persons.goal_distance[i] = 0.0;
     persons.radius[i] = person.radius;
-    persons.turned_radius[i] = persons.present_radius[i] =
-        crowd.zone.parameters.turned_width * person.radius;
+    persons.turned_radius[i] =
+        (person.turns ? crowd.zone.parameters.turned_width : 1.0) * person.radius;
+    persons.present_radius[i] =
+        std::lerp(person.radius, persons.turned_radius[i], crowd.bystanding[k].turn);
     persons.preferred_speed[i] = person.velocity.norm();
     persons.key[i] = 0;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/random.hpp"
 #include "sumo/api.hpp"
 #include "sumo/body_sizes.hpp"
 #include "sumo/frames.hpp"
@@ -14,6 +15,13 @@ constexpr double kFastest = 40.0;  // [m/s] numerical: nobody comes nearer faste
 constexpr double kBeyondSight = 10.0;  // [m] numerical: bodies, and what comes towards somebody
 constexpr double kStanding = 0.1;      // [m/s] assumed: slower moves are no walking
 constexpr double kLatest = 1.0;  // [s] numerical: a program that embeds us may move them anyhow
+
+/// Prams, wheelchairs and bicycles, longer than wide, cannot be turned to be narrower.
+void measure(Bystander& person) {
+  person.radius = body_radius(person.id);
+  person.turns = api::Person::getLength(person.id) < api::Person::getWidth(person.id);
+  person.key = person_key(person.id);
+}
 
 /// Square cells of the plane, numbered.
 class Cells {
@@ -108,10 +116,10 @@ void Bystanders::seen_from(std::size_t zone, std::span<const Vec2> eyes,
     if (person.guest || !person.near || !is_eyed(person.position)) continue;
     if (distances_[zone].at_least(person.position) > sight) continue;
     if (!api::Person::getVehicle(person.id).empty()) continue;  // rides
-    if (person.radius == 0.0) person.radius = body_radius(person.id);
+    if (person.radius == 0.0) measure(person);
     const double heading = radians_from_sumo(api::Person::getAngle(person.id));
-    out.push_back(
-        {person.position, unit(heading) * api::Person::getSpeed(person.id), person.radius});
+    out.push_back({person.position, unit(heading) * api::Person::getSpeed(person.id), person.radius,
+                   person.key, heading, person.turns});
   }
 }
 

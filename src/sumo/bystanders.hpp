@@ -20,6 +20,8 @@ struct Bystander {
   bool near = false;             ///< within sight of a zone's walkable area
   double look_at = -1.0;         ///< [s] not looked at before
   double radius = 0.0;           ///< [m] 0: not known yet
+  std::uint64_t key = 0;         ///< person_key(id), with the radius
+  bool turns = true;             ///< its shoulders, with the radius
   double looked_at = -1.0;       ///< [s] when last looked at; < 0: not yet
   Vec2 position = Vec2::Zero();  ///< [m] then
   Vec2 velocity = Vec2::Zero();  ///< [m/s] since the time before that

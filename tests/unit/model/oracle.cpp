@@ -105,7 +105,7 @@ double contact_distance(const PersonSpec& a, const PersonSpec& b, Width width) {
     case Width::kTurned:
       return turned;
     default: {  // as a queue demands behind who walks ahead
-      const double root = 0.56 + 0.44 * std::cos(a.heading - b.heading);
+      const double root = 0.6 + 0.38 * std::cos(a.heading - b.heading);
       return turned + root * root * (full - turned);
     }
   }

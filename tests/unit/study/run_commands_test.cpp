@@ -155,9 +155,10 @@ TEST_F(RunCommandsTest, what_additional_files_have_written_goes_there_too) {
                        "<additional-files value='extra/loops.add.xml'/></configuration>");
   const std::string study = "<study models='striping orca'><scenario file='own.sumocfg'/></study>";
   const RunCommands made = commands(study, "striping");
-  EXPECT_THAT(made.inputs, ElementsAre(::testing::EndsWith("plaza.net.xml"), detectors,
-                                       folder_ + "/extra/poly.add.xml",
-                                       folder_ + "/extra/signs.xml", folder_ + "/own.sumocfg"));
+  EXPECT_THAT(made.inputs,
+              ::testing::UnorderedElementsAre(
+                  ::testing::EndsWith("plaza.net.xml"), detectors, folder_ + "/extra/poly.add.xml",
+                  folder_ + "/extra/signs.xml", folder_ + "/own.sumocfg"));
   ASSERT_EQ(made.files.size(), 1u);
   write("out put/" + made.files[0].name, made.files[0].text);
   const std::vector<std::string> before = left();
