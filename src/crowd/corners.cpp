@@ -49,8 +49,12 @@ Needs needs_at(const CrowdState& crowd, std::size_t i, const Bend& bend) {
   crowd.grid.visit_box(bend.corner - box, bend.corner + box, [&](std::uint32_t j, const Vec2& at) {
     if (j == i || (at - bend.corner).squaredNorm() > kAround * kAround) return;
     const bool opposed = unit(crowd.persons.heading[j]).dot(bend.through) < 0.0;
-    (opposed ? needs.opposed : needs.along) += 2.0 * kLane * crowd.persons.turned_radius[j];
+    // Numbers of few digits: their sum does not depend on the order in which people are found.
+    const auto radius = static_cast<float>(crowd.persons.turned_radius[j]);
+    (opposed ? needs.opposed : needs.along) += static_cast<double>(radius);
   });
+  needs.along *= 2.0 * kLane;
+  needs.opposed *= 2.0 * kLane;
   return needs;
 }
 
