@@ -124,7 +124,15 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
                                       static_cast<float>(kLastMoment), kernel_),
             1.0};
   }
-  const DirectionChoice best = choose(i, self, to_goal, task, scratch);
+  DirectionChoice best = choose(i, self, to_goal, task, scratch);
+  // Round a vehicle that stands across the way Eq. 1 finds no way: it would stand before it for
+  // ever.
+  const auto near = static_cast<float>(parameters.near_distance);
+  if (extended() && scratch.surroundings.nearest_bar() < near + self.radius &&
+      best.time * self.speed < near) {
+    set_goal(task, to_goal, true);
+    best = choose(i, self, to_goal, task, scratch);
+  }
   const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
   if (vehicles.empty()) return {best, 1.0};
   const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
