@@ -18,8 +18,8 @@ namespace pedzone {
 namespace {
 
 constexpr int kPasses = 4;             // numerical: see the pile of bodies in the tests
-constexpr int kCorePasses = 8;         // numerical: with half, in dense counterflow some bodies are
-                                       // left 1 cm nearer than turned shoulders allow
+constexpr int kCorePasses = 24;        // numerical: with 8, in dense counterflow of wide bodies
+                                       // some are left 1 cm nearer than turned shoulders allow
 constexpr double kPushPerPass = 0.05;  // [m] numerical: a pile comes apart in steps, no jumps
 constexpr double kEvenShare = 1e-4;    // [m] numerical: bodies that both stand share a push evenly
 constexpr double kHindered = 0.5;      // assumed: share of its way that a push must take from it

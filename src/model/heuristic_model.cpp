@@ -1,6 +1,7 @@
 #include "model/heuristic_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/random.hpp"
@@ -123,7 +124,15 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
                                       static_cast<float>(kLastMoment), kernel_),
             1.0};
   }
-  const DirectionChoice best = choose(i, self, to_goal, task, scratch);
+  DirectionChoice best = choose(i, self, to_goal, task, scratch);
+  // Round a vehicle that stands across the way Eq. 1 finds no way: it would stand before it for
+  // ever.
+  const auto near = static_cast<float>(parameters.near_distance);
+  if (extended() && scratch.surroundings.nearest_bar() < near + self.radius &&
+      best.time * self.speed < near) {
+    set_goal(task, to_goal, true);
+    best = choose(i, self, to_goal, task, scratch);
+  }
   const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
   if (vehicles.empty()) return {best, 1.0};
   const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
@@ -161,14 +170,14 @@ void HeuristicModel::see_persons(std::size_t i, const Walker& self, const Should
   scratch.surroundings.fill(task);
 }
 
-float HeuristicModel::time_to_people(const DirectionTask& task) const {
+bool HeuristicModel::meets_people(const DirectionTask& task) const {
   alignas(32) float times[kMaxDirections];
-  float least = task.horizon;
-  for (const DiscView& people : {task.near_discs, task.far_discs}) {
-    kernel_.times_of(task, people, {}, 0, candidates_.main_padded(), times);
-    least = std::min(least, *std::min_element(times, times + candidates_.main_count()));
-  }
-  return least;
+  const auto soon = static_cast<float>(snapshot_.parameters->turn_time);
+  return std::ranges::any_of(
+      std::array{task.near_discs, task.far_discs}, [&](const DiscView& people) {
+        kernel_.times_of(task, people, {}, 0, candidates_.main_padded(), times);
+        return *std::min_element(times, times + candidates_.main_count()) < soon;
+      });
 }
 
 float HeuristicModel::time_to_queue(std::size_t i, const Walker& self, std::uint32_t direction,
@@ -187,8 +196,8 @@ DirectionChoice HeuristicModel::choose(std::size_t i, const Walker& self, double
   DirectionChoice none;
   none.index = kNoDirection;
   DirectionChoice best = kernel_.choose(task, 0, candidates_.main_count(), none);
-  const auto turn_time = static_cast<float>(parameters.turn_time);
-  if (!scratch.turned && best.time < turn_time && time_to_people(task) < turn_time) {
+  const bool blocked_soon = best.time < static_cast<float>(parameters.turn_time);
+  if (!scratch.turned && blocked_soon && meets_people(task)) {
     scratch.turned = true;
     see_persons(i, self, Shoulders::turned(), scratch, task);
     best = kernel_.choose(task, 0, candidates_.main_count(), none);

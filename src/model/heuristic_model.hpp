@@ -36,8 +36,8 @@ class HeuristicModel : public WalkingModel {
   /// Turns the shoulders where people leave no room to keep them straight.
   DirectionChoice choose(std::size_t person, const Walker& walker, double to_goal,
                          DirectionTask& task, Scratch& scratch) const;
-  /// [s] until somebody is met in any of the main directions.
-  float time_to_people(const DirectionTask& task) const;
+  /// Whether somebody is met within the time to turn in any of the main directions.
+  bool meets_people(const DirectionTask& task) const;
   /// [s] until somebody is met in that direction behind whom one keeps a distance.
   float time_to_queue(std::size_t person, const Walker& walker, std::uint32_t direction,
                       DirectionTask& task, Scratch& scratch) const;

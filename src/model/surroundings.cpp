@@ -115,6 +115,7 @@ void Surroundings::forget_vehicles() {
   vehicle_discs_.clear();
   vehicle_faces_.clear();
   hears_vehicle_ = threatened_ = false;
+  nearest_bar_ = std::numeric_limits<float>::infinity();
 }
 
 void Surroundings::notice(const Walker& walker, const Senses& senses, const VehicleShape& vehicle,
@@ -125,6 +126,7 @@ void Surroundings::notice(const Walker& walker, const Senses& senses, const Vehi
   if (!vehicle.moving()) {
     if (view.distance <= walker.static_reach + view.contact) {
       add_vehicle(view, walker, still_discs_, still_faces_);
+      nearest_bar_ = std::min(nearest_bar_, view.distance);
     }
     return;
   }
@@ -133,6 +135,7 @@ void Surroundings::notice(const Walker& walker, const Senses& senses, const Vehi
   hears_vehicle_ = hears_vehicle_ || aware == Awareness::kHeard;
   if (!touchable(view, walker, senses.sight / walker.speed)) return;
   add_vehicle(view, walker, vehicle_discs_, vehicle_faces_);
+  if (vehicle.invites) nearest_bar_ = 0.0F;  // it drives: how far away it is now says little
   threatened_ = threatened_ || time_to_standing(view, walker, 0.0F, 0.0F, 0.0F) < soon;
 }
 

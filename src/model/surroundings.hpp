@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,9 @@ class Surroundings {
 
   /// Moving vehicles that the person is aware of and that do not let it go first.
   std::span<const VehicleView> vehicles() const { return vehicles_; }
+  /// [m] to the nearest vehicle that nobody gives way to, since it stands or lets people go first;
+  /// infinity: none.
+  float nearest_bar() const { return nearest_bar_; }
   /// Some of them are outside the field of view.
   bool hears_vehicle() const { return hears_vehicle_; }
   /// One of them would run into the person within `soon` if it stood still.
@@ -72,6 +76,7 @@ class Surroundings {
   std::vector<SlotGroup> groups_;
   std::vector<Segment> segments_;
   std::vector<VehicleView> vehicles_;
+  float nearest_bar_ = std::numeric_limits<float>::infinity();
   bool hears_vehicle_ = false, threatened_ = false;
 };
 

@@ -134,7 +134,9 @@ class Conflicts(RefusalChecks, unittest.TestCase):
         self.assertIn("true", {run[pair]["aware"] for pair in pairs})
         # Places are the same; directions are estimated from the way gone, so that some pairs fall on
         # another side of what counts as the same way, or have their extreme at another moment.
-        for name, tolerance in (("minClearance", 0.02), ("PET", 0.1), ("minTTC", 0.2),
+        # A time to collision hangs on a direction, and people turn often since they take Eq. 1 among
+        # people.
+        for name, tolerance in (("minClearance", 0.02), ("PET", 0.1), ("minTTC", 0.35),
                                 ("maxDRAC", 0.2)):
             differences = []
             for pair in pairs:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy
 
 TURNED = 0.5  # share of a body's width that is left when its owner turns sideways
-TOLERANCE = 0.01  # [m] SUMO writes positions to 0.01 m
+TOLERANCE = 0.015  # [m] SUMO rounds four coordinates to 0.01 m: a distance by up to 0.014 m
 ENTRY = 5.0  # [m] round the place where somebody begins to be walked
 _NEIGHBOURS = ((0, 0), (1, 0), (-1, 1), (0, 1), (1, 1))  # of a cell: every pair of cells once
 

@@ -52,12 +52,6 @@ NewPerson on_footway(double x, double to, std::uint64_t group = 0) {
   return person;
 }
 
-Zone open_place(double jam_time) {
-  Zone zone = zone_of(box(0, 0, 40, 20), {}, true);
-  zone.parameters.jam_time = jam_time;
-  return zone;
-}
-
 TEST(Jam, two_who_meet_on_a_footway_too_narrow_get_past_each_other_after_the_jam_time) {
   for (const double jam_time : {5.0, 20.0}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -156,26 +150,35 @@ TEST(Jam, counts_nobody_again_until_the_jam_time_has_passed_once_more) {
 }
 
 TEST(Jam, is_none_for_who_waits_for_vehicles) {
-  // A column that outlasts the jam time crosses before a queue of five.
-  Zone zone = open_place(5.0);
-  zone.walkable = subtract(repair(box(0, 0, 40, 20)), repair(box(-1, -1, 18, 9)));
-  zone.walkable = subtract(zone.walkable, repair(box(-1, 10.2, 18, 21)));
-  zone.walls = WallIndex(zone.walkable);
-  zone.ways = WayFinder(zone.walkable, 0.5);
+  // A queue in a lane, and at its end a column that outlasts the jam time.
+  const Region space = unite(repair(box(0, 0, 20, kFootway)), repair(box(20, -10, 40, 10)));
+  Zone zone = zone_of(space, {}, true);
+  zone.parameters.jam_time = 5.0;
   Scene scene(zone);
-  for (int k = 0; k < 5; ++k) scene.add({14.0 - 0.8 * k, 9.6}, line_at_x(39, 0, 20));
+  for (int k = 0; k < 5; ++k) {
+    NewPerson person = on_footway(17.0 - 0.9 * k, 0);
+    person.destination = line_at_x(39, -10, 10);
+    person.heading = 0.0;
+    person.velocity = {1.34, 0.0};
+    scene.add(person);
+  }
   for (int k = 0; k < 30; ++k) {
-    scene.vehicles.push_back(vehicle_at({22, -10.0 - 7.0 * k}, kPi / 2, 3.0));
+    scene.vehicles.push_back(vehicle_at({21.4, -10.0 - 7.0 * k}, kPi / 2, 3.0));
   }
   Jams jams;
-  jams.run(scene, 40.0);
+  int turned = 0;
+  while (scene.time < 40.0) {
+    jams.step(scene);
+    turned += scene.people[2].view.radius < 0.9 * kRadius ? 1 : 0;
+  }
   EXPECT_EQ(scene.arrived(), 0u);
   for (const auto& p : scene.people) EXPECT_LT(p.view.position.x(), 22.0);
+  EXPECT_GT(turned, 200);  // of 400 steps: for want of room in the queue
   EXPECT_EQ(jams.all, 0);
 }
 
 TEST(Jam, is_none_for_who_waits_for_its_group) {
-  Zone zone = footway(3.0);
+  const Zone zone = footway(3.0);
   Scene scene(zone);
   scene.add(on_footway(10, 19.5, 1));
   NewPerson last = on_footway(2, 19.5, 1);
@@ -183,10 +186,10 @@ TEST(Jam, is_none_for_who_waits_for_its_group) {
   last.velocity *= 0.3;
   scene.add(last);
   // Somebody stands before it, so that it lacks room as well.
-  const std::vector<SeenPerson> seen{{{13.6, 0.5 * kFootway}, {0, 0}, kRadius}};
+  const std::vector<SeenPerson> seen{{{11.0, 0.5 * kFootway}, {0, 0}, kRadius}};
   Jams jams;
   double waited = 0.0;
-  while (scene.time < 14.0) {
+  while (scene.time < 10.0) {
     scene.crowd.see(seen);
     jams.step(scene);
     waited += scene.people[0].view.waits_for_group ? 0.1 : 0.0;
