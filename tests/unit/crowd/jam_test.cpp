@@ -177,25 +177,46 @@ TEST(Jam, is_none_for_who_waits_for_vehicles) {
   EXPECT_EQ(jams.all, 0);
 }
 
+/// Stands, turned, and says whether it waits.
+class TurnedModel : public WalkingModel {
+ public:
+  explicit TurnedModel(bool waits) : waits_(waits) {}
+  void prepare(const Snapshot&) override {}
+  void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override {
+    for (std::size_t i = first; i < last; ++i) {
+      decisions[i] = {.waits = waits_, .turns = true};
+    }
+  }
+
+ private:
+  bool waits_;
+};
+
+TEST(Jam, is_none_for_who_says_that_it_waits) {
+  const Zone zone = footway(5.0);
+  for (const bool waits : {true, false}) {
+    Scene scene(zone, 1, std::make_unique<TurnedModel>(waits));
+    scene.add(on_footway(5, 19.5));
+    Jams jams;
+    jams.run(scene, 20.0);
+    EXPECT_EQ(jams.all, waits ? 0 : 1);
+  }
+}
+
 TEST(Jam, is_none_for_who_waits_for_its_group) {
-  const Zone zone = footway(3.0);
-  Scene scene(zone);
-  scene.add(on_footway(10, 19.5, 1));
-  NewPerson last = on_footway(2, 19.5, 1);
-  last.preferred_speed = 0.4;
-  last.velocity *= 0.3;
-  scene.add(last);
-  // Somebody stands before it, so that it lacks room as well.
-  const std::vector<SeenPerson> seen{{{11.0, 0.5 * kFootway}, {0, 0}, kRadius}};
+  // The other one is 8 m behind. It does not come, but the patience for that is not over yet.
+  const Zone zone = footway(5.0);
+  Scene scene(zone, 1, std::make_unique<TurnedModel>(false));
+  const auto first = scene.add(on_footway(10, 19.5, 1)), last = scene.add(on_footway(2, 19.5, 1));
   Jams jams;
   double waited = 0.0;
-  while (scene.time < 10.0) {
-    scene.crowd.see(seen);
+  while (scene.time < 9.0) {
     jams.step(scene);
-    waited += scene.people[0].view.waits_for_group ? 0.1 : 0.0;
+    waited += scene.people[first].view.waits_for_group ? 0.1 : 0.0;
   }
-  EXPECT_GT(waited, 2.0 * 3.0);
-  EXPECT_EQ(jams.all, 0);
+  EXPECT_GT(waited, 8.0);
+  EXPECT_EQ(jams.times[scene.people[first].handle], 0);
+  EXPECT_EQ(jams.times[scene.people[last].handle], 1);
 }
 
 TEST(Jam, begins_anew_with_a_new_destination) {
