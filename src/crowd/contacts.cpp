@@ -57,10 +57,6 @@ Vec2 parting_direction(const CrowdState& crowd, std::size_t i, std::size_t j) {
   return forward ? e : Vec2(-e);
 }
 
-bool squeezes(const CrowdState& crowd, std::size_t i) {
-  return crowd.walkers[i].jam.squeezed > 0.0F;
-}
-
 /// What must not overlap: bodies as they hold their shoulders now; then, in what the passes over
 /// those have left, bodies with the shoulders turned all the way.
 enum class Part : std::uint8_t { kBody, kCore };
@@ -84,7 +80,7 @@ Vec2 push_of_pair(const CrowdState& crowd, Part part, std::size_t i, std::size_t
   normal = length < kCoincident ? parting_direction(crowd, i, j) : Vec2(normal / length);
   const double overlap = reach - now.dot(normal);
   if (j >= crowd.persons.walking) return overlap * normal;
-  if (part == Part::kCore || squeezes(crowd, i) != squeezes(crowd, j)) {
+  if (part == Part::kCore || crowd.walkers[i].jam.squeezes() != crowd.walkers[j].jam.squeezes()) {
     return 0.5 * overlap * normal;
   }
   const Motion& motion = crowd.motion;

@@ -83,7 +83,7 @@ double straight_on(const CrowdState& crowd, std::size_t i, const Bend& bend, dou
 
 }  // namespace
 
-Vec2 beside_corner(CrowdState& crowd, std::size_t i) {
+Vec2 beside_corner(const CrowdState& crowd, std::size_t i) {
   Bend bend;
   const Vec2 here = crowd.position(i);
   if (!bend_before(crowd.walkers[i].route, here, bend)) return Vec2::Zero();

@@ -18,6 +18,6 @@ namespace pedzone {
 ///     corner .===========.....  outer wall
 ///            [a][ opposed ]
 ///   ------>
-Vec2 beside_corner(CrowdState& crowd, std::size_t i);
+Vec2 beside_corner(const CrowdState& crowd, std::size_t i);
 
 }  // namespace pedzone

@@ -30,7 +30,7 @@ bool jams(CrowdState& crowd, std::size_t i, double dt) {
   const auto step = static_cast<float>(dt);
   const bool stuck = lacks_room(crowd, i);
   jam.free = stuck ? 0.0F : jam.free + step;
-  if (jam.squeezed > 0.0F && jam.free > kFree) jam.squeezed = jam.stuck = 0.0F;
+  if (jam.squeezes() && jam.free > kFree) jam.squeezed = jam.stuck = 0.0F;
   const auto left = static_cast<float>(way_left(crowd.walkers[i].route, crowd.position(i)));
   if (left < jam.least_left - kProgress) {
     jam.least_left = left;
@@ -39,14 +39,17 @@ bool jams(CrowdState& crowd, std::size_t i, double dt) {
     jam.stuck += step;
   }
   const bool squeezes =
-      jam.squeezed > 0.0F || jam.stuck >= static_cast<float>(crowd.zone.parameters.jam_time);
-  const bool begins = squeezes && jam.squeezed == 0.0F;
+      jam.squeezes() || jam.stuck >= static_cast<float>(crowd.zone.parameters.jam_time);
+  const bool begins = squeezes && !jam.squeezes();
   if (squeezes) jam.squeezed += step;
-  jam.share = 1.0F - (1.0F - kNarrowest) * std::min(jam.squeezed / kSqueezeTime, 1.0F);
   return begins;
 }
 
 }  // namespace
+
+float width_left(const Jam& jam) {
+  return 1.0F - (1.0F - kNarrowest) * std::min(jam.squeezed / kSqueezeTime, 1.0F);
+}
 
 void notice_jams(CrowdState& crowd, double dt) {
   crowd.jam_begins.assign(crowd.persons.walking, 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "crowd/jams.hpp"
 #include "crowd/parallel.hpp"
 #include "crowd/wall_guard.hpp"
 
@@ -24,9 +25,9 @@ double room_around(CrowdState& crowd, std::size_t block, std::size_t i) {
 
 /// Who is led by the hand cannot turn; who squeezes is taken for a narrower person by everybody.
 void set_widths(const WalkState& walker, double& full, double& turned) {
-  const float share = walker.holds_hand ? 1.0F : walker.jam.share * walker.turned_width;
+  const float share = walker.holds_hand ? 1.0F : width_left(walker.jam) * walker.turned_width;
   turned = static_cast<double>(share * walker.full_radius);
-  full = walker.jam.squeezed > 0.0F ? turned : walker.full_radius;
+  full = walker.jam.squeezes() ? turned : walker.full_radius;
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ struct Jam {
   float stuck = 0.0F;                                         ///< [s] without room since that was
   float squeezed = 0.0F;  ///< [s] since it began to squeeze; 0: it does not
   float free = 0.0F;      ///< [s] since it last lacked room
-  float share = 1.0F;     ///< of its turned width that is left while it squeezes
+
+  bool squeezes() const { return squeezed > 0.0F; }
 };
 
 /// What a walked person holds beside its row in Persons: its way and its clocks.

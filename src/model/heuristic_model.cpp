@@ -125,13 +125,16 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
             1.0};
   }
   DirectionChoice best = choose(i, self, to_goal, task, scratch);
+  const auto choose_by_second = [&] {
+    if (task.half_angle || !extended()) return;
+    set_goal(task, to_goal, true);
+    best = choose(i, self, to_goal, task, scratch);
+  };
   // Round a vehicle that stands across the way Eq. 1 finds no way: it would stand before it for
   // ever.
   const auto near = static_cast<float>(parameters.near_distance);
-  if (extended() && scratch.surroundings.nearest_bar() < near + self.radius &&
-      best.time * self.speed < near) {
-    set_goal(task, to_goal, true);
-    best = choose(i, self, to_goal, task, scratch);
+  if (scratch.surroundings.nearest_bar() < near + self.radius && best.time * self.speed < near) {
+    choose_by_second();
   }
   const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
   if (vehicles.empty()) return {best, 1.0};
@@ -144,10 +147,8 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
       giving_way.comfortable(task, best, parameters, kernel_)) {
     return {best, 1.0};
   }
-  if (!extended()) return giving_way.choose(candidates_, task, parameters, best, kernel_);
-  set_goal(task, to_goal, true);
-  const DirectionChoice known = choose(i, self, to_goal, task, scratch);
-  return giving_way.choose(candidates_, task, parameters, known, kernel_);
+  choose_by_second();
+  return giving_way.choose(candidates_, task, parameters, best, kernel_);
 }
 
 PacedChoice HeuristicModel::plain(std::size_t i, const Walker& self, double to_goal,
