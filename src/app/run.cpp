@@ -1,17 +1,16 @@
 #include "app/run.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <limits>
 #include <memory>
-#include <thread>
 
 #include "app/guarded.hpp"
 #include "app/path_recorder.hpp"
 #include "app/progress.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
+#include "app/thread_limit.hpp"
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
 #include "model/walking_model.hpp"
@@ -53,24 +52,24 @@ SimulationOptions prepare(const RunOptions& options) {
 /// Tells of people who are stuck among people, of the first ones by name.
 class JamWarnings {
  public:
-  void step(const Simulation& simulation, double time) {
-    for (const JammedPerson& person : simulation.jammed()) {
-      if (++count_ > kNamed) continue;
-      fmt::print(
-          stderr,
-          "Warning: person '{}' in zone '{}' is stuck among people at ({:.1f}, {:.1f}), time "
-          "{:.1f}: it squeezes through.\n",
-          person.id, simulation.zones()[person.zone].id, person.position.x(), person.position.y(),
-          time);
+  void step(const std::vector<JamRecord>& jams) {
+    for (; told_ < std::min(jams.size(), kNamed); ++told_) {
+      const JamRecord& jam = jams[told_];
+      fmt::print(stderr,
+                 "Warning: person '{}' in zone '{}' is stuck among people at ({:.1f}, {:.1f}), "
+                 "time {:.1f}: it squeezes through.\n",
+                 jam.person, jam.zone, jam.position.x(), jam.position.y(), jam.time);
     }
   }
-  void finish() const {
-    if (count_ > kNamed) fmt::print(stderr, "Warning: {} more were stuck.\n", count_ - kNamed);
+  void finish(const std::vector<JamRecord>& jams) const {
+    if (jams.size() > kNamed) {
+      fmt::print(stderr, "Warning: {} more were stuck.\n", jams.size() - kNamed);
+    }
   }
 
  private:
-  static constexpr int kNamed = 10;
-  int count_ = 0;
+  static constexpr std::size_t kNamed = 10;
+  std::size_t told_ = 0;
 };
 
 /// The files of a run: all finished together, or none.
@@ -157,10 +156,7 @@ struct Outputs {
 };
 
 void simulate(const RunOptions& options) {
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(std::max(1, threads)));
+  const ThreadLimit limit(options.threads);
   const SimulationOptions prepared = prepare(options);
   Outputs outputs(options);
   Simulation simulation(prepared);
@@ -177,11 +173,11 @@ void simulate(const RunOptions& options) {
     const double time = simulation.time();
     simulation.step();
     outputs.step(time, simulation);
-    jams.step(simulation, time);
+    jams.step(simulation.jams());
     progress.update(simulation.time(), simulation.guests().size());
   }
   progress.finish();
-  jams.finish();
+  jams.finish(simulation.jams());
   const RunSummary totals = simulation.summary();
   simulation.close();
   outputs.finish(simulation, totals);

@@ -1,13 +1,12 @@
 #include "app/verify.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <memory>
-#include <thread>
 
 #include "app/guarded.hpp"
 #include "app/share_bar.hpp"
+#include "app/thread_limit.hpp"
 #include "app/verify_output.hpp"
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
@@ -56,10 +55,7 @@ bool verify_all(const VerifyCommand& command) {
   std::unique_ptr<CompleteFile> json, html;
   if (!command.json.empty()) json = std::make_unique<CompleteFile>(command.json, "--json");
   if (!command.html.empty()) html = std::make_unique<CompleteFile>(command.html, "--html");
-  const int threads =
-      command.threads > 0 ? command.threads : static_cast<int>(std::thread::hardware_concurrency());
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(std::max(1, threads)));
+  const ThreadLimit limit(command.threads);
   ShareBar bar("Walking the tests");
   const verify::Verification verification =
       verify::verify(options, [&](double share) { bar.update(share); });
@@ -84,7 +80,8 @@ void add_verify(CLI::App& app, int& code) {
       "  pedzone verify --model heuristic --only doors diagram-one-way\n"
       "  pedzone verify --list                                  # the ids of the tests\n\n"
       "RiMEA, ISO 20414, NIST, IMO 1533, Jülich and Moussaïd, as far as they concern walking on\n"
-      "one level. Nobody is tuned to them: limits are from the literature. SUMO is not needed.\n"
+      "one level. Limits are from the literature; the page says what was chosen on them. SUMO is\n"
+      "not needed.\n"
       "Exit codes: 0 the first model passes all, 1 it fails a test, 2 input at fault.");
   command->add_option("--model", options->models,
                       "Walking models [default: all]: " + allowed_models());

@@ -17,13 +17,6 @@ void RunTotals::count_persons() {
   arrived_ += api::Simulation::getArrivedPersonNumber();
 }
 
-void RunTotals::count_jams(const std::vector<JammedPerson>& jammed, const std::vector<Zone>& zones,
-                           double time) {
-  for (const JammedPerson& person : jammed) {
-    jams_.push_back({time, person.id, zones[person.zone].id, person.position});
-  }
-}
-
 void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
   person_steps_ += static_cast<long>(takeover.guests().size());
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
@@ -50,7 +43,7 @@ RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding) co
   // Not getIDCount: that counts those who are yet to depart, too.
   summary.persons.walking = static_cast<long>(api::Person::getIDList().size());
   summary.persons.lost = departed_ - arrived_ - summary.persons.walking;
-  summary.jams = jams_;
+  summary.jams = takeover.jams();
   if (walks.time > 0.0) summary.persons.mean_speed = walks.distance / walks.time;
   summary.persons.mean_delay_s = (walks.time - walks.free_time) / persons;
   summary.persons.mean_waiting_s = walks.waiting / persons;

@@ -12,13 +12,6 @@
 
 namespace pedzone {
 
-/// Somebody who was stuck among people and squeezed through.
-struct JamRecord {
-  double time = 0.0;  ///< [s] when it began to
-  std::string person, zone;
-  Vec2 position = Vec2::Zero();  ///< [m]
-};
-
 /// The summary of a run, as printed and as written by `--summary`.
 struct RunSummary {
   struct {
@@ -45,9 +38,6 @@ class RunTotals {
  public:
   /// Who departed and arrived in SUMO's last step.
   void count_persons();
-  /// Who began to squeeze in the crowds' last step, at `time` [s].
-  void count_jams(const std::vector<JammedPerson>& jammed, const std::vector<Zone>& zones,
-                  double time);
   /// Distances between guests and vehicles now; delays of vehicles.
   void observe(const Fleet& fleet, const Takeover& takeover);
 
@@ -62,7 +52,6 @@ class RunTotals {
   double min_clearance_ = std::numeric_limits<double>::infinity();
   std::set<std::pair<std::string, std::string>> contacts_;
   std::unordered_map<std::string, Delay> delays_;
-  std::vector<JamRecord> jams_;
 };
 
 }  // namespace pedzone

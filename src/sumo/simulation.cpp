@@ -175,8 +175,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   stand_offs.apply(fleet, people, dt);
   fleet.states(dt, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
-  takeover.write(dt, fleet);
-  totals.count_jams(takeover.jammed(), zones, session.time());
+  takeover.write(session.time(), dt, fleet);
   steering.apply(session.time());
 }
 
@@ -219,7 +218,7 @@ const Network& Simulation::network() const { return parts_->network; }
 const std::vector<WaypointPath>& Simulation::paths() const { return parts_->paths; }
 const std::vector<Guest>& Simulation::guests() const { return parts_->takeover.guests(); }
 
-const std::vector<JammedPerson>& Simulation::jammed() const { return parts_->takeover.jammed(); }
+const std::vector<JamRecord>& Simulation::jams() const { return parts_->takeover.jams(); }
 
 PersonView Simulation::view(const Guest& guest) const {
   return parts_->crowds[guest.zone]->view(guest.handle);

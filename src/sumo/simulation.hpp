@@ -53,8 +53,8 @@ class Simulation {
   /// Persons that pedzone walks now, in the order they were taken over.
   const std::vector<Guest>& guests() const;
   PersonView view(const Guest& guest) const;
-  /// Who began to squeeze through a jam of people in the last step.
-  const std::vector<JammedPerson>& jammed() const;
+  /// Who has begun to squeeze through a jam of people so far, in time.
+  const std::vector<JamRecord>& jams() const;
   /// What the guests are about to do, in their order; slow.
   std::vector<Insight> insights();
   /// Figures so far.

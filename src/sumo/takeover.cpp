@@ -260,20 +260,21 @@ bool Takeover::may_hand_over(Guest& guest, const Vec2& place, double dt, const F
 }
 
 /// The crowds know handles only.
-void Takeover::list_jams() {
-  jammed_.clear();
+void Takeover::list_jams(double time) {
   for (std::size_t z = 0; z < crowds_.size(); ++z) {
     for (const JamNotice& jam : crowds_[z]->jams()) {
       const auto found = std::ranges::find_if(guests_, [&](const Guest& guest) {
         return guest.zone == static_cast<int>(z) && guest.handle == jam.handle;
       });
-      if (found != guests_.end()) jammed_.push_back({found->id, jam.position, found->zone});
+      if (found != guests_.end()) {
+        jams_.push_back({time, found->id, zones_[z].id, jam.position});
+      }
     }
   }
 }
 
-void Takeover::write(double dt, const Fleet& fleet) {
-  list_jams();
+void Takeover::write(double time, double dt, const Fleet& fleet) {
+  list_jams(time);
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     const double walked = (view.position - guest.position).norm();

@@ -49,11 +49,11 @@ struct WalkTotals {
   double waiting = 0.0;    ///< [s] waiting for vehicles or standing
 };
 
-/// A person who was stuck among people and squeezes through.
-struct JammedPerson {
-  std::string id;
+/// Somebody who was stuck among people and squeezed through.
+struct JamRecord {
+  double time = 0.0;  ///< [s] when it began to
+  std::string person, zone;
   Vec2 position = Vec2::Zero();  ///< [m]
-  int zone = 0;                  ///< index into the zones
 };
 
 class Takeover {
@@ -67,14 +67,14 @@ class Takeover {
   /// over who has entered a zone, and lets the crowds see who else is near.
   void read(double time, const Fleet& fleet);
 
-  /// After the crowds have walked for `dt` [s]: writes everybody's place, hands over who is at
-  /// the end of its stretch.
-  void write(double dt, const Fleet& fleet);
+  /// After the crowds have walked for `dt` [s] from `time` [s] on: writes everybody's place, hands
+  /// over who is at the end of its stretch, lists who jams.
+  void write(double time, double dt, const Fleet& fleet);
 
   const std::vector<Guest>& guests() const { return guests_; }
   const WalkTotals& totals() const { return totals_; }
-  /// Of the crowds' last step.
-  const std::vector<JammedPerson>& jammed() const { return jammed_; }
+  /// Of all steps so far, in time.
+  const std::vector<JamRecord>& jams() const { return jams_; }
   Bystanders& bystanders() { return bystanders_; }
   /// The guests as vehicles see them.
   void people(std::vector<PersonAhead>& out) const;
@@ -106,7 +106,7 @@ class Takeover {
   static bool may_hand_over(Guest& guest, const Vec2& place, double dt, const Fleet& fleet);
   bool hand_over(const Guest& guest, const PersonView& view, double dt);
   void drop_gone();
-  void list_jams();
+  void list_jams(double time);
 
   const Network& network_;
   const std::vector<Zone>& zones_;
@@ -122,7 +122,7 @@ class Takeover {
   std::vector<Vec2> eyes_;                     ///< [m] who looks at bystanders
   std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
   WalkTotals totals_;
-  std::vector<JammedPerson> jammed_;
+  std::vector<JamRecord> jams_;
 };
 
 }  // namespace pedzone
