@@ -24,10 +24,8 @@ bool lacks_room(const CrowdState& crowd, std::size_t i) {
   return moving_near(crowd, crowd.position(i), kVehicleNear, 0.0) == nullptr;
 }
 
-/// Whether it begins to squeeze.
-bool jams(CrowdState& crowd, std::size_t i, double dt) {
+void keep_clocks(CrowdState& crowd, std::size_t i, float step) {
   Jam& jam = crowd.walkers[i].jam;
-  const auto step = static_cast<float>(dt);
   const bool stuck = lacks_room(crowd, i);
   jam.free = stuck ? 0.0F : jam.free + step;
   if (jam.squeezes() && jam.free > kFree) jam.squeezed = jam.stuck = 0.0F;
@@ -38,11 +36,9 @@ bool jams(CrowdState& crowd, std::size_t i, double dt) {
   } else if (stuck) {
     jam.stuck += step;
   }
-  const bool squeezes =
-      jam.squeezes() || jam.stuck >= static_cast<float>(crowd.zone.parameters.jam_time);
-  const bool begins = squeezes && !jam.squeezes();
-  if (squeezes) jam.squeezed += step;
-  return begins;
+  if (jam.squeezes() || jam.stuck >= static_cast<float>(crowd.zone.parameters.jam_time)) {
+    jam.squeezed += step;
+  }
 }
 
 }  // namespace
@@ -52,13 +48,14 @@ float width_left(const Jam& jam) {
 }
 
 void notice_jams(CrowdState& crowd, double dt) {
-  crowd.jam_begins.assign(crowd.persons.walking, 0);
+  const auto step = static_cast<float>(dt);
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) crowd.jam_begins[i] = jams(crowd, i, dt);
+    for (std::size_t i = first; i < last; ++i) keep_clocks(crowd, i, step);
   });
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
-    if (crowd.jam_begins[i] != 0)
-      crowd.jams.push_back({crowd.walkers[i].handle, crowd.position(i)});
+    const WalkState& walker = crowd.walkers[i];
+    const bool begins = walker.jam.squeezed == step;  // for this one substep
+    if (begins) crowd.jams.push_back({walker.handle, crowd.position(i)});
   }
 }
 

@@ -137,9 +137,8 @@ struct CrowdState {
   std::vector<BlockScratch> blocks;
   std::vector<std::uint32_t> first_neighbour, last_neighbour;  ///< in the list of one's block
   std::vector<VehicleHit> hits;
-  std::vector<JamNotice> jams;           ///< begun in this step
-  std::vector<std::uint8_t> jam_begins;  ///< of each walked person, while they are found
-  std::vector<double> next_radius;       ///< [m] of each walked person's body, while it is found
+  std::vector<JamNotice> jams;      ///< begun in this step
+  std::vector<double> next_radius;  ///< [m] of each walked person's body, while it is found
 
   std::uint64_t substep = 0;  ///< number of substeps so far: a key of random numbers
   double time = 0.0;          ///< [s] of all substeps so far

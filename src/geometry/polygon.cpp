@@ -17,14 +17,6 @@ using Operand = Overlay::Operand;
 constexpr double kSliverArea = 0.01;        // [m²]
 constexpr double kSliverThickness = 0.002;  // [m]
 
-double ring_area(const Ring& ring) {
-  double twice = 0.0;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    twice += cross(ring[j] - ring[0], ring[i] - ring[0]);
-  }
-  return 0.5 * twice;
-}
-
 double perimeter(const Ring& ring) {
   double length = 0.0;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -34,7 +26,7 @@ double perimeter(const Ring& ring) {
 }
 
 bool is_sliver(const Ring& ring) {
-  const double size = std::abs(ring_area(ring));
+  const double size = std::abs(signed_area(ring));
   return size < kSliverArea || size < 0.5 * perimeter(ring) * kSliverThickness;
 }
 
@@ -96,12 +88,20 @@ double area(const Region& region) {
   double sum = 0.0;
   for (const Polygon& polygon : region) {
     if (polygon.outer.empty()) continue;
-    sum += std::abs(ring_area(polygon.outer));
+    sum += std::abs(signed_area(polygon.outer));
     for (const Ring& hole : polygon.holes) {
-      if (!hole.empty()) sum -= std::abs(ring_area(hole));
+      if (!hole.empty()) sum -= std::abs(signed_area(hole));
     }
   }
   return sum;
+}
+
+double signed_area(const Ring& ring) {
+  double twice = 0.0;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    twice += cross(ring[j] - ring[0], ring[i] - ring[0]);
+  }
+  return 0.5 * twice;
 }
 
 bool contains(const Region& region, const Vec2& point) {

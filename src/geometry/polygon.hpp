@@ -41,6 +41,8 @@ Region grow(const Region& region, double distance, Corners corners = Corners::kR
 
 /// Surface [m²].
 double area(const Region& region);
+/// [m²] positive where the ring runs counter-clockwise; less where it crosses itself.
+double signed_area(const Ring& ring);
 
 /// Whether a point is inside or on the border. Linear in the number of points.
 bool contains(const Region& region, const Vec2& point);

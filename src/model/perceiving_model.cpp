@@ -85,7 +85,7 @@ void PerceivingModel::decide(std::size_t first, std::size_t last,
   for (std::size_t i = first; i < last; ++i) {
     perceive(i, who);
     decisions[i] = decide_from(who);
-    if (lacks_room(decisions[i], who)) {
+    if (is_hindered(decisions[i], who)) {
       see_persons(i, true, scenery_.walker(i), scenery_.senses_of(i), who);
       decisions[i] = decide_from(who);
       decisions[i].turns = true;
@@ -95,7 +95,7 @@ void PerceivingModel::decide(std::size_t first, std::size_t last,
 }
 
 /// Gets on slowly, and somebody ahead is near.
-bool PerceivingModel::lacks_room(const Decision& decision, const Perceived& who) const {
+bool PerceivingModel::is_hindered(const Decision& decision, const Perceived& who) const {
   const double gain = decision.speed * unit(decision.direction).dot(who.goal_direction);
   if (gain > kHindered * who.speed) return false;
   const double reach = who.speed * who.parameters->turn_time;

@@ -33,7 +33,7 @@ class PerceivingModel : public WalkingModel {
 
  private:
   void perceive(std::size_t person, Perceived& who) const;
-  bool lacks_room(const Decision& decision, const Perceived& who) const;
+  bool is_hindered(const Decision& decision, const Perceived& who) const;
   /// Lists them as they are now, or as they are with their shoulders turned.
   void see_persons(std::size_t person, bool turned, const Walker& walker, const Senses& senses,
                    Perceived& who) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "view/colours.hpp"
+#include "zone/shapes.hpp"
 
 namespace pedzone::verify {
 namespace {
@@ -106,12 +107,12 @@ std::string step_path(const GridMap& map, std::size_t step) {
 }  // namespace
 
 std::string drawing_svg(const Drawing& drawing) {
-  const Extent extent = extent_of(drawing.walkable);
-  const Vec2 size = extent.high - extent.low;
+  const Box extent = box_of(drawing.walkable);
+  const Vec2 size = extent.sizes();
   const double unit_size = std::max(size.x(), 2.2 * size.y()) / 100.0;  // [m] of line widths
   const double rim = 2.0 * unit_size, text_size = 4.5 * unit_size;
   const Vec2 below(0.0, 1.8 * text_size);
-  const Frame frame{extent.low - Vec2(rim, rim) - below, extent.high + Vec2(rim, rim)};
+  const Frame frame{extent.min() - Vec2(rim, rim) - below, extent.max() + Vec2(rim, rim)};
   const long thin = frame.size(0.35 * unit_size), thick = frame.size(0.7 * unit_size);
   std::string svg = frame.open("setup-drawing");
   svg += fmt::format(R"(<path class="ground" stroke-width="{}" d="{}"/>)", thick,
@@ -133,7 +134,7 @@ std::string drawing_svg(const Drawing& drawing) {
     svg += fmt::format(R"(<path class="arrow stream-{}" stroke-width="{}" d="{}"/>)", arrow.stream,
                        thick, arrow_path(frame, arrow, 3.0 * unit_size));
   }
-  svg += scale_bar(frame, {extent.low.x(), extent.low.y() - rim - 0.6 * text_size}, text_size);
+  svg += scale_bar(frame, {extent.min().x(), extent.min().y() - rim - 0.6 * text_size}, text_size);
   return svg + "</svg>";
 }
 

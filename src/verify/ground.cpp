@@ -1,6 +1,6 @@
 #include "verify/ground.hpp"
 
-#include <algorithm>
+#include "zone/shapes.hpp"
 
 namespace pedzone::verify {
 
@@ -30,27 +30,15 @@ Region turned(const Region& region, double angle) {
   return result;
 }
 
-Extent extent_of(const Region& region) {
-  Extent extent{region.front().outer.front(), region.front().outer.front()};
-  for (const Polygon& polygon : region) {
-    for (const Vec2& point : polygon.outer) {
-      extent.low = extent.low.cwiseMin(point);
-      extent.high = extent.high.cwiseMax(point);
-    }
-  }
-  return extent;
-}
-
 Zone zone_of(const Region& walkable, const std::string& model) {
   constexpr double kRim = 1.0;  // [m] numerical: thickness of the outermost walls
   Zone zone;
   zone.id = "verify";
   zone.model = model;
   zone.walkable = walkable;
-  const Extent extent = extent_of(walkable);
-  zone.obstacles = subtract(repair(box(extent.low.x() - kRim, extent.low.y() - kRim,
-                                       extent.high.x() + kRim, extent.high.y() + kRim)),
-                            walkable);
+  const Box rim = grown(box_of(walkable), kRim);
+  const Ring around = box(rim.min().x(), rim.min().y(), rim.max().x(), rim.max().y());
+  zone.obstacles = subtract(repair(around), walkable);
   zone.walls = WallIndex(zone.walkable);
   zone.sight_walls = WallIndex(zone.obstacles);
   zone.ways = WayFinder(zone.walkable, kWayClearance);

@@ -18,12 +18,6 @@ Region joined(std::initializer_list<Ring> rings);
 Region turned(const Region& region, double angle);
 Vec2 turned(const Vec2& point, double angle);
 
-/// Least and greatest corner [m] of a region that is not empty.
-struct Extent {
-  Vec2 low, high;
-};
-Extent extent_of(const Region& region);
-
 /// A zone with that walkable area, all the rest being walls that nobody sees through, and the
 /// parameters' defaults. `model`: as make_model() takes it.
 Zone zone_of(const Region& walkable, const std::string& model);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "verify/ground.hpp"
+#include "zone/shapes.hpp"
 
 namespace pedzone::verify {
 namespace {
@@ -69,12 +70,6 @@ Ring rounded(Ring ring, const Vec2& centre, double most) {
   return ring;
 }
 
-double area_of(const Polygon& polygon) {
-  double sum = signed_area(polygon.outer);
-  for (const Ring& hole : polygon.holes) sum += signed_area(hole);
-  return sum;
-}
-
 /// The part of `ring` in the walkable area that `person` stands in.
 Region own_part(const Ring& ring, const Region& walkable, const Vec2& person) {
   const Region parts = intersect(repair(ring), walkable);
@@ -100,23 +95,16 @@ Ring left_part(const Ring& ring, const Vec2& a, const Vec2& b) {
   return part;
 }
 
-double signed_area(const Ring& ring) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    twice += cross(ring[i], ring[(i + 1) % ring.size()]);
-  }
-  return 0.5 * twice;
-}
-
 VoronoiCells::VoronoiCells(const Region& walkable, std::span<const Vec2> points,
                            std::optional<double> most)
     : cells_(points.size()), areas_(points.size()) {
   if (walkable.empty()) return;
-  const Extent extent = extent_of(walkable);
+  const Box extent = box_of(walkable);
   const bool plain =
       walkable.size() == 1 && walkable.front().holes.empty() && is_convex(walkable.front().outer);
-  const Ring whole = plain ? walkable.front().outer
-                           : box(extent.low.x(), extent.low.y(), extent.high.x(), extent.high.y());
+  const Ring whole =
+      plain ? walkable.front().outer
+            : box(extent.min().x(), extent.min().y(), extent.max().x(), extent.max().y());
   const auto neighbours = neighbours_of(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!contains(walkable, points[i])) continue;
@@ -127,7 +115,7 @@ VoronoiCells::VoronoiCells(const Region& walkable, std::span<const Vec2> points,
     if (most) ring = rounded(std::move(ring), points[i], *most);
     if (ring.size() < 3) continue;
     cells_[i] = plain ? Region{{ring, {}}} : own_part(ring, walkable, points[i]);
-    for (const Polygon& polygon : cells_[i]) areas_[i] += area_of(polygon);
+    areas_[i] = pedzone::area(cells_[i]);
   }
 }
 

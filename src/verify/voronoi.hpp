@@ -39,7 +39,4 @@ class VoronoiCells {
 /// may hang together by edges of no width; the area is right).
 Ring left_part(const Ring& ring, const Vec2& a, const Vec2& b);
 
-/// [m²] positive where the ring runs counter-clockwise.
-double signed_area(const Ring& ring);
-
 }  // namespace pedzone::verify

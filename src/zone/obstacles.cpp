@@ -21,17 +21,9 @@ bool is_any(std::string_view type, const auto& types) {
   return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-/// A ring's area where it winds once; less where it crosses itself.
-double wound_area(const Ring& ring) {
-  double twice = 0.0;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    twice += cross(ring[j] - ring[0], ring[i] - ring[0]);
-  }
-  return std::abs(0.5 * twice);
-}
-
 bool crosses_itself(const Ring& ring, const Region& repaired) {
-  return repaired.size() > 1 || std::abs(wound_area(ring) - area(repaired)) > kAreaTolerance;
+  return repaired.size() > 1 ||
+         std::abs(std::abs(signed_area(ring)) - area(repaired)) > kAreaTolerance;
 }
 
 bool is_walkable(const MapPolygon& polygon, const ZoneSpec& spec) {

@@ -11,7 +11,7 @@ import cases  # noqa: E402  (found only now)
 import judge  # noqa: E402
 from fcd import Fcd, PersonRows, VehicleRows  # noqa: E402
 from outputs import PersonTrip, Run, Stage  # noqa: E402
-from overlap import ENTRY, find_overlaps  # noqa: E402
+from overlap import ENTRY, TOLERANCE, find_overlaps  # noqa: E402
 
 RADIUS = 0.239  # [m] of SUMO's person
 PERIOD = 0.5  # [s]
@@ -72,7 +72,7 @@ class Overlap(unittest.TestCase):
         far = {who: (100.0 * who, 0.0) for who in range(len(places))}
         found = overlaps_of([far, dict(enumerate(map(tuple, places)))])
         wanted = {(one, other) for one in range(len(places)) for other in range(one)
-                  if numpy.hypot(*(places[one] - places[other])) < RADIUS - 0.01}
+                  if numpy.hypot(*(places[one] - places[other])) < RADIUS - TOLERANCE}
         who = fcd_of([far, dict(enumerate(map(tuple, places)))]).persons.who
         pairs = [tuple(sorted((who[one], who[other]), reverse=True))
                  for one, other in zip(found.first, found.second)]

@@ -4,6 +4,7 @@
 
 #include "core/random.hpp"
 #include "verify/ground.hpp"
+#include "zone/shapes.hpp"
 
 namespace pedzone::verify {
 namespace {
@@ -12,12 +13,12 @@ constexpr double kExact = 1e-9;  // [m²] cells of a convex area are cut without
 constexpr double kGrid = 5e-3;   // [m²] other areas are cut on whole millimetres
 
 std::vector<Vec2> random_points(const Region& region, std::size_t count, std::uint64_t seed) {
-  const Extent extent = extent_of(region);
+  const Box extent = box_of(region);
   std::vector<Vec2> points;
   for (std::uint64_t draw = 0; points.size() < count; ++draw) {
     const Vec2 share(random_uniform(seed, draw, 0, Purpose::kPlacement),
                      random_uniform(seed, draw, 1, Purpose::kPlacement));
-    const Vec2 point = extent.low + share.cwiseProduct(extent.high - extent.low);
+    const Vec2 point = extent.min() + share.cwiseProduct(extent.sizes());
     if (contains(region, point)) points.push_back(point);
   }
   return points;
