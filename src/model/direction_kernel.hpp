@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "model/candidates.hpp"
 #include "model/obstacle_lists.hpp"
@@ -56,6 +57,7 @@ struct SeenSpace {
 /// How many discs there are in either space.
 struct Seen {
   std::size_t near, far;
+  std::size_t groups;  ///< with any of them
 };
 
 /// One person's choice, ready to be computed. All of it is avoided; what stands in the "near"
@@ -130,8 +132,9 @@ struct Stroll {
 struct DirectionKernel {
   const char* name;
   /// Those of the groups whom the person sees and could touch within its horizon, near and far.
-  Seen (*see)(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
-              const Sight& sight, const SeenSpace& near, const SeenSpace& far);
+  /// `met`, room for as many groups, or null: the groups of these alone.
+  Seen (*see)(const PersonSlots& slots, std::span<const SlotGroup> groups, const Sight& sight,
+              const SeenSpace& near, const SeenSpace& far, SlotGroup* met);
   /// The best of the directions [first, first + count) and of `best`, which may be none
   /// (index kNoDirection); `first` is a multiple of kDirectionGroup. None where all are excluded.
   DirectionChoice (*choose)(const DirectionTask& task, std::size_t first, std::size_t count,

@@ -1,7 +1,6 @@
 #include "model/heuristic_model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/random.hpp"
@@ -60,7 +59,7 @@ DirectionTask HeuristicModel::look_around(std::size_t i, const Walker& self,
                                           Surroundings& around) const {
   const Parameters& parameters = *snapshot_.parameters;
   const Senses senses = scenery_.senses_of(i);
-  around.see_persons(self, senses, Shoulders::kept_straight(), scenery_.persons(), kernel_);
+  around.see_persons(self, senses, scenery_.persons(), kernel_);
   around.see_walls(self, scenery_.walls());
   const double soon = gives_way() ? kLastMoment : parameters.wait_time;
   around.notice_vehicles(self, senses, scenery_.vehicles(), scenery_.vehicles_near(self.at),
@@ -94,8 +93,7 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   PacedChoice chosen = gives_way() ? give_way(i, self, to_goal, task, scratch)
                                    : plain(i, self, to_goal, task, scratch);
   if (scratch.turned) {
-    chosen.direction.time = std::min(chosen.direction.time,
-                                     time_to_queue(i, self, chosen.direction.index, task, scratch));
+    chosen.direction.time = time_to_queue(i, self, chosen.direction, task, scratch);
   }
   Decision decision;
   decision.turns = scratch.turned;
@@ -164,31 +162,40 @@ PacedChoice HeuristicModel::plain(std::size_t i, const Walker& self, double to_g
   return {best, stands ? 0.0 : 1.0};
 }
 
-void HeuristicModel::see_persons(std::size_t i, const Walker& self, const Shoulders& shoulders,
-                                 Scratch& scratch, DirectionTask& task) const {
-  scratch.surroundings.see_persons(self, scenery_.senses_of(i), shoulders, scenery_.persons(),
-                                   kernel_);
+void HeuristicModel::see_again(std::size_t i, const Walker& self, const Shoulders& shoulders,
+                               float horizon, Scratch& scratch, DirectionTask& task) const {
+  scratch.surroundings.see_again(self, scenery_.senses_of(i), shoulders, horizon,
+                                 scenery_.persons(), kernel_);
   scratch.surroundings.fill(task);
 }
 
-bool HeuristicModel::meets_people(const DirectionTask& task) const {
+bool HeuristicModel::meets_people(const DirectionTask& task, std::uint32_t direction) const {
   alignas(32) float times[kMaxDirections];
   const auto soon = static_cast<float>(snapshot_.parameters->turn_time);
-  return std::ranges::any_of(
-      std::array{task.near_discs, task.far_discs}, [&](const DiscView& people) {
-        kernel_.times_of(task, people, {}, 0, candidates_.main_padded(), times);
-        return *std::min_element(times, times + candidates_.main_count()) < soon;
-      });
+  const std::size_t groups = candidates_.main_padded() / kDirectionGroup;
+  for (std::size_t k = 0; k < groups; ++k) {
+    const std::size_t first = (direction / kDirectionGroup + k) % groups * kDirectionGroup;
+    const std::size_t last = std::min(first + kDirectionGroup, candidates_.main_count());
+    for (const DiscView& people : {task.near_discs, task.far_discs}) {
+      kernel_.times_of(task, people, {}, first, kDirectionGroup, times);
+      if (*std::min_element(times + first, times + last) < soon) return true;
+    }
+  }
+  return false;
 }
 
-float HeuristicModel::time_to_queue(std::size_t i, const Walker& self, std::uint32_t direction,
-                                    DirectionTask& task, Scratch& scratch) const {
-  see_persons(i, self, Shoulders::by_facing(), scratch, task);
-  const std::size_t first = direction / kDirectionGroup * kDirectionGroup;
-  alignas(32) float near[kMaxDirections], far[kMaxDirections];
-  kernel_.times_of(task, task.near_discs, {}, first, kDirectionGroup, near);
-  kernel_.times_of(task, task.far_discs, {}, first, kDirectionGroup, far);
-  return std::min(near[direction], far[direction]);
+float HeuristicModel::time_to_queue(std::size_t i, const Walker& self,
+                                    const DirectionChoice& direction, DirectionTask& task,
+                                    Scratch& scratch) const {
+  see_again(i, self, Shoulders::by_facing(), direction.time, scratch, task);
+  const std::size_t first = direction.index / kDirectionGroup * kDirectionGroup;
+  alignas(32) float times[kMaxDirections];
+  float least = direction.time;
+  for (const DiscView& people : {task.near_discs, task.far_discs}) {
+    kernel_.times_of(task, people, {}, first, kDirectionGroup, times);
+    least = std::min(least, times[direction.index]);
+  }
+  return least;
 }
 
 DirectionChoice HeuristicModel::choose(std::size_t i, const Walker& self, double to_goal,
@@ -198,9 +205,9 @@ DirectionChoice HeuristicModel::choose(std::size_t i, const Walker& self, double
   none.index = kNoDirection;
   DirectionChoice best = kernel_.choose(task, 0, candidates_.main_count(), none);
   const bool blocked_soon = best.time < static_cast<float>(parameters.turn_time);
-  if (!scratch.turned && blocked_soon && meets_people(task)) {
+  if (!scratch.turned && blocked_soon && meets_people(task, best.index)) {
     scratch.turned = true;
-    see_persons(i, self, Shoulders::turned(), scratch, task);
+    see_again(i, self, Shoulders::turned(), task.horizon, scratch, task);
     best = kernel_.choose(task, 0, candidates_.main_count(), none);
   }
   const bool blocked = best.time * self.speed < static_cast<float>(parameters.near_distance);

@@ -29,17 +29,20 @@ class HeuristicModel : public WalkingModel {
 
   /// What the person is aware of, ready for the kernel, which reads it from `around`.
   DirectionTask look_around(std::size_t person, const Walker& walker, Surroundings& around) const;
-  /// Sees the others anew, as they are in the way of somebody who holds its shoulders so.
-  void see_persons(std::size_t person, const Walker& walker, const Shoulders& shoulders,
-                   Scratch& scratch, DirectionTask& task) const;
+  /// Sees the others anew, as they are in the way of somebody who holds its shoulders so, as far as
+  /// they may be touched within `horizon` [s].
+  void see_again(std::size_t person, const Walker& walker, const Shoulders& shoulders,
+                 float horizon, Scratch& scratch, DirectionTask& task) const;
   Decision decide_one(std::size_t person, Scratch& scratch) const;
   /// Turns the shoulders where people leave no room to keep them straight.
   DirectionChoice choose(std::size_t person, const Walker& walker, double to_goal,
                          DirectionTask& task, Scratch& scratch) const;
-  /// Whether somebody is met within the time to turn in any of the main directions.
-  bool meets_people(const DirectionTask& task) const;
-  /// [s] until somebody is met in that direction behind whom one keeps a distance.
-  float time_to_queue(std::size_t person, const Walker& walker, std::uint32_t direction,
+  /// Whether somebody is met within the time to turn in any of the main directions; that one is
+  /// asked first, and those beside it.
+  bool meets_people(const DirectionTask& task, std::uint32_t direction) const;
+  /// The time [s] in that direction, at most until somebody is met behind whom one keeps a
+  /// distance.
+  float time_to_queue(std::size_t person, const Walker& walker, const DirectionChoice& direction,
                       DirectionTask& task, Scratch& scratch) const;
   bool gives_way() const;
   bool extended() const;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "model/direction_kernel.hpp"
 
@@ -46,25 +47,30 @@ struct SightImpl {
           facing(Float::all(s.shoulders.facing)) {}
   };
 
-  static Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count,
-                  const Sight& sight, const SeenSpace& near, const SeenSpace& far) {
+  static Seen see(const PersonSlots& slots, std::span<const SlotGroup> groups, const Sight& sight,
+                  const SeenSpace& near, const SeenSpace& far, SlotGroup* met) {
     const Seer seer(sight);
     const PersonSlots persons = slots;
     const SeenSpace near_space = near, far_space = far;
-    Seen seen{0, 0};
-    for (std::size_t g = 0; g < count; ++g) {
+    Seen seen{0, 0, 0};
+    for (const SlotGroup group : groups) {
+      std::uint32_t picked = 0;
       for (std::uint32_t half = 0; half < kSlotGroup; half += kLanes) {
-        const std::uint32_t used = groups[g].used >> half & ((1U << kLanes) - 1U);
-        see_lanes(persons, groups[g].first + half, used, seer, near_space, far_space, seen);
+        const std::uint32_t used = group.used >> half & ((1U << kLanes) - 1U);
+        picked |= see_lanes(persons, group.first + half, used, seer, near_space, far_space, seen)
+                  << half;
       }
+      if (met != nullptr) met[seen.groups] = {group.first, picked};
+      seen.groups += picked != 0;
     }
     finish_discs(near_space, seen.near, seer.speed2);
     finish_discs(far_space, seen.far, seer.speed2);
     return seen;
   }
 
-  static void see_lanes(const PersonSlots& slots, std::size_t first, std::uint32_t used,
-                        const Seer& s, const SeenSpace& near, const SeenSpace& far, Seen& n) {
+  static std::uint32_t see_lanes(const PersonSlots& slots, std::size_t first, std::uint32_t used,
+                                 const Seer& s, const SeenSpace& near, const SeenSpace& far,
+                                 Seen& n) {
     Spotted p;
     p.x = Float::metres(slots.x + first, s.x);
     p.y = Float::metres(slots.y + first, s.y);
@@ -98,6 +104,7 @@ struct SightImpl {
     const std::uint32_t close = bits(at_least(s.near2, d2)) & lanes;
     if (close != 0) n.near += p.store(close, near, n.near);
     n.far += p.store(lanes & ~close, far, n.far);
+    return lanes;
   }
 
   /// Persons picked out.

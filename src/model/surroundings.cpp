@@ -13,11 +13,7 @@ constexpr float kNearReach = 2.5F;
 /// in line. Numerical: far above rounding, far below a body.
 constexpr float kOverlap = 1e-3F;
 
-}  // namespace
-
-void Surroundings::see_persons(const Walker& walker, const Senses& senses,
-                               const Shoulders& shoulders, const PersonGrid& grid,
-                               const DirectionKernel& kernel) {
+Sight sight_of(const Walker& walker, const Senses& senses, const Shoulders& shoulders) {
   Sight sight;
   sight.x = walker.at.x;
   sight.y = walker.at.y;
@@ -32,13 +28,36 @@ void Surroundings::see_persons(const Walker& walker, const Senses& senses,
   sight.static_reach = walker.static_reach;
   sight.reach = senses.sight;
   sight.near = std::min(kNearReach, senses.sight);
+  return sight;
+}
+
+}  // namespace
+
+void Surroundings::see_persons(const Walker& walker, const Senses& senses, const PersonGrid& grid,
+                               const DirectionKernel& kernel) {
+  const Sight sight = sight_of(walker, senses, Shoulders::kept_straight());
   const auto groups = grid.groups(walker.at, walker.heading, groups_);
+  met_ = see(grid, groups, sight, kernel, groups_.data()).groups;
+}
+
+void Surroundings::see_again(const Walker& walker, const Senses& senses, const Shoulders& shoulders,
+                             float horizon, const PersonGrid& grid,
+                             const DirectionKernel& kernel) {
+  Sight sight = sight_of(walker, senses, shoulders);
+  sight.horizon = std::min(sight.horizon, horizon);
+  // Nobody is in the way of narrower bodies who is not in that of straight ones.
+  see(grid, {groups_.data(), met_}, sight, kernel, nullptr);
+}
+
+Seen Surroundings::see(const PersonGrid& grid, std::span<const SlotGroup> groups,
+                       const Sight& sight, const DirectionKernel& kernel, SlotGroup* met) {
   const std::size_t most = groups.size() * kSlotGroup;
   const Seen seen =
-      kernel.see(grid.slots(), groups.data(), groups.size(), sight,
-                 near_room_.space(most, near_persons_), far_room_.space(most, far_persons_));
+      kernel.see(grid.slots(), groups, sight, near_room_.space(most, near_persons_),
+                 far_room_.space(most, far_persons_), met);
   near_persons_.size = seen.near;
   far_persons_.size = seen.far;
+  return seen;
 }
 
 SeenSpace Surroundings::Room::space(std::size_t persons, DiscList& discs) {

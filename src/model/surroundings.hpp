@@ -18,8 +18,13 @@ namespace pedzone {
 /// Refilled for each person; no allocation once sizes have settled.
 class Surroundings {
  public:
-  void see_persons(const Walker& walker, const Senses& senses, const Shoulders& shoulders,
-                   const PersonGrid& grid, const DirectionKernel& kernel);
+  /// Everybody, with straight shoulders.
+  void see_persons(const Walker& walker, const Senses& senses, const PersonGrid& grid,
+                   const DirectionKernel& kernel);
+  /// The same people anew, as they are in the way of somebody who holds its shoulders so, and of
+  /// these whoever may be touched within `horizon` [s], at most that of before.
+  void see_again(const Walker& walker, const Senses& senses, const Shoulders& shoulders,
+                 float horizon, const PersonGrid& grid, const DirectionKernel& kernel);
   void see_walls(const Walker& walker, const WallTiles& walls);
   /// `near`: indices into `vehicles` of those that may matter; `soon` [s]: see threatened();
   /// `minds(index)`: whether the person minds that one, if it perceives it. To be called last.
@@ -70,10 +75,14 @@ class Surroundings {
     SeenSpace space(std::size_t persons, DiscList& discs);
   };
 
+  Seen see(const PersonGrid& grid, std::span<const SlotGroup> groups, const Sight& sight,
+           const DirectionKernel& kernel, SlotGroup* met);
+
   Room near_room_, far_room_;
   DiscList near_persons_, far_persons_, vehicle_discs_, still_discs_;
   FaceList vehicle_faces_, still_faces_;
   std::vector<SlotGroup> groups_;
+  std::size_t met_ = 0;  ///< of the groups, after see_persons(): those with anybody to be minded
   std::vector<Segment> segments_;
   std::vector<VehicleView> vehicles_;
   float nearest_bar_ = std::numeric_limits<float>::infinity();

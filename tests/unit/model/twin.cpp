@@ -45,14 +45,16 @@ float with_faces(const FaceView& faces, Velocity e, float u) {
   return u;
 }
 
-/// Everybody in view, without asking who could be touched, all in the far space.
-Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count, const Sight& s,
-         const SeenSpace&, const SeenSpace& far) {
+/// Everybody in view, without asking who could be touched, all in the far space; no group is left
+/// out of those met.
+Seen see(const PersonSlots& slots, std::span<const SlotGroup> groups, const Sight& s,
+         const SeenSpace&, const SeenSpace& far, SlotGroup* met) {
+  if (met != nullptr) std::ranges::copy(groups, met);
   std::size_t n = 0;
-  for (std::size_t g = 0; g < count; ++g) {
+  for (const SlotGroup& group : groups) {
     for (std::uint32_t i = 0; i < kSlotGroup; ++i) {
-      if ((groups[g].used >> i & 1U) == 0) continue;
-      const std::size_t j = groups[g].first + i;
+      if ((group.used >> i & 1U) == 0) continue;
+      const std::size_t j = group.first + i;
       const float x = lattice_difference(slots.x[j], s.x), y = lattice_difference(slots.y[j], s.y);
       const float d2 = x * x + y * y;
       if (d2 > s.reach * s.reach || d2 == 0.0F) continue;
@@ -80,7 +82,7 @@ Seen see(const PersonSlots& slots, const SlotGroup* groups, std::size_t count, c
       out.wy[k] = 2.0F * gamma * vy;
     }
   }
-  return {0, n};
+  return {0, n, groups.size()};
 }
 
 DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t count,
