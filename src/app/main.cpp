@@ -81,8 +81,9 @@ void add_inspect(CLI::App& app, InspectOptions& options, int& code) {
 }
 
 void add_parameters(CLI::App& app) {
-  app.add_subcommand("parameters", "Print the table of all parameters of a zone file (Markdown)")
-      ->callback([] { fmt::print("{}", parameter_table()); });
+  app.add_subcommand("parameters",
+                     "Print the tables of a zone's parameters and of <pedestrians> (Markdown)")
+      ->callback([] { fmt::print("{}", parameter_tables()); });
 }
 
 void add_profiles(CLI::App& app) {

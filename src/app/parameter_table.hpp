@@ -1,11 +1,11 @@
-// The reference table of all parameters, made from the code's own list.
+// The reference tables of what a zone file can say, made from the code's own lists.
 #pragma once
 
 #include <string>
 
 namespace pedzone {
 
-/// Markdown, one row a parameter.
-std::string parameter_table();
+/// Markdown: a row for each parameter of a zone, then one for each attribute of <pedestrians>.
+std::string parameter_tables();
 
 }  // namespace pedzone

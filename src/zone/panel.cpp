@@ -37,7 +37,7 @@ constexpr PanelField kFields[] = {
      "shares of people; what is left goes to the other profiles"},
     {"activities", "activities", "ACTIVITY=SHARE ...", "none",
      "shares of people who do it now and then, each person one at most"},
-    {"path", "path", "id of a <path>", "none", "waypoints that they follow"},
+    {"path", "path", "id of a path", "none", "waypoints that they follow"},
     {"atEnd", "at-end", "leave, stay", "leave", "what they do where the walk ends"},
 };
 

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""The commands of the scenarios' READMEs run as they stand there.
+"""The commands of the READMEs of scenarios and source run as they stand there.
 
 usage: readme_commands.py PEDZONE PROJECT_FOLDER
 
-Every block of lines indented by four spaces in scenarios/*/README.md is typed, in a copy of the
-project's folders that it names; simulations end after 20 s of simulated time, studies have one
-seed. Commands that need a display (sumo-gui) are left out. Exit code: 0 when all of them ran.
+Every block of lines indented by four spaces in scenarios/*/README.md and src/*/README.md is typed,
+in a copy of the project's folders that it names; simulations end after 20 s of simulated time,
+studies have one seed. Commands that need a display (sumo-gui) are left out. Exit code: 0 when all
+of them ran.
 """
 
 import os
@@ -53,7 +54,8 @@ def main():
             shorten(study)
         for part in ("tests", "tools"):
             (folder / part).symlink_to(project / part)
-        for readme in sorted((project / "scenarios").glob("*/README.md")):
+        for readme in sorted([*project.glob("scenarios/*/README.md"),
+                              *project.glob("src/*/README.md")]):
             for script in commands(readme):
                 count += 1
                 done = subprocess.run(["bash", "-euc", script], cwd=folder, env=env, text=True,
