@@ -19,6 +19,9 @@
 #include "study/run/versions.hpp"
 
 namespace pedzone {
+
+using namespace study;
+
 namespace {
 
 constexpr int kIdleArrays = 3;  // assumed: after so many that finish nothing in a row, none will

@@ -7,6 +7,9 @@
 #include "study/report/report_verdict.hpp"
 
 namespace pedzone {
+
+using namespace study;
+
 namespace {
 
 void write(const Store& store, const std::string& name, const std::string& text) {

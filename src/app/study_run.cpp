@@ -12,6 +12,9 @@
 #include "study/run/versions.hpp"
 
 namespace pedzone {
+
+using namespace study;
+
 namespace {
 
 int jobs_of(const StudyRunOptions& options) {

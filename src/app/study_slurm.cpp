@@ -8,6 +8,9 @@
 #include "study/run/versions.hpp"
 
 namespace pedzone {
+
+using namespace study;
+
 namespace {
 
 /// For the aggregate job, that it can submit what is missing in the same way.

@@ -12,7 +12,7 @@ namespace pedzone {
 
 struct StudySlurmOptions {
   bool wanted = false;  ///< --slurm
-  SlurmOptions sbatch;
+  study::SlurmOptions sbatch;
 };
 
 /// Adds --slurm and what goes with it to `study run`.
@@ -23,15 +23,15 @@ void add_slurm_jobs(CLI::App& study, int& code);
 
 /// Submits runs of a study, whose lock is held, and says so. `idle`: how many arrays in a row have
 /// finished none of them. Throws InputError.
-void submit_runs(const Store& store, const std::vector<std::string>& runs,
-                 const SlurmOptions& options, int idle);
+void submit_runs(const study::Store& store, const std::vector<std::string>& runs,
+                 const study::SlurmOptions& options, int idle);
 
 /// Submits what is missing of a study, whose lock is held, and says how to follow and to cancel it;
 /// false where nothing is missing. Throws InputError.
-bool submit_study(const Store& store, const Plan& plan, bool retry_failed,
-                  const SlurmOptions& options);
+bool submit_study(const study::Store& store, const study::Plan& plan, bool retry_failed,
+                  const study::SlurmOptions& options);
 
 /// Prints a line for each job that a study has with Slurm.
-void print_slurm_jobs(const Store& store);
+void print_slurm_jobs(const study::Store& store);
 
 }  // namespace pedzone

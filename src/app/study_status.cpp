@@ -6,6 +6,9 @@
 #include "app/study_results.hpp"
 
 namespace pedzone {
+
+using namespace study;
+
 namespace {
 
 /// [s] that the missing runs will take one after the other, by what the others took; 0: not known.

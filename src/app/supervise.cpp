@@ -15,6 +15,8 @@
 
 namespace pedzone {
 
+using study::die_with_parent;
+
 int supervise(const std::function<int()>& work, const std::vector<std::string>& outputs) {
   std::fflush(nullptr);
   const pid_t parent = getpid();

@@ -15,7 +15,7 @@
 #include "study/compare/statistics.hpp"
 #include "study/measure/measure_list.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr std::uint64_t kRepetitions = 200;
@@ -121,7 +121,7 @@ nlohmann::ordered_json study(const Table& table, const std::string& scenario,
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study
 
 int main(int argc, char** argv) {
   if (argc != 4) {
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const auto found = pedzone::study(pedzone::read_table(argv[1]), argv[2], argv[3]);
+    const auto found = pedzone::study::study(pedzone::study::read_table(argv[1]), argv[2], argv[3]);
     std::puts(found.dump(1).c_str());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "Error: %s\n", error.what());

@@ -9,7 +9,7 @@
 int main(int count, char** words) {
   if (count != 2) return 2;
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
-  for (const pedzone::PlannedRun& run : pedzone::Store::open(words[1]).plan().runs) {
+  for (const pedzone::study::PlannedRun& run : pedzone::study::Store::open(words[1]).plan().runs) {
     runs.push_back({{"id", run.id}, {"definition", run.definition}});
   }
   std::puts(runs.dump().c_str());

@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "core/statistics.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr std::size_t kResamples = 2000;  // Efron and Tibshirani 1993, section 14.3: B = 2000
@@ -101,4 +101,4 @@ Interval bootstrap_mean(std::span<const double> sample, std::uint64_t seed) {
   return {end(-width), end(width)};
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

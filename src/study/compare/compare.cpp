@@ -7,7 +7,7 @@
 #include "study/compare/results.hpp"
 #include "study/measure/measure_list.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr double kLevel = 0.05;            // of significance, usual
@@ -147,4 +147,4 @@ std::vector<Comparison> compare(const Plan& plan, const Records& records) {
   return comparisons;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

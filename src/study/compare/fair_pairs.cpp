@@ -6,7 +6,7 @@
 #include "study/compare/measured.hpp"
 #include "study/compare/results.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr double kAgreement = 0.02;  // project's requirement on a model's free speed
@@ -101,4 +101,4 @@ std::vector<UnequalDemand> unequal_demands(const Plan& plan, const Records& reco
   return all;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace pedzone {
+namespace pedzone::study {
 
 bool is_done(const std::optional<RunRecord>& record) {
   return record && record->status == RunStatus::kDone;
@@ -20,4 +20,4 @@ std::optional<double> measured(const std::optional<RunRecord>& record, const std
   return found->second;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -7,7 +7,7 @@
 
 #include "study/run/record.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 bool is_done(const std::optional<RunRecord>& record);
 /// For tables: done, failed, or missing (not run yet, or to be run again).
@@ -15,4 +15,4 @@ std::string_view table_status(const std::optional<RunRecord>& record);
 /// A measure of a run that is done; unset where it is undefined.
 std::optional<double> measured(const std::optional<RunRecord>& record, const std::string& key);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -10,7 +10,7 @@
 #include "study/plan/plan.hpp"
 #include "study/run/record.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// How a comparison comes out.
 enum class Finding {
@@ -77,4 +77,4 @@ std::string summary_json(const Plan& plan, const Records& records,
                          const std::vector<Comparison>& comparisons,
                          const std::vector<FreeSpeed>& speeds);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

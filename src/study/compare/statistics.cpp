@@ -9,7 +9,7 @@
 #include "core/statistics.hpp"
 #include "study/compare/bootstrap.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr double kTail = 0.025;  // of a two-sided 95 % interval
@@ -133,4 +133,4 @@ std::size_t seeds_needed(double sd, double half_width) {
   return low;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

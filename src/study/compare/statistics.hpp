@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 struct Interval {
   double low, high;
@@ -45,4 +45,4 @@ std::vector<double> holm(std::span<const double> p);
 /// `half_width` > 0, given the standard deviation of the differences. 2 to a million.
 std::size_t seeds_needed(double sd, double half_width);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -5,7 +5,7 @@
 #include "study/compare/results.hpp"
 #include "study/measure/measure_list.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -179,4 +179,4 @@ std::string summary_json(const Plan& plan, const Records& records,
   return summary.dump(kIndent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

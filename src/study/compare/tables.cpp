@@ -6,7 +6,7 @@
 #include "study/compare/results.hpp"
 #include "study/measure/measure_list.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// A line of CSV in the making.
@@ -136,4 +136,4 @@ std::string summary_csv(const Plan& plan, const std::vector<Comparison>& compari
   return table;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,7 +4,7 @@
 
 #include "core/statistics.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 struct TypeKey {
@@ -64,4 +64,4 @@ void ConflictMeasures::finish(std::map<std::string, double>& values) const {
   if (!clearance_.empty()) values["conflict.clearance"] = std::ranges::min(clearance_);
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

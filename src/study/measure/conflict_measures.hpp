@@ -7,7 +7,7 @@
 
 #include "conflict/conflict.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// [s] serious where the TTC falls below (Hydén 1987 and later practice) ...
 inline constexpr double kSeriousTtc = 1.5;
@@ -30,4 +30,4 @@ class ConflictMeasures {
   std::vector<double> ttc_, pet_, drac_, clearance_;
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// [m²] per person at least for levels A to E (Fruin 1971, Pedestrian Planning and Design,
@@ -70,4 +70,4 @@ void Crowding::finish(std::map<std::string, double>& values) const {
   values["space.jammed"] = jammed_ / time_;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

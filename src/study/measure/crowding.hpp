@@ -14,7 +14,7 @@
 
 #include "study/measure/walkers.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// [m] assumed: the least in which 1 to 3 persons are at level A and no level is without a number
 /// of persons.
@@ -63,4 +63,4 @@ class Crowding {
   std::array<double, 6> level_time_{};  ///< [s]
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

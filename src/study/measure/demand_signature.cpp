@@ -7,7 +7,7 @@
 #include "core/text.hpp"
 #include "study/plan/checksum.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 template <typename Trip>
@@ -30,4 +30,4 @@ std::map<std::string, std::string> demand_signature(const Trips& trips) {
   return {{"persons", signature(trips.persons)}, {"vehicles", signature(trips.vehicles)}};
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,9 +6,9 @@
 
 #include "study/measure/tripinfo_reader.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// "persons" and "vehicles": SHA-256 of their lines `id,type,intended departure [s]`, sorted.
 std::map<std::string, std::string> demand_signature(const Trips& trips);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <map>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// Cells are told apart by halves of a number; biased, so that its order is theirs.
@@ -39,4 +39,4 @@ std::string DensityGrid::csv() const {
   return text;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

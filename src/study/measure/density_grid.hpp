@@ -8,7 +8,7 @@
 
 #include "study/measure/walkers.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 inline constexpr double kCell = 2.0;  ///< [m]
 
@@ -24,4 +24,4 @@ class DensityGrid {
   std::unordered_map<std::uint64_t, double> time_;  ///< [s] by row and column
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -9,7 +9,7 @@
 #include "core/vec.hpp"
 #include "core/xml_stream.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr double kMoving = 0.3;      // [m/s] assumed: slower is a stop or a wait, and its ends
@@ -106,4 +106,4 @@ std::map<std::string, double> free_speeds_of(const std::string& fcd,
   return speeds.speeds();
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Free speed [m/s] by person id, from a free-speed run: distance over time from SUMO's own
 /// floating-car data while the person moves, where the model itself walks it.
@@ -17,4 +17,4 @@ namespace pedzone {
 std::map<std::string, double> free_speeds_of(const std::string& fcd,
                                              const std::string& trajectories);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

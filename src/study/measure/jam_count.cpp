@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/xml.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 double jams_of_sumo(const std::string& path) {
@@ -36,4 +36,4 @@ void count_jams(const std::string& folder, std::map<std::string, double>& values
   values["person.jams"] = jams;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using enum Better;
@@ -106,4 +106,4 @@ const Measure* find_measure(std::string_view key) {
   return found == std::end(kMeasures) ? nullptr : found;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

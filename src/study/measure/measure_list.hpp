@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace pedzone {
+namespace pedzone::study {
 
 enum class Better { kLower, kHigher, kNeither };
 
@@ -22,4 +22,4 @@ std::span<const Measure> measure_list();
 /// Null where there is none.
 const Measure* find_measure(std::string_view key);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -19,7 +19,7 @@
 #include "sumo/fcd_reader.hpp"
 #include "sumo/scenario.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// For messages where a file cannot be written.
@@ -154,4 +154,4 @@ RunMeasures measure_run(const RunOutputs& outputs, const Place& place) {
   return measures;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 
 #include "view/place.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 inline constexpr const char* kZoneConflicts = "zone-conflicts.csv";
 
@@ -33,4 +33,4 @@ struct RunMeasures {
 /// not of one run.
 RunMeasures measure_run(const RunOutputs& outputs, const Place& place);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 std::string mean(double sum, double time) {
@@ -40,4 +40,4 @@ std::string RunSeries::csv() const {
   return text;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -8,7 +8,7 @@
 #include "conflict/tracker.hpp"
 #include "study/measure/walkers.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 inline constexpr double kWindow = 10.0;  ///< [s]
 
@@ -55,4 +55,4 @@ class RunSeries {
   std::vector<Window> windows_;
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -1,6 +1,6 @@
 #include "study/measure/trip_measures.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// What persons' and vehicles' trips have in common.
@@ -30,4 +30,4 @@ void measure_trips(const Trips& trips, double end, std::map<std::string, double>
   values["vehicle.delay"] = delay / static_cast<double>(trips.vehicles.size());
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

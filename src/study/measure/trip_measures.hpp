@@ -11,10 +11,10 @@
 
 #include "study/measure/tripinfo_reader.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Appends person.travelTime, person.arrived, person.count, vehicle.travelTime, vehicle.delay,
 /// vehicle.arrived, vehicle.count. `trips`: settled at the end of the run [s] `end`.
 void measure_trips(const Trips& trips, double end, std::map<std::string, double>& values);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

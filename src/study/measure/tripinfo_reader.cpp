@@ -4,7 +4,7 @@
 
 #include "core/xml_stream.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr NumberRange kTimes{-1e9, 1e9};    // [s]
@@ -86,4 +86,4 @@ void settle(Trips& trips, double end) {
   std::erase_if(trips.vehicles, too_late);
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

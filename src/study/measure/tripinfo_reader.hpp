@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// A <walk> of a person's plan that was begun.
 struct WalkStage {
@@ -46,4 +46,4 @@ Trips read_tripinfo(const std::string& file);
 /// them SUMO has loaded says nothing.
 void settle(Trips& trips, double end);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

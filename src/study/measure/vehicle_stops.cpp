@@ -2,7 +2,7 @@
 
 #include "study/measure/walkers.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 void VehicleStops::step(std::span<const VehicleSample> vehicles) {
   for (const VehicleSample& vehicle : vehicles) {
@@ -17,4 +17,4 @@ void VehicleStops::step(std::span<const VehicleSample> vehicles) {
   }
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

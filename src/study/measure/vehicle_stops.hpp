@@ -8,7 +8,7 @@
 
 #include "conflict/tracker.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// [m/s] assumed: a vehicle is under way again at walking pace. SUMO's own waitingCount takes every
 /// crossing of 0.1 m/s for a stop, and counts dozens where a vehicle creeps.
@@ -26,4 +26,4 @@ class VehicleStops {
   std::size_t count_ = 0;
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

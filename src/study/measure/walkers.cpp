@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 Walkers::Walkers(const Trips& trips, const std::vector<Zone>& zones)
     : trips_(trips), zones_(zones), stage_(trips.persons.size(), 0) {
@@ -41,4 +41,4 @@ int zone_at(const std::vector<Zone>& zones, const Vec2& at) {
   return Walker::kNowhere;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

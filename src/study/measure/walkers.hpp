@@ -11,7 +11,7 @@
 #include "study/measure/tripinfo_reader.hpp"
 #include "zone/zone.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// [m/s] SUMO's: slower is standing.
 inline constexpr double kStanding = 0.1;
@@ -48,4 +48,4 @@ class Walkers {
 /// Index of the first zone in whose walkable area a place is, or Walker::kNowhere.
 int zone_at(const std::vector<Zone>& zones, const Vec2& at);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pedzone {
+namespace pedzone::study {
 
 ZoneStays::ZoneStays(const Trips& trips, const Network& network, const std::vector<Zone>& zones)
     : stays_(trips.persons.size()) {
@@ -41,4 +41,4 @@ bool ZoneStays::cover(std::string_view person, double time) const {
   return before != kOutside && before == after;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -9,7 +9,7 @@
 
 #include "study/measure/walkers.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 class ZoneStays {
  public:
@@ -37,4 +37,4 @@ class ZoneStays {
   std::vector<std::vector<Stay>> stays_;  ///< by person; neighbours are in different places
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// Length [m] of a shortest way, infinite where there is none. It ends with the part from the last
@@ -107,4 +107,4 @@ void ZoneWalks::finish(std::map<std::string, double>& values) {
   if (shortest > 0.0) values["person.detour"] = walked / shortest;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

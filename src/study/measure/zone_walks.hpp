@@ -15,7 +15,7 @@
 
 #include "study/measure/walkers.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// [s] assumed: at walking pace past any corner; nobody leaves by one side and is back by then.
 inline constexpr double kGap = 5.0;
@@ -65,4 +65,4 @@ class ZoneWalks {
   std::vector<Person> persons_;  ///< as Trips::persons
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

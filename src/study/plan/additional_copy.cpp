@@ -6,7 +6,7 @@
 
 #include "core/xml.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ std::vector<std::string> files_named_in(const std::string& file) {
   return found;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// The text of a copy to lie elsewhere; unset where the file itself can be read. In the copy: what
 /// it has SUMO write goes to files whose names begin with the path `outputs`, what it reads is
@@ -23,4 +23,4 @@ std::vector<std::string> files_named_in(const std::string& file);
 /// Removes what makes groups of persons below a node; returns whether there was any.
 bool dissolve_groups(pugi::xml_node root);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

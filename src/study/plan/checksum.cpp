@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace pedzone {
+namespace pedzone::study {
 
 std::string sha256_hex(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
@@ -22,4 +22,4 @@ std::string sha256_hex(std::string_view bytes) {
   return hex;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// SHA-256 of some bytes, as 64 hexadecimal digits.
 std::string sha256_hex(std::string_view bytes);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

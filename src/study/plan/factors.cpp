@@ -7,7 +7,7 @@
 #include "study/plan/joined.hpp"
 #include "study/plan/setting.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr SettingKind kKinds[] = {SettingKind::kSumo, SettingKind::kPanel, SettingKind::kParameter,
@@ -214,4 +214,4 @@ void read_factors(const XmlFile& file, Study& study) {
   if (study.combinations.empty()) study.combinations = all_combinations(file, study);
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

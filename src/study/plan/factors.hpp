@@ -6,7 +6,7 @@
 #include "core/xml.hpp"
 #include "study/plan/study_file.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 inline constexpr std::size_t kMostRuns = 1'000'000;  ///< numerical: a plan is held in memory
 
@@ -14,4 +14,4 @@ inline constexpr std::size_t kMostRuns = 1'000'000;  ///< numerical: a plan is h
 /// Throws InputError.
 void read_factors(const XmlFile& file, Study& study);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -12,7 +12,7 @@
 #include "study/plan/additional_copy.hpp"
 #include "study/plan/walk_lengths.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr double kLeastInZone = 30.0;  // [m] assumed: some 20 s under each model's control
@@ -205,4 +205,4 @@ FreeSpeedDemand free_speed_demand(const FreeSpeedInput& input) {
   return demand;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -8,7 +8,7 @@
 
 #include "sumo/scenario.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 struct FreeSpeedInput {
   const Scenario& scenario;
@@ -31,4 +31,4 @@ inline constexpr std::size_t kFreeSpeedPersons = 12;  ///< assumed: enough for a
 /// are dissolved. Throws InputError where nobody walks through a zone.
 FreeSpeedDemand free_speed_demand(const FreeSpeedInput& input);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

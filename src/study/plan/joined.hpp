@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// "a, b, c"
 template <class List, class Name = std::identity>
@@ -16,4 +16,4 @@ std::string joined(const List& list, Name name = {}) {
   return text;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

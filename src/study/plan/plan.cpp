@@ -12,7 +12,7 @@
 #include "study/plan/setting.hpp"
 #include "sumo/scenario.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -192,4 +192,4 @@ std::size_t Plan::run_of(RunKind kind, std::size_t condition, const std::string&
   return run_index.at(row * study.models.size() + place(study.models, model));
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

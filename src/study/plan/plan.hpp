@@ -11,7 +11,7 @@
 #include "study/plan/sumo_options.hpp"
 #include "sumo/scenario.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 enum class RunKind {
   kStudy,      ///< the scenario as the study says
@@ -103,4 +103,4 @@ std::string zone_text(const Plan& plan, std::size_t condition);
 /// people to be made and vehicles on a path.
 std::string zone_text(const Plan& plan, const PlannedRun& run);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

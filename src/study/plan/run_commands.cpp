@@ -16,7 +16,7 @@
 #include "world/model_names.hpp"
 #include "zone/zone.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -233,4 +233,4 @@ RunCommands run_commands(const Plan& plan, const PlannedRun& run, const std::str
   return Commands(plan, run, pedzone, folder).take();
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 
 #include "core/xml.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 const std::string kAllowed =
@@ -42,4 +42,4 @@ std::vector<std::uint64_t> parse_seeds(const std::string& text) {
   return {seeds.begin(), seeds.end()};
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 inline constexpr std::uint64_t kMostSeed = 2147483647;  ///< SUMO's option is a 32-bit number
 inline constexpr std::size_t kMostSeeds = 100000;       ///< numerical: a list is held
@@ -19,4 +19,4 @@ struct SeedListError {
 /// is none, and for words that are no seeds, ranges that run backwards and seeds named twice.
 std::vector<std::uint64_t> parse_seeds(const std::string& text);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

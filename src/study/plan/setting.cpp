@@ -11,7 +11,7 @@
 #include "zone/panel.hpp"
 #include "zone/zone_file.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// Attributes of <zone> that may vary. What walks the zone is said by the study's models.
@@ -136,4 +136,4 @@ ZoneFile zone_file_of(const Study& study, const StudyScenario& scenario,
   return file;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

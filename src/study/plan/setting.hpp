@@ -6,7 +6,7 @@
 #include "study/plan/study_file.hpp"
 #include "zone/zone_file.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Why a setting is none.
 struct SettingError {
@@ -26,4 +26,4 @@ void check_setting(Setting& setting);
 ZoneFile zone_file_of(const Study& study, const StudyScenario& scenario,
                       const std::vector<Setting>& settings);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

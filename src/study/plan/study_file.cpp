@@ -14,7 +14,7 @@
 #include "world/model_names.hpp"
 #include "zone/zone_file.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -209,4 +209,4 @@ Study read_study(const std::string& file, const std::string& folder, const std::
   return Reader(file, folder, id).read();
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// SUMO's own pedestrian models that a study may name beside pedzone's.
 inline constexpr const char* kStriping = "striping";
@@ -73,4 +73,4 @@ struct Study {
 Study read_study(const std::string& file, const std::string& folder = "",
                  const std::string& id = "");
 
-}  // namespace pedzone
+}  // namespace pedzone::study

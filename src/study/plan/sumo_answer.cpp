@@ -5,7 +5,7 @@
 #include "core/command_output.hpp"
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 std::string sumo_answer(const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"sumo"};
@@ -22,4 +22,4 @@ std::string sumo_answer(const std::vector<std::string>& arguments) {
   return std::move(said->out);
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -10,7 +10,7 @@
 #include "study/plan/sumo_answer.hpp"
 #include "sumo/file_list.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 struct OptionInfo {
@@ -216,4 +216,4 @@ bool names_output_file(std::string_view option) {
   return option == "log" || option == "message-log" || option == "error-log";
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 struct Study;
 
@@ -57,4 +57,4 @@ SumoOptions with_absolute_files(const SumoOptions& options, const Study& study);
 /// Whether an option's value is a file that SUMO writes.
 bool names_output_file(std::string_view option);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,7 +4,7 @@
 #include <map>
 #include <queue>
 
-namespace pedzone {
+namespace pedzone::study {
 
 WalkLengths::WalkLengths(const Network& network, const std::unordered_set<int>& zone_edges)
     : network_(network), zone_edges_(zone_edges) {
@@ -72,4 +72,4 @@ std::optional<WalkLength> WalkLengths::between(const std::string& from,
   return std::nullopt;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

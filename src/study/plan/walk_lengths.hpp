@@ -9,7 +9,7 @@
 
 #include "zone/network.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 struct WalkLength {
   double total = 0.0, in_zone = 0.0;  ///< [m]
@@ -41,4 +41,4 @@ class WalkLengths {
   std::unordered_map<std::string, std::vector<Step>> steps_;  ///< by junction
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

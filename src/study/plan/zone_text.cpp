@@ -8,7 +8,7 @@
 #include "study/plan/setting.hpp"
 #include "zone/zone_file.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,4 +107,4 @@ std::string zone_text(const Plan& plan, const PlannedRun& run) {
                  });
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 
 #include "core/csv_stream.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr double kLongest = 300.0;          // [s] numerical: what fits a page and one looks at
@@ -61,4 +61,4 @@ std::optional<TimeWindow> busiest_window(const std::vector<std::string>& series)
   return std::nullopt;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

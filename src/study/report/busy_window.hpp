@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 struct TimeWindow {
   double begin, end;  ///< [s]
@@ -16,4 +16,4 @@ struct TimeWindow {
 /// that a page can hold it. Unset where nobody ever is, or a file is missing or broken.
 std::optional<TimeWindow> busiest_window(const std::vector<std::string>& series);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

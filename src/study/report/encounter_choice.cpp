@@ -5,7 +5,7 @@
 
 #include "study/measure/conflict_measures.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::vector<EncounterChoice::Place> EncounterChoice::most_dangerous(std::size_t 
   return places;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

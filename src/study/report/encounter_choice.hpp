@@ -10,7 +10,7 @@
 
 #include "conflict/conflict.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// How dangerous an encounter was: less is more dangerous, by kind and then value. With a vehicle
 /// that moves before those with one that stands; of either, contacts first, the hardest (greatest
@@ -53,4 +53,4 @@ class EncounterChoice {
   std::vector<Candidate> candidates_;
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

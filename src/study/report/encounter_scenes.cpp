@@ -14,7 +14,7 @@
 #include "view/animation.hpp"
 #include "view/time_plot.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr std::size_t kMost = 3;      // of each model
@@ -212,4 +212,4 @@ std::vector<Scene> encounter_scenes(const Store& store, const Plan& plan, const 
   return scenes;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -13,7 +13,7 @@
 #include "view/path_plot.hpp"
 #include "view/svg_row.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr double kRate = 2.0;         // [1/s] numerical: the page moves people evenly in between
@@ -137,4 +137,4 @@ std::vector<Scene> median_scenes(const Store& store, const Plan& plan, const Rec
   return scenes;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

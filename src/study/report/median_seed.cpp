@@ -6,7 +6,7 @@
 
 #include "study/measure/measure_list.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// How far each value's rank is from the middle rank.
@@ -117,4 +117,4 @@ std::optional<MedianPair> median_pair(const Plan& plan, const Records& records,
   return chosen;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -9,7 +9,7 @@
 
 #include "study/compare/results.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// The row that lies closest to the middle of a table, all columns together: the least sum, over
 /// columns, of how far the value's rank is from the middle rank; equal values share their mean
@@ -33,4 +33,4 @@ struct MedianPair {
 std::optional<MedianPair> median_pair(const Plan& plan, const Records& records,
                                       std::size_t condition, const std::string& model);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -1,6 +1,6 @@
 #include "study/report/recording_clip.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 Recording clipped(Recording recording, const Box& box) {
   for (RecordedPerson& person : recording.persons) {
@@ -22,4 +22,4 @@ Recording only(Recording recording, const std::string& person, const std::string
   return recording;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

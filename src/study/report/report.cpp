@@ -18,6 +18,7 @@ namespace pedzone {
 // Made from study/report by the build.
 extern const std::string_view kReportPage, kReportStyles, kReportScripts;
 
+namespace study {
 namespace report {
 namespace {
 
@@ -156,4 +157,5 @@ std::string report_page(const Store& store, const Plan& plan, const Records& rec
                         {"scene_pages", script_json(pages)}});
 }
 
+}  // namespace study
 }  // namespace pedzone

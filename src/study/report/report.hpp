@@ -6,7 +6,7 @@
 #include "study/compare/results.hpp"
 #include "study/run/store.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// The page.
 std::string report_page(const Store& store, const Plan& plan, const Records& records,
@@ -25,4 +25,4 @@ struct Scene {
 /// dangerous encounters of each model. Missing outputs leave theirs out.
 std::vector<Scene> report_scenes(const Store& store, const Plan& plan, const Records& records);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

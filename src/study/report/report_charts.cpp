@@ -9,7 +9,7 @@
 #include "study/measure/measure_list.hpp"
 #include "study/report/report_parts.hpp"
 
-namespace pedzone::report {
+namespace pedzone::study::report {
 namespace {
 
 constexpr std::size_t kMostPoints = 60;         // of runs beside a box; the box has all
@@ -167,4 +167,4 @@ Json series(const Input& input) {
   return all;
 }
 
-}  // namespace pedzone::report
+}  // namespace pedzone::study::report

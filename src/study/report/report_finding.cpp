@@ -4,7 +4,7 @@
 
 #include "study/report/report_numbers.hpp"
 
-namespace pedzone::report {
+namespace pedzone::study::report {
 namespace {
 
 struct Words {
@@ -65,4 +65,4 @@ std::string finding_sign(const Comparison& one) {
   return one.finding == Finding::kHint ? "(" + change + ")" : change;
 }
 
-}  // namespace pedzone::report
+}  // namespace pedzone::study::report

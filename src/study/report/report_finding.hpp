@@ -5,7 +5,7 @@
 
 #include "study/report/report_verdict.hpp"
 
-namespace pedzone::report {
+namespace pedzone::study::report {
 
 const char* tone_class(Sentence::Tone tone);
 std::string finding_class(const Comparison& one);
@@ -14,4 +14,4 @@ std::string finding_text(const Comparison& one);
 /// For a narrow cell: the change in percent, in brackets where it is a hint, or a sign for none.
 std::string finding_sign(const Comparison& one);
 
-}  // namespace pedzone::report
+}  // namespace pedzone::study::report

@@ -7,7 +7,7 @@
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_verdict.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// "0.4 % slower than striping", of deviations of one sign or not.
@@ -105,4 +105,4 @@ std::vector<Sentence> free_speed_sentences(std::span<const FreeSpeed> speeds, co
   return sentences;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

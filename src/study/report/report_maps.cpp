@@ -17,7 +17,7 @@
 #include "view/place.hpp"
 #include "view/zone_map.hpp"
 
-namespace pedzone::report {
+namespace pedzone::study::report {
 namespace {
 
 constexpr double kCell = 2.0;          // [m] of density.csv
@@ -318,4 +318,4 @@ Json maps_part(const Input& input) {
   return {{"conditions", conditions}, {"grounds", grounds}};
 }
 
-}  // namespace pedzone::report
+}  // namespace pedzone::study::report

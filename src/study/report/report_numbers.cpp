@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr int kMostDecimals = 6;
@@ -86,4 +86,4 @@ std::string signed_percent(double percent) {
   return (percent < 0.0 ? kMinus : "+") + text;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 
 #include "study/compare/results.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Decimals with which a number is told that is known to within `uncertainty` (>= 0): two digits
 /// of it. 0 to 6.
@@ -34,4 +34,4 @@ std::optional<double> percent_of(const Comparison& comparison);
 std::string percent_text(double percent);
 std::string signed_percent(double percent);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

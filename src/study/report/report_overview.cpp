@@ -5,7 +5,7 @@
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
 
-namespace pedzone::report {
+namespace pedzone::study::report {
 namespace {
 
 constexpr std::size_t kMostColumns = 4;  // of the overview: more become its rows
@@ -116,4 +116,4 @@ Json verdict_part(const Input& input) {
   return {{"free", free}, {"models", models}, {"overview", overview(input)}};
 }
 
-}  // namespace pedzone::report
+}  // namespace pedzone::study::report

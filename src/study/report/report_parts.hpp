@@ -8,7 +8,7 @@
 #include "study/report/report_verdict.hpp"
 #include "study/run/store.hpp"
 
-namespace pedzone::report {
+namespace pedzone::study::report {
 
 using Json = nlohmann::ordered_json;
 
@@ -52,4 +52,4 @@ Json failures_part(const Input& input);
 Json distributions(const Input& input);
 Json series(const Input& input);
 
-}  // namespace pedzone::report
+}  // namespace pedzone::study::report

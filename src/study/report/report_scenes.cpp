@@ -1,7 +1,7 @@
 #include "study/report/report.hpp"
 #include "study/report/scene_parts.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 std::vector<Scene> report_scenes(const Store& store, const Plan& plan, const Records& records) {
   RunPlaces places(plan);
@@ -11,4 +11,4 @@ std::vector<Scene> report_scenes(const Store& store, const Plan& plan, const Rec
   return scenes;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

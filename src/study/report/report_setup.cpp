@@ -7,7 +7,7 @@
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
 
-namespace pedzone::report {
+namespace pedzone::study::report {
 namespace {
 
 constexpr std::size_t kMostFailures = 40;  // shown; the others are in runs.csv
@@ -200,4 +200,4 @@ Json failures_part(const Input& input) {
           {"cut", failed > kMostFailures}};
 }
 
-}  // namespace pedzone::report
+}  // namespace pedzone::study::report

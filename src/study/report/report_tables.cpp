@@ -8,7 +8,7 @@
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
 
-namespace pedzone::report {
+namespace pedzone::study::report {
 namespace {
 
 constexpr std::size_t kMostRows = 2000;  // of the table of everything; more are in summary.csv
@@ -197,4 +197,4 @@ Json tables_part(const Input& input) {
           {"glossary", glossary()}};
 }
 
-}  // namespace pedzone::report
+}  // namespace pedzone::study::report

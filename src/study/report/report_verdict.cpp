@@ -8,7 +8,7 @@
 
 #include "study/report/report_numbers.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr std::size_t kManySeeds = 1000;  // nobody runs so many: their number says nothing
@@ -264,4 +264,4 @@ Sentence overall_sentence(std::span<const Comparison> comparisons, std::string_v
   return sentence;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

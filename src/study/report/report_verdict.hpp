@@ -8,7 +8,7 @@
 #include "study/compare/results.hpp"
 #include "study/measure/measure_list.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// A sentence of which the beginning matters most.
 struct Sentence {
@@ -44,4 +44,4 @@ std::string measure_label(const Measure& measure);
 /// Tone of a difference by the measure's sense.
 Sentence::Tone tone_of(const Comparison& comparison);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

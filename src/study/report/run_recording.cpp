@@ -8,7 +8,7 @@
 
 #include "sumo/place_reader.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,4 +46,4 @@ RecordingCast run_cast(const Plan& plan, const PlannedRun& run, const std::strin
   return cast;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

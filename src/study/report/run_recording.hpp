@@ -8,7 +8,7 @@
 #include "sumo/recording_reader.hpp"
 #include "view/place.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Floating-car data of a run, in its folder.
 inline constexpr const char* kFcdName = "fcd.xml.gz";
@@ -31,4 +31,4 @@ class RunPlaces {
 /// Throws InputError.
 RecordingCast run_cast(const Plan& plan, const PlannedRun& run, const std::string& folder);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 #include "study/report/report.hpp"
 #include "study/report/run_recording.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// For each scenario and each model but the reference: the pair of runs of the median seed in the
 /// middle condition side by side, in its busiest window.
@@ -17,4 +17,4 @@ std::vector<Scene> median_scenes(const Store& store, const Plan& plan, const Rec
 std::vector<Scene> encounter_scenes(const Store& store, const Plan& plan, const Records& records,
                                     RunPlaces& places);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

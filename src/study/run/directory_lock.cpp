@@ -13,7 +13,7 @@
 
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 // Locks of fcntl(), not of flock(): a forked process does not share them, and they reach across
@@ -84,4 +84,4 @@ std::string lock_holder(const std::string& folder) {
   return text.empty() ? "another process" : text;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Holds the file `lock` of a directory as long as it lives. The kernel lets it go when the process
 /// ends, whatever it dies of; processes that it forks do not hold it.
@@ -32,4 +32,4 @@ bool lock_file(int file);
 /// that has.
 bool is_locked(const std::string& file);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

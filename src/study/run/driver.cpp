@@ -13,7 +13,7 @@
 #include "study/run/process.hpp"
 #include "study/run/signal_queue.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -162,4 +162,4 @@ DriverResult make_runs(Workshop& workshop, const std::vector<std::size_t>& runs,
   return Driver(workshop, jobs, events).work(runs);
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

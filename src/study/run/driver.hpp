@@ -7,7 +7,7 @@
 
 #include "study/run/unit.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// What a driver tells while it works.
 struct DriverEvents {
@@ -36,4 +36,4 @@ std::vector<std::size_t> missing_runs(const Records& records, bool retry_failed)
 DriverResult make_runs(Workshop& workshop, const std::vector<std::size_t>& runs, int jobs,
                        const DriverEvents& events);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -13,7 +13,7 @@
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ void check_disk(const std::string& results) {
                                "same command goes on from there"});
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 #include "study/run/process.hpp"
 #include "study/run/unit.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Why a run has failed, in a sentence: what it says itself in its folder, or how it ended.
 std::string failure_sentence(const std::string& folder, const Ending& ending);
@@ -26,4 +26,4 @@ void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& gi
 /// Throws InputError where a study's directory takes no more: no space left, and the like.
 void check_disk(const std::string& results);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "study/plan/checksum.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 std::string sha256_of_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
@@ -39,4 +39,4 @@ bool FileSums::match(const std::map<std::string, std::string>& sums) {
   return true;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

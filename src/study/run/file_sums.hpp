@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// SHA-256 of a file's content. Throws InputError where it cannot be read.
 std::string sha256_of_file(const std::string& file);
@@ -25,4 +25,4 @@ class FileSums {
   std::map<std::string, std::string> known_;
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <system_error>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr int kSignalled = 128;  // shells' exit code for a program that died of a signal, plus it
@@ -125,4 +125,4 @@ Ending run_program(const std::vector<std::string>& command, const std::string& f
   return wait_for(start([&] { return become(command, folder); }));
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// How a process ended.
 struct Ending {
@@ -55,4 +55,4 @@ class Child {
 /// standard error and has exit code 127.
 Ending run_program(const std::vector<std::string>& command, const std::string& folder);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

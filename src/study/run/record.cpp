@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -90,4 +90,4 @@ RunRecord read_record(const std::string& file) {
   }
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Raised when a record's or a measure's meaning changes.
 inline constexpr int kStudyFormat = 2;
@@ -46,4 +46,4 @@ std::string record_text(const RunRecord& record);  ///< JSON
 /// Throws InputError where it is none, or of another format.
 RunRecord read_record(const std::string& file);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <string_view>
 
-namespace pedzone {
+namespace pedzone::study {
 
 std::string shell_word(const std::string& text) {
   constexpr std::string_view kPlain = "._-/+=:,@%";
@@ -23,4 +23,4 @@ std::string shell_command(const std::vector<std::string>& words) {
   return text;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <initializer_list>
 
-namespace pedzone {
+namespace pedzone::study {
 
 SignalQueue::SignalQueue() {
   sigemptyset(&held_);
@@ -28,4 +28,4 @@ int SignalQueue::wait(double seconds) {
   return signal > 0 ? signal : 0;
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

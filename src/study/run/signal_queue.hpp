@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// Holds back SIGCHLD and what asks the process to end (SIGINT, SIGTERM, SIGHUP) as long as it
 /// lives. Those that nobody has taken by then are dropped.
@@ -21,4 +21,4 @@ class SignalQueue {
   sigset_t held_, before_;
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -17,7 +17,7 @@
 #include "study/run/slurm_jobs.hpp"
 #include "study/run/store.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -190,4 +190,4 @@ std::string submit_aggregate(const std::string& results, const std::vector<std::
                 "aggregate.log", options, {after(jobs)});
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

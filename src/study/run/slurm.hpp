@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 struct SlurmOptions {
   std::string partition;            ///< empty: Slurm's default
@@ -43,4 +43,4 @@ SlurmArray submit_array(const std::string& results, const std::vector<std::strin
 std::string submit_aggregate(const std::string& results, const std::vector<std::string>& after,
                              const SlurmOptions& options);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -14,7 +14,7 @@
 #include "core/command_output.hpp"
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// The job that this process belongs to; empty outside of jobs.
@@ -106,4 +106,4 @@ std::string slurm_words(const std::string& printed) {
   return lines.empty() ? "(it says nothing)" : fmt::format("{}", fmt::join(lines, "; "));
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

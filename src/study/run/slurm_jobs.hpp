@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// A job, or a task of an array, that is queued or running.
 struct SlurmJob {
@@ -30,4 +30,4 @@ void refuse_beside_slurm(const std::string& results);
 /// Slurm's words on an error, on one line.
 std::string slurm_words(const std::string& printed);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -16,7 +16,7 @@
 #include "study/run/file_sums.hpp"
 #include "study/run/versions.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -217,4 +217,4 @@ void Store::clear_rubbish() const {
   }
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

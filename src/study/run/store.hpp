@@ -16,7 +16,7 @@
 #include "study/run/directory_lock.hpp"
 #include "study/run/record.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// What the user names the directory with, for messages.
 inline constexpr const char* kOutOption = "--out";
@@ -66,4 +66,4 @@ class Store {
   std::shared_ptr<const DirectoryLock> lock_;
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

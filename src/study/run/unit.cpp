@@ -17,7 +17,7 @@
 #include "sumo/place_reader.hpp"
 #include "sumo/sumo_home.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// From here on whatever this process and those that it starts print goes to the folder's log. Its
@@ -142,4 +142,4 @@ int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::
   }
 }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 #include "study/run/file_sums.hpp"
 #include "study/run/store.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// What is the same for all units of a driver.
 struct Workshop {
@@ -30,4 +30,4 @@ RunRecord blank_record(Workshop& workshop, const PlannedRun& run);
 /// program of the run.
 int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder);
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -5,7 +5,7 @@
 #include "study/plan/sumo_answer.hpp"
 #include "study/run/file_sums.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 std::map<std::string, std::string> program_versions(const std::string& version,
                                                     const std::string& pedzone) {
@@ -27,4 +27,4 @@ std::optional<VersionChange> version_change(const std::map<std::string, std::str
 
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-}  // namespace pedzone
+}  // namespace pedzone::study

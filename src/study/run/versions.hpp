@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace pedzone {
+namespace pedzone::study {
 
 /// By name: pedzone, sumo; build (SHA-256 of the program `pedzone` itself: between two versions, it
 /// tells one day's from the next). Results of different ones are not mixed.
@@ -24,4 +24,4 @@ std::optional<VersionChange> version_change(const std::map<std::string, std::str
 /// Absolute path of the program that runs.
 std::string this_program();
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// Quantiles of an exponential distribution: skewed like one, without chance.
@@ -87,4 +87,4 @@ TEST(Bootstrap, stays_finite_when_a_single_value_differs) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <functional>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// A series of so many rows of 10 s.
@@ -52,4 +52,4 @@ TEST(busiest_window, is_none_where_nobody_is_or_a_file_is_missing) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 TEST(Checksum, is_that_of_the_standard) {
@@ -14,4 +14,4 @@ TEST(Checksum, is_that_of_the_standard) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -4,7 +4,7 @@
 
 #include "study/measure/vehicle_stops.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 Conflict conflict(EncounterType type, double ttc, double clearance) {
@@ -72,4 +72,4 @@ TEST(VehicleStops, creeping_is_no_stop_and_neither_is_the_start) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -5,7 +5,7 @@
 #include "study/measure/density_grid.hpp"
 #include "study/measure/run_series.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// Persons who walk, all in a zone, at some places.
@@ -122,4 +122,4 @@ TEST(RunSeries, holds_means_over_ten_seconds) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using testing::AllOf;
@@ -79,4 +79,4 @@ TEST(DirectoryLock, in_a_folder_that_is_not_there_is_an_error) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

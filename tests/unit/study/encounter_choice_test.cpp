@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using testing::ElementsAre;
@@ -122,4 +122,4 @@ TEST_F(EncounterChoices, know_the_run) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

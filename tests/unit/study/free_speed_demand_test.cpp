@@ -12,7 +12,7 @@
 #include "sumo/people_file.hpp"
 #include "sumo/sumo_home.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using ::testing::AllOf;
@@ -198,4 +198,4 @@ TEST_F(FreeSpeedTest, nobody_to_measure_is_an_error) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

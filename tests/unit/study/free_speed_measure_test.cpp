@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "temporary_file.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using testing::DoubleNear;
@@ -61,4 +61,4 @@ TEST(FreeSpeed, of_a_file_cut_off_is_refused) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

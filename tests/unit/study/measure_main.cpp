@@ -9,7 +9,7 @@
 #include "study/measure/run_measures.hpp"
 #include "sumo/scenario.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 void print_measures(const std::string& folder, const std::string& config,
@@ -31,16 +31,16 @@ void print_free_speeds(const std::string& fcd, const std::string& trajectories) 
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study
 
 int main(int count, char** words) {
   if (count < 3) return pedzone::kExitInput;
   const std::string first = words[1], second = words[2], third = count > 3 ? words[3] : "";
   try {
     if (first == "--free-speed") {
-      pedzone::print_free_speeds(second, third);
+      pedzone::study::print_free_speeds(second, third);
     } else {
-      pedzone::print_measures(first, second, third);
+      pedzone::study::print_measures(first, second, third);
     }
   } catch (const pedzone::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());

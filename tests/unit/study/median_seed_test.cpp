@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using testing::ElementsAre;
@@ -109,4 +109,4 @@ TEST_F(MedianPairs, leave_out_measures_that_a_run_lacks) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

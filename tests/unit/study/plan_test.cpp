@@ -7,7 +7,7 @@
 #include "core/text.hpp"
 #include "study_scene.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using ::testing::ElementsAre;
@@ -190,4 +190,4 @@ TEST_F(PlanTest, settings_of_a_scenario_stay_there) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -8,7 +8,7 @@
 #include <csignal>
 #include <stdexcept>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 Ending ending_of(Child& child) {
@@ -125,4 +125,4 @@ TEST(RunProgram, that_is_not_there_has_the_code_of_shells) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

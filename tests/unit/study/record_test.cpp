@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using testing::HasSubstr;
@@ -85,4 +85,4 @@ TEST(Record, that_is_none_is_refused) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

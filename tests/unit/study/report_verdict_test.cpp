@@ -4,7 +4,7 @@
 
 #include "study/report/report_numbers.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using ::testing::HasSubstr;
@@ -227,4 +227,4 @@ TEST(Numbers, have_the_digits_that_their_uncertainty_leaves) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -8,7 +8,7 @@
 
 #include "study/measure/measure_list.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using testing::HasSubstr;
@@ -282,4 +282,4 @@ TEST_F(ResultsTest, the_JSON_holds_set_up_fairness_failures_and_comparisons) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

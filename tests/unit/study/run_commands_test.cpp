@@ -8,7 +8,7 @@
 #include "sumo/sumo_home.hpp"
 #include "zone/vehicle_path.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using ::testing::AllOf;
@@ -271,4 +271,4 @@ TEST_F(RunCommandsTest, a_zone_is_made_where_the_scenario_has_none) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -12,7 +12,7 @@
 #include "core/random.hpp"
 #include "study/compare/statistics.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 // The same cases every time, unless the caller sets others.
@@ -146,4 +146,4 @@ RC_GTEST_PROP(DifferenceProperty, lies_within_its_sample, ()) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

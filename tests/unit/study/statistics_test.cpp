@@ -10,7 +10,7 @@
 
 #include "core/random.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr std::uint64_t kSeed = 7;
@@ -230,4 +230,4 @@ TEST(EffectSize, is_unbiased) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -208,4 +208,4 @@ TEST_F(StoreTest, clears_what_nobody_makes_any_more_and_keeps_runs) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

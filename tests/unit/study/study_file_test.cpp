@@ -5,7 +5,7 @@
 #include "study_scene.hpp"
 #include "world/model_names.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 using ::testing::AllOf;
@@ -356,4 +356,4 @@ TEST_F(StudyFile, too_many_runs_are_refused) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "study/plan/plan.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 
 class StudyScene : public ::testing::Test {
  protected:
@@ -56,4 +56,4 @@ class StudyScene : public ::testing::Test {
                               ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

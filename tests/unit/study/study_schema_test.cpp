@@ -5,7 +5,7 @@
 #include "study_scene.hpp"
 #include "world/model_names.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 class StudySchema : public StudyScene {
@@ -82,4 +82,4 @@ TEST_F(StudySchema, lists_the_reader_s_models) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

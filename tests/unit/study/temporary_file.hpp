@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace pedzone {
+namespace pedzone::study {
 
 class TemporaryFile {
  public:
@@ -30,4 +30,4 @@ class TemporaryFile {
   std::string path_;
 };
 
-}  // namespace pedzone
+}  // namespace pedzone::study

@@ -8,7 +8,7 @@
 #include "study/plan/checksum.hpp"
 #include "temporary_file.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// As SUMO 1.15 writes it (attributes that are not read left out), the run ended at 40 s: a person
@@ -104,4 +104,4 @@ TEST(Tripinfo, a_file_that_is_cut_off_is_refused) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

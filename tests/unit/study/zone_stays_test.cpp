@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 /// A street of two zones, "a1 a2 b", with "out" beside it; one person.
@@ -66,4 +66,4 @@ TEST_F(ZoneStaysTest, are_of_nobody_unknown_and_not_before_the_first_step) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study

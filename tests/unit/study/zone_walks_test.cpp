@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace pedzone {
+namespace pedzone::study {
 namespace {
 
 constexpr double kStep = 1.0;  // [s]
@@ -126,4 +126,4 @@ TEST(ZoneWalks, outputs_of_two_runs_are_refused) {
 }
 
 }  // namespace
-}  // namespace pedzone
+}  // namespace pedzone::study
