@@ -88,5 +88,22 @@ TEST(Trail, keeps_what_is_needed_for_the_way_since) {
     EXPECT_EQ(trail[k].time, 99.0 - static_cast<double>(k));
 }
 
+TEST(ClosestInTime, is_zero_where_both_are_there_at_once_between_the_poses) {
+  // Both come by the origin at 0.5 s, from places apart to places apart.
+  const PersonPose p0{{0.0, -3.0}, 0.0}, p1{{0.0, 3.0}, 1.0};
+  VehiclePose v0, v1;
+  v0.centre = {-6.0, 0.0};
+  v1.centre = {6.0, 0.0};
+  v1.time = 1.0;
+  const auto found = closest_in_time(p0, p1, v0, v1, kSizes);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->gap, 0.0);
+  // The person 5 s later: it enters what the vehicle has left.
+  const PersonPose late0{{0.0, -3.0}, 5.0}, late1{{0.0, 3.0}, 6.0};
+  const auto later = closest_in_time(late0, late1, v0, v1, kSizes);
+  ASSERT_TRUE(later);
+  EXPECT_GT(later->gap, 4.0);
+}
+
 }  // namespace
 }  // namespace pedzone

@@ -70,6 +70,18 @@ TEST(Claim, people_in_the_way_step_out_of_it) {
   for (const std::size_t person : people) EXPECT_FALSE(scene.in_the_way(person)) << person;
 }
 
+TEST(Claim, people_step_out_on_the_side_on_which_they_stand) {
+  for (const double y : {0.4, -0.4}) {
+    ClaimScene scene(6.0);
+    const std::size_t person = scene.add({4.0, y}, {-20.0, 0.0});
+    for (int k = 0; k < 12; ++k) {
+      scene.run(0.25);
+      EXPECT_GT(scene.view(person).position.y() * (y > 0.0 ? 1.0 : -1.0), 0.35) << y;
+    }
+    EXPECT_FALSE(scene.in_the_way(person)) << y;
+  }
+}
+
 TEST(Claim, nobody_steps_into_it) {
   ClaimScene scene(6.0);
   const std::size_t person = scene.add({4.0, 4.0}, {4.0, -5.0});

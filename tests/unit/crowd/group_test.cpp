@@ -200,6 +200,24 @@ TEST(Group, makes_room_in_a_passage_for_one_of_its_own) {
   EXPECT_GE(scene.least_wall_gap(), -1e-3);
 }
 
+TEST(Group, who_waits_steps_to_the_side_on_which_it_stands_already) {
+  const Zone zone = zone_of(box(0, 0, 60, 10));
+  for (const double side : {1.0, -1.0}) {
+    // The first has 10 m left, and so waits for the second, which has 32 m left and sets out from
+    // 1.8 m behind it.
+    const double y = 5.0 + 0.1 * side;
+    NewPerson first = member({20.0, y}, Destination{{30.0, y}, {30.0, y}}, 7);
+    NewPerson second = member({18.2, 5.0}, Destination{{50.0, 5.0}, {50.0, 5.0}}, 7);
+    first.velocity = second.velocity = Vec2::Zero();
+    Scene scene(zone);
+    const std::size_t one = scene.add(first);
+    scene.add(second);
+    for (int k = 0; k < 6; ++k) scene.step();
+    ASSERT_TRUE(scene.people[one].view.waits_for_group);
+    EXPECT_GT(side * (scene.people[one].view.position.y() - y), 0.02) << side;
+  }
+}
+
 TEST(Group, nobody_waits_in_the_way_of_a_vehicle) {
   const Zone zone = open_space();
   Scene scene(zone);
@@ -305,6 +323,23 @@ TEST(Group, neither_order_nor_threads_change_a_bit) {
   EXPECT_EQ(first, places(4));
   std::reverse(people.begin(), people.end());
   EXPECT_EQ(first, places(2));
+}
+
+TEST(Group, patience_does_not_run_out_while_one_waits_for_the_others) {
+  const Zone zone = zone_of(box(0, 0, 60, 10));
+  Scene scene(zone);
+  const Destination end{{30.0, 5.0}, {30.0, 5.0}};
+  // Ahead, 2.5 m before its destination; the other comes nearer all the time, at a third of the
+  // pace. It is 19 m behind: some 35 s of waiting, three times the patience.
+  NewPerson ahead = member({27.5, 5.0}, end, 7), behind = member({8.0, 5.0}, end, 7);
+  behind.preferred_speed = 0.5;
+  const std::size_t waiting = scene.add(ahead), coming = scene.add(behind);
+  while (scene.people[coming].view.position.x() < 24.0 && scene.time < 60.0) {
+    scene.step();
+    const PersonView& view = scene.people[waiting].view;
+    ASSERT_TRUE(scene.people[waiting].here && !view.gave_up && !view.arrived) << scene.time;
+  }
+  EXPECT_GT(scene.time, 2.0 * zone.parameters.patience);
 }
 
 }  // namespace
