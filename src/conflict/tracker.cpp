@@ -12,8 +12,6 @@ namespace {
 constexpr double kJumpShare = 2.0;
 constexpr double kJumpMargin = 0.5;  // [m]
 
-bool finite(const Vec2& v) { return std::isfinite(v.x()) && std::isfinite(v.y()); }
-
 bool jumped(const Vec2& from, const Vec2& to, double speed_before, double speed, double elapsed) {
   return (to - from).norm() > kJumpShare * std::max(speed_before, speed) * elapsed + kJumpMargin;
 }

@@ -1,10 +1,22 @@
-// Text that comes from users, made safe for the files it is written to.
+// Lists for messages, and text that comes from users, made safe for the files it is written to.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace pedzone {
+
+/// "a, b, c". `name`: of a thing, its text.
+template <class Things, class Name = std::identity>
+std::string comma_list(const Things& things, const Name& name = {}) {
+  std::string text;
+  for (const auto& thing : things) {
+    if (!text.empty()) text += ", ";
+    text += std::invoke(name, thing);
+  }
+  return text;
+}
 
 /// As a value of an XML attribute. Characters that XML does not know become U+FFFD.
 std::string xml_value(std::string_view text);

@@ -9,13 +9,15 @@
 
 namespace pedzone {
 
-using Vec2 = Eigen::Vector2d;             ///< [m] or [m/s], network frame
-using Polyline = std::vector<Vec2>;       ///< [m] at least two points when it is a line
+using Vec2 = Eigen::Vector2d;        ///< [m] or [m/s], network frame
+using Polyline = std::vector<Vec2>;  ///< [m] at least two points when it is a line
 
 constexpr double kPi = std::numbers::pi;
 
 /// z of the cross product a × b; positive when b is to the left of a.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+inline bool finite(const Vec2& v) { return std::isfinite(v.x()) && std::isfinite(v.y()); }
 
 /// Unit vector of an angle [rad, ccw from +x].
 inline Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }

@@ -24,10 +24,8 @@ constexpr double kLeastSpeed = 1e-3;   // [m/s] numerical: models divide by the 
                                        // at this one a person stands
 constexpr double kMostSpeed = 5.0;     // [m/s] as Persons::preferred_speed
 
-bool finite(const Vec2& v) { return std::isfinite(v.x()) && std::isfinite(v.y()); }
-
 bool finite(const VehicleState& v) {
-  return finite(v.centre) && finite(v.velocity) && std::isfinite(v.heading) &&
+  return pedzone::finite(v.centre) && pedzone::finite(v.velocity) && std::isfinite(v.heading) &&
          std::isfinite(v.yaw_rate) && std::isfinite(v.length) && std::isfinite(v.width);
 }
 

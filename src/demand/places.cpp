@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/text.hpp"
 #include "geometry/polyline.hpp"
 
 namespace pedzone {
@@ -19,9 +20,7 @@ constexpr double kRow = 0.9;        // [m] assumed: from one row of a group to t
 const Zone& zone_named(const DemandInput& input, const PanelSpec& spec) {
   const auto found = std::ranges::find(input.zones, spec.zone, &Zone::id);
   if (found != input.zones.end()) return *found;
-  std::string ids;
-  for (const Zone& zone : input.zones) ids += (ids.empty() ? "" : ", ") + zone.id;
-  throw panel_error(spec.text, "is no zone", "zone", spec.zone, ids);
+  throw panel_error(spec.text, "is no zone", "zone", spec.zone, comma_list(input.zones, &Zone::id));
 }
 
 /// Edges of the panel's zones that are long enough, ascending.

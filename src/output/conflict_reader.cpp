@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/csv_stream.hpp"
+#include "core/text.hpp"
 #include "output/conflict_columns.hpp"
 
 namespace pedzone {
@@ -19,12 +20,11 @@ enum Part { kValue, kTime, kX, kY, kTypeThen, kPersonSpeed, kVehicleSpeed, kRela
 /// The value of an enum that a field names.
 template <class Enum>
 Enum named(const CsvRow& row, std::size_t column, std::initializer_list<Enum> values) {
-  std::string allowed;
   for (const Enum value : values) {
     if (row[column] == name_of(value)) return value;
-    allowed += (allowed.empty() ? "" : ", ") + std::string(name_of(value));
   }
-  throw row.error("is not known", column, allowed);
+  throw row.error("is not known", column,
+                  comma_list(values, [](Enum value) { return name_of(value); }));
 }
 
 EncounterType type_of(const CsvRow& row, std::size_t column) {

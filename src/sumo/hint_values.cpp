@@ -10,14 +10,6 @@
 namespace pedzone {
 namespace {
 
-std::string pastime_ids() {
-  std::string ids;
-  for (const PastimeInfo& info : pastime_list()) {
-    if (info.pastime != Pastime::kNone) ids += (ids.empty() ? "" : ", ") + std::string(info.id);
-  }
-  return ids;
-}
-
 /// "texting phoning=0.5": each with the rate [1/min] at which it begins, or its usual one.
 std::array<double, kPastimes> rates_of(const std::string& text) {
   std::array<double, kPastimes> rates{};

@@ -11,6 +11,7 @@
 #include <unordered_set>
 
 #include "core/csv_stream.hpp"
+#include "core/text.hpp"
 #include "sumo/fcd_reader.hpp"
 
 namespace pedzone {
@@ -55,10 +56,7 @@ Activity activity_of(const CsvRow& row) {
 
 Pastime pastime_of(const CsvRow& row) {
   if (const PastimeInfo* info = find_pastime(row[kPastime])) return info->pastime;
-  std::string ids;
-  for (const PastimeInfo& info : pastime_list())
-    ids += (ids.empty() ? "" : ", ") + std::string(info.id);
-  throw row.error("is no pastime", kPastime, ids);
+  throw row.error("is no pastime", kPastime, comma_list(pastime_list(), &PastimeInfo::id));
 }
 
 /// Ends the reading of a file whose rest is not shown: it may be long.

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/statistics.hpp"
+#include "core/text.hpp"
 #include "crowd/parallel.hpp"
 #include "verify/references.hpp"
 
@@ -17,9 +18,8 @@ std::vector<StandardTest> chosen_tests(const std::vector<std::string>& only) {
   if (only.empty()) return all;
   for (const std::string& id : only) {
     if (std::ranges::any_of(all, [&](const StandardTest& test) { return test.id == id; })) continue;
-    std::string allowed;
-    for (const StandardTest& test : all) allowed += (allowed.empty() ? "" : ", ") + test.id;
-    throw InputError("is no standard test", {"", 0, "option --only", id, allowed});
+    throw InputError("is no standard test",
+                     {"", 0, "option --only", id, comma_list(all, &StandardTest::id)});
   }
   std::erase_if(all, [&](const StandardTest& test) {
     return std::ranges::find(only, test.id) == only.end();

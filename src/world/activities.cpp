@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -47,5 +49,7 @@ const PastimeInfo* find_pastime(std::string_view id) {
   const auto found = std::ranges::find(kPastimeList, id, &PastimeInfo::id);
   return found == std::end(kPastimeList) ? nullptr : &*found;
 }
+
+std::string pastime_ids() { return comma_list(pastime_list().subspan(1), &PastimeInfo::id); }
 
 }  // namespace pedzone

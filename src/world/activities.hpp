@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace pedzone {
@@ -29,5 +30,7 @@ std::span<const PastimeInfo> pastime_list();
 const PastimeInfo& info_of(Pastime pastime);
 /// Nullptr where none has that id; "none" is none.
 const PastimeInfo* find_pastime(std::string_view id);
+/// "texting, phoning, ...", without "none".
+std::string pastime_ids();
 
 }  // namespace pedzone

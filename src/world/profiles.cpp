@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/text.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -248,11 +250,7 @@ const Profile* Profiles::find(std::string_view id) const {
   return found == all_.end() ? nullptr : &*found;
 }
 
-std::string Profiles::ids() const {
-  std::string text;
-  for (const Profile& profile : all_) text += (text.empty() ? "" : ", ") + profile.id;
-  return text;
-}
+std::string Profiles::ids() const { return comma_list(all_, &Profile::id); }
 
 std::string_view source_of(const Profile& profile, const ProfileField& field) {
   for (const Row& row : kRows) {

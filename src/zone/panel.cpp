@@ -5,6 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "core/text.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -45,21 +47,7 @@ const PanelField& field_of(std::string_view attribute) {
   return *std::ranges::find(kFields, attribute, &PanelField::attribute);
 }
 
-std::string attributes() {
-  std::string text;
-  for (const PanelField& field : kFields) {
-    text += (text.empty() ? "" : ", ") + std::string(field.attribute);
-  }
-  return text;
-}
-
-std::string pastime_ids() {
-  std::string ids;
-  for (const PastimeInfo& info : pastime_list()) {
-    if (info.pastime != Pastime::kNone) ids += (ids.empty() ? "" : ", ") + std::string(info.id);
-  }
-  return ids;
-}
+std::string attributes() { return comma_list(kFields, &PanelField::attribute); }
 
 /// The values of a panel, each read once.
 class Values {
@@ -339,8 +327,7 @@ PanelSpec read_panel(PanelText text, const Profiles& profiles, const std::vector
   read_activities(values, spec);
   spec.path = values.word("path", "");
   if (!spec.path.empty() && std::ranges::find(paths, spec.path, &PathSpec::id) == paths.end()) {
-    std::string allowed;
-    for (const PathSpec& path : paths) allowed += (allowed.empty() ? "" : ", ") + path.id;
+    const std::string allowed = comma_list(paths, &PathSpec::id);
     throw panel_error(spec.text, "is no path", "path", spec.path,
                       allowed.empty() ? "none: the zone file has no <path>" : allowed);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "core/xml.hpp"
 #include "zone/zone.hpp"
 
@@ -17,9 +18,7 @@ InputError path_error(const PathSpec& spec, const std::string& problem, const st
 /// "a, b, c" of things with an id.
 template <class Things>
 std::string ids_of(const Things& things) {
-  std::string ids;
-  for (const auto& thing : things) ids += (ids.empty() ? "" : ", ") + thing.id;
-  return ids.empty() ? "none" : ids;
+  return things.empty() ? "none" : comma_list(things, [](const auto& thing) { return thing.id; });
 }
 
 const MapPoint& find_point(const Network& network, const PathSpec& spec, const std::string& id) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace pedzone {
 namespace {
@@ -64,8 +65,7 @@ class NamedSelection {
     for (const Edge& edge : network_.edges) {
       if (!edge.type.empty()) types.insert(edge.type);
     }
-    std::string allowed;
-    for (const std::string& other : types) allowed += (allowed.empty() ? "" : ", ") + other;
+    const std::string allowed = comma_list(types);
     throw zone_error(spec_, "is the type of no edge", "edgeTypes", type,
                      allowed.empty() ? "none: the network's edges have no types" : allowed);
   }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <set>
 
+#include "core/text.hpp"
 #include "core/xml.hpp"
 #include "world/model_names.hpp"
 
@@ -35,18 +36,8 @@ std::string read_model(const XmlFile& file, const pugi::xml_node& node) {
   return name;
 }
 
-/// "a, b, c" of a list's names.
-template <class List, class Name>
-std::string joined(const List& list, Name name) {
-  std::string text;
-  for (const auto& item : list) {
-    text += (text.empty() ? "" : ", ") + std::string(std::invoke(name, item));
-  }
-  return text;
-}
-
-std::string parameter_keys() { return joined(parameter_list(), &ParameterInfo::key); }
-std::string profile_keys() { return joined(profile_fields(), &ProfileField::key); }
+std::string parameter_keys() { return comma_list(parameter_list(), &ParameterInfo::key); }
+std::string profile_keys() { return comma_list(profile_fields(), &ProfileField::key); }
 
 void read_parameter(const XmlFile& file, const pugi::xml_node& node, Parameters& parameters) {
   file.check_names(node, {"key", "value"}, {});
@@ -83,7 +74,8 @@ const Weather* read_weather(const XmlFile& file, const pugi::xml_node& node) {
   const std::string id = file.required(node, "weather");
   const Weather* weather = find_weather(id);
   if (weather == nullptr) {
-    throw file.error("is no weather", node, "weather", id, joined(weather_list(), &Weather::id));
+    throw file.error("is no weather", node, "weather", id,
+                     comma_list(weather_list(), &Weather::id));
   }
   return weather;
 }

@@ -33,13 +33,13 @@ std::string text_of(int file) {
   return {text.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
 }
 
+}  // namespace
+
 std::string host_name() {
   std::array<char, HOST_NAME_MAX + 1> name{};
   gethostname(name.data(), name.size() - 1);
   return name.data();
 }
-
-}  // namespace
 
 bool lock_file(int file) {
   struct flock lock = whole_file();

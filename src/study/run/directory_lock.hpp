@@ -32,4 +32,7 @@ bool lock_file(int file);
 /// that has.
 bool is_locked(const std::string& file);
 
+/// Of this machine.
+std::string host_name();
+
 }  // namespace pedzone::study

@@ -13,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "output/complete_file.hpp"
+#include "study/run/directory_lock.hpp"
 #include "study/run/file_sums.hpp"
 #include "study/run/versions.hpp"
 
@@ -103,12 +104,6 @@ std::string text_of(const std::string& file) {
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
-}
-
-std::string host_name() {
-  std::string name(256, '\0');
-  gethostname(name.data(), name.size() - 1);
-  return name.c_str();
 }
 
 /// Whether a run is done in one folder from the same inputs as in another.
