@@ -27,7 +27,7 @@ VERIFY = ["verify", "--seeds", "1", "--only", "rimea-1", "rimea-6", "moussaid-la
 
 
 def zone_files(config):
-    """The zone files that are meant for a scenario; the first begins with its name."""
+    """Those that are meant for a scenario: their names begin with its own."""
     return sorted(config.parent.glob(f"{config.stem}*.zone.xml"))
 
 

@@ -9,6 +9,8 @@
 #include <memory>
 #include <sstream>
 
+#include "core/text.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -34,11 +36,7 @@ std::string read_text(const std::string& file) {
 
 template <typename Names>
 std::string listed(const Names& names) {
-  std::string text;
-  for (const std::string_view name : names) {
-    if (!text.empty()) text += ", ";
-    text += name;
-  }
+  const std::string text = comma_list(names);
   return text.empty() ? "none" : text;
 }
 

@@ -78,8 +78,7 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
     const double allowed = std::max(0.0, *contact);
     if (first && first->distance <= allowed) continue;
     const LineProjection at = project_on(vehicle.way, person.position);
-    first = Obstruction{allowed, person.velocity.dot(point_on(vehicle.way, at.offset).direction),
-                        clearance};
+    first = Obstruction{allowed, person.velocity.dot(point_on(vehicle.way, at.offset).direction)};
   }
   return first;
 }

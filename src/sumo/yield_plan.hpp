@@ -18,9 +18,8 @@ struct PersonAhead {
 
 /// The first person in a vehicle's way.
 struct Obstruction {
-  double distance = 0.0;     ///< [m] ≥ 0 the front may travel before the bodies touch
-  double speed = 0.0;        ///< [m/s] of the person along the way; > 0 walks away
-  double gap_to_body = 0.0;  ///< [m] clearance now
+  double distance = 0.0;  ///< [m] ≥ 0 the front may travel before the bodies touch
+  double speed = 0.0;     ///< [m/s] of the person along the way; > 0 walks away
 };
 
 /// The first of `people` that the body will touch (with `margin` [m] at its sides) within

@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "study/plan/joined.hpp"
+#include "core/text.hpp"
 #include "study/plan/setting.hpp"
 
 namespace pedzone::study {
@@ -54,7 +54,7 @@ Setting read_setting(const XmlFile& file, const pugi::xml_node& node, const Stud
   if (!setting.scenario.empty() &&
       std::ranges::find(known, setting.scenario, &StudyScenario::id) == known.end()) {
     throw file.error("is no scenario", node, "scenario", setting.scenario,
-                     joined(known, &StudyScenario::id));
+                     comma_list(known, &StudyScenario::id));
   }
   check(file, node, "value", setting);
   return setting;
@@ -162,7 +162,7 @@ std::vector<std::size_t> read_combination(const XmlFile& file, const pugi::xml_n
     throw file.error("does not name one level of each factor", node, "levels", value,
                      study.factors.empty()
                          ? "no <combination> without a <factor>"
-                         : "a level of each of " + joined(study.factors, &Factor::id));
+                         : "a level of each of " + comma_list(study.factors, &Factor::id));
   }
   std::vector<std::size_t> levels;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -170,7 +170,7 @@ std::vector<std::size_t> read_combination(const XmlFile& file, const pugi::xml_n
     const auto found = std::ranges::find(known, names[i], &Level::name);
     if (found == known.end()) {
       throw file.error("is no level of factor " + study.factors[i].id, node, "levels", names[i],
-                       joined(known, &Level::name));
+                       comma_list(known, &Level::name));
     }
     levels.push_back(static_cast<std::size_t>(found - known.begin()));
   }

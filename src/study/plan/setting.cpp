@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/text.hpp"
 #include "core/xml.hpp"
-#include "study/plan/joined.hpp"
 #include "study/plan/sumo_options.hpp"
 #include "world/parameters.hpp"
 #include "world/weather.hpp"
@@ -32,7 +32,7 @@ void check_parameter(const Setting& setting) {
   const ParameterInfo* info = find_parameter(setting.key);
   if (!info) {
     throw SettingError{true, "is no parameter", setting.key,
-                       joined(parameter_list(), &ParameterInfo::key)};
+                       comma_list(parameter_list(), &ParameterInfo::key)};
   }
   check_number(setting.value, {info->least, info->most});
 }
@@ -40,12 +40,13 @@ void check_parameter(const Setting& setting) {
 void check_zone_attribute(const Setting& setting) {
   if (std::ranges::find(kZoneAttributes, setting.key) == std::end(kZoneAttributes)) {
     throw SettingError{true, "is no attribute of <zone> that may vary", setting.key,
-                       joined(kZoneAttributes)};
+                       comma_list(kZoneAttributes)};
   }
   if (setting.key == "openSpace") {
     check_number(setting.value, {kOpenSpaceLeast, kOpenSpaceMost});
   } else if (setting.key == "weather" && find_weather(setting.value) == nullptr) {
-    throw SettingError{false, "is no weather", setting.value, joined(weather_list(), &Weather::id)};
+    throw SettingError{false, "is no weather", setting.value,
+                       comma_list(weather_list(), &Weather::id)};
   } else if (split_words(setting.value).empty()) {
     throw SettingError{false, "is empty", "", "names, separated by spaces"};
   }
@@ -55,7 +56,7 @@ void check_panel_attribute(const Setting& setting) {
   const auto fields = panel_fields();
   if (std::ranges::find(fields, setting.key, &PanelField::attribute) == fields.end()) {
     throw SettingError{true, "is no attribute of <pedestrians>", setting.key,
-                       joined(fields, &PanelField::attribute)};
+                       comma_list(fields, &PanelField::attribute)};
   }
 }
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <set>
 
+#include "core/text.hpp"
 #include "core/xml.hpp"
 #include "study/plan/factors.hpp"
-#include "study/plan/joined.hpp"
 #include "study/plan/seed_list.hpp"
 #include "study/plan/sumo_options.hpp"
 #include "sumo/scenario.hpp"
@@ -131,7 +131,7 @@ class Reader {
     study_.reference = word(root, "reference", striping ? kStriping : study_.models.front());
     if (!known.contains(study_.reference)) {
       throw file_.error("is none of the study's models", root, "reference", study_.reference,
-                        joined(study_.models));
+                        comma_list(study_.models));
     }
   }
 

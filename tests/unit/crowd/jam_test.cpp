@@ -178,24 +178,14 @@ TEST(Jam, is_none_for_who_waits_for_vehicles) {
 }
 
 /// Stands, turned, and says whether it waits.
-class TurnedModel : public WalkingModel {
- public:
-  explicit TurnedModel(bool waits) : waits_(waits) {}
-  void prepare(const Snapshot&) override {}
-  void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override {
-    for (std::size_t i = first; i < last; ++i) {
-      decisions[i] = {.waits = waits_, .turns = true};
-    }
-  }
-
- private:
-  bool waits_;
-};
+std::unique_ptr<WalkingModel> turned_model(bool waits) {
+  return fixed_model({.waits = waits, .turns = true});
+}
 
 TEST(Jam, is_none_for_who_says_that_it_waits) {
   const Zone zone = footway(5.0);
   for (const bool waits : {true, false}) {
-    Scene scene(zone, 1, std::make_unique<TurnedModel>(waits));
+    Scene scene(zone, 1, turned_model(waits));
     scene.add(on_footway(5, 19.5));
     Jams jams;
     jams.run(scene, 20.0);
@@ -206,7 +196,7 @@ TEST(Jam, is_none_for_who_says_that_it_waits) {
 TEST(Jam, is_none_for_who_waits_for_its_group) {
   // The other one is 8 m behind. It does not come, but the patience for that is not over yet.
   const Zone zone = footway(5.0);
-  Scene scene(zone, 1, std::make_unique<TurnedModel>(false));
+  Scene scene(zone, 1, turned_model(false));
   const auto first = scene.add(on_footway(10, 19.5, 1)), last = scene.add(on_footway(2, 19.5, 1));
   Jams jams;
   double waited = 0.0;

@@ -6,25 +6,10 @@
 namespace pedzone::test {
 namespace {
 
-/// Finds the way ahead free for so far and no farther, and stops there.
-class StopsSoon : public WalkingModel {
- public:
-  explicit StopsSoon(double free) : free_(free) {}
-  void prepare(const Snapshot&) override {}
-  void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override {
-    for (std::size_t i = first; i < last; ++i) {
-      decisions[i] = {};
-      decisions[i].free_distance = free_;
-    }
-  }
-
- private:
-  double free_;  ///< [m]
-};
-
+/// [m] gone by somebody who comes at 2 m/s, finds its way free for so far [m], and would stand.
 double gone_in_a_step(double free) {
   const Zone zone = zone_of(box(0, 0, 50, 10));
-  Scene scene(zone, 1, std::make_unique<StopsSoon>(free));
+  Scene scene(zone, 1, fixed_model({.free_distance = free}));
   const std::size_t person = scene.add({5.0, 5.0}, {{45.0, 5.0}, {45.0, 5.0}}, 2.0);
   scene.step(0.1);
   return scene.people[person].view.position.x() - 5.0;

@@ -6,6 +6,18 @@
 namespace pedzone::test {
 namespace {
 
+class FixedModel : public WalkingModel {
+ public:
+  explicit FixedModel(const Decision& decision) : decision_(decision) {}
+  void prepare(const Snapshot&) override {}
+  void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override {
+    std::ranges::fill(decisions.subspan(first, last - first), decision_);
+  }
+
+ private:
+  Decision decision_;
+};
+
 class BlindModel : public WalkingModel {
  public:
   void prepare(const Snapshot& snapshot) override { persons_ = snapshot.persons; }
@@ -57,6 +69,10 @@ Zone with_hard_bodies(Zone zone) {
 }
 
 std::unique_ptr<WalkingModel> blind_model() { return std::make_unique<BlindModel>(); }
+
+std::unique_ptr<WalkingModel> fixed_model(const Decision& decision) {
+  return std::make_unique<FixedModel>(decision);
+}
 
 VehicleState vehicle_at(const Vec2& centre, double heading, double speed, double length,
                         double width) {

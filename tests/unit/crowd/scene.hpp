@@ -22,6 +22,9 @@ Zone with_hard_bodies(Zone zone);
 /// Nobody's doing: goes straight for its goal at full speed, blind to everything.
 std::unique_ptr<WalkingModel> blind_model();
 
+/// Decides the same for everybody, whatever there is.
+std::unique_ptr<WalkingModel> fixed_model(const Decision& decision);
+
 /// A vehicle at `centre` that drives with `velocity`; it faces `heading` [rad].
 VehicleState vehicle_at(const Vec2& centre, double heading, double speed, double length = 5.0,
                         double width = 1.8);
