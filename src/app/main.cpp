@@ -53,7 +53,7 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--summary", options.summary, "Write the summary as JSON");
   run_command->add_option(
       "--trajectories", options.trajectories,
-      "Write time,id,x,y,vx,vy,heading,activity,pastime of each person and step");
+      "Write time,id,x,y,vx,vy,heading,motion,activity of each person and step");
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
   auto* shapes = run_command->add_option(
       "--debug-shapes", options.debug_shapes,

@@ -37,8 +37,8 @@ std::string activities() {
   std::string text =
       "| activity | begins [1/min] | lasts [s] | speed | sight | hearing | heading noise | source "
       "|\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  for (const PastimeInfo& info : pastime_list()) {
-    if (info.pastime == Pastime::kNone) continue;
+  for (const ActivityInfo& info : activity_list()) {
+    if (info.activity == Activity::kNone) continue;
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", info.id, info.rate,
                         info.duration, info.speed, info.field_of_view, info.hearing, info.noise,
                         info.source);

@@ -16,7 +16,7 @@ enum class Purpose : std::uint32_t {
   kCaution,
   kBootstrap,
   kAwareness,
-  kPastime,
+  kActivity,
   kImpulse,
   kDemand,
   kStepPhase

@@ -156,7 +156,7 @@ class Stander {
 bool stands_by_choice(const CrowdState& crowd, std::size_t i) {
   const WalkState& walker = crowd.walkers[i];
   const bool stays = walker.arrived || walker.waits || walker.waits_for_group ||
-                     info_of(walker.pastime).speed <= 0.0;
+                     info_of(walker.activity).speed <= 0.0;
   return stays && crowd.velocity(i).norm() < kStill;
 }
 
@@ -193,8 +193,8 @@ void make_room_by(CrowdState& crowd, std::size_t i, double dt, double widest,
     seen.stepped += *step;
   }
   if (!step) return;
-  crowd.motion.dx[i] = step->x();
-  crowd.motion.dy[i] = step->y();
+  crowd.moves.dx[i] = step->x();
+  crowd.moves.dy[i] = step->y();
 }
 
 }  // namespace
@@ -228,7 +228,7 @@ void notice_standing(CrowdState& crowd, double dt) {
     crowd.somebody_stands = crowd.somebody_stands || stands;
   }
   if (!crowd.somebody_stands) return;
-  crowd.motion.reach = std::max(crowd.motion.reach, kStepSpeed * dt);
+  crowd.moves.reach = std::max(crowd.moves.reach, kStepSpeed * dt);
 }
 
 void make_room(CrowdState& crowd, double dt) {

@@ -83,9 +83,9 @@ Vec2 push_of_pair(const CrowdState& crowd, Part part, std::size_t i, std::size_t
   if (part == Part::kCore || crowd.walkers[i].jam.squeezes() != crowd.walkers[j].jam.squeezes()) {
     return 0.5 * overlap * normal;
   }
-  const Motion& motion = crowd.motion;
-  const double into_j = std::max(0.0, -(motion.dx[i] * normal.x() + motion.dy[i] * normal.y()));
-  const double into_i = std::max(0.0, motion.dx[j] * normal.x() + motion.dy[j] * normal.y());
+  const Moves& moves = crowd.moves;
+  const double into_j = std::max(0.0, -(moves.dx[i] * normal.x() + moves.dy[i] * normal.y()));
+  const double into_i = std::max(0.0, moves.dx[j] * normal.x() + moves.dy[j] * normal.y());
   const double share = (into_j + kEvenShare) / (into_j + into_i + 2.0 * kEvenShare);
   return overlap * share * normal;
 }
@@ -102,7 +102,7 @@ void prepare_blocks(CrowdState& crowd) {
 void find_neighbours(CrowdState& crowd) {
   const Persons& persons = crowd.persons;
   const double widest = *std::max_element(persons.radius.begin(), persons.radius.end());
-  const double slack = 2.0 * (crowd.motion.reach + kPushPerPass);
+  const double slack = 2.0 * (crowd.moves.reach + kPushPerPass);
   crowd.grid.build(persons.x, persons.y, 2.0 * widest + slack);
   crowd.first_neighbour.resize(persons.walking);
   crowd.last_neighbour.resize(persons.walking);
@@ -125,48 +125,48 @@ void find_neighbours(CrowdState& crowd) {
 
 /// Moves everybody as meant, as far as the walls let them.
 void move_freely(CrowdState& crowd) {
-  Motion& motion = crowd.motion;
+  Moves& moves = crowd.moves;
   for_each_block(
       crowd.persons.walking, [&](std::size_t block, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           const Vec2 from = crowd.position(i);
-          const Vec2 to = from + Vec2(motion.dx[i], motion.dy[i]);
+          const Vec2 to = from + Vec2(moves.dx[i], moves.dy[i]);
           const Vec2 at = kept_inside(crowd.zone.walls, from, to, crowd.persons.present_radius[i],
                                       crowd.walkers[i].wall_room, crowd.blocks[block].walls);
-          motion.x[i] = at.x();
-          motion.y[i] = at.y();
+          moves.x[i] = at.x();
+          moves.y[i] = at.y();
         }
       });
   for (std::size_t j = crowd.persons.walking; j < crowd.persons.size(); ++j) {
-    motion.x[j] = motion.next_x[j] = crowd.persons.x[j] + motion.dx[j];
-    motion.y[j] = motion.next_y[j] = crowd.persons.y[j] + motion.dy[j];
+    moves.x[j] = moves.next_x[j] = crowd.persons.x[j] + moves.dx[j];
+    moves.y[j] = moves.next_y[j] = crowd.persons.y[j] + moves.dy[j];
   }
 }
 
 /// Whether the push takes a good part of the way that the person means to make.
-bool hinders(const Vec2& push, const Motion& motion, std::size_t i) {
-  const Vec2 move(motion.dx[i], motion.dy[i]);
+bool hinders(const Vec2& push, const Moves& moves, std::size_t i) {
+  const Vec2 move(moves.dx[i], moves.dy[i]);
   return -push.dot(move) > kHindered * move.squaredNorm();
 }
 
 /// Where person i is after its contacts of one pass.
 Vec2 pushed(CrowdState& crowd, Part part, std::size_t block, std::size_t i) {
-  const Motion& motion = crowd.motion;
+  const Moves& moves = crowd.moves;
   BlockScratch& scratch = crowd.blocks[block];
-  const Vec2 here(motion.x[i], motion.y[i]);
+  const Vec2 here(moves.x[i], moves.y[i]);
   ExactSum sum;
   for (const std::uint32_t j : crowd.neighbours_of(block, i)) {
-    const Vec2 now = here - Vec2(motion.x[j], motion.y[j]);
+    const Vec2 now = here - Vec2(moves.x[j], moves.y[j]);
     const Vec2 start = crowd.position(i) - crowd.position(j);
     const Vec2 push = push_of_pair(crowd, part, i, j, start, now);
     if (push != Vec2::Zero()) sum.add(push);
   }
   if (sum.terms() == 0) return here;
   scratch.touching = true;
-  crowd.walkers[i].pressed = crowd.walkers[i].pressed || hinders(sum.value(), motion, i);
+  crowd.walkers[i].pressed = crowd.walkers[i].pressed || hinders(sum.value(), moves, i);
   // With many contacts their sum overshoots (each pair counts on itself alone).
   Vec2 push = sum.value() * (2.0 / (sum.terms() + 1.0));
-  const double most = kPushPerPass + std::hypot(motion.dx[i], motion.dy[i]);
+  const double most = kPushPerPass + std::hypot(moves.dx[i], moves.dy[i]);
   if (push.norm() > most) push *= most / push.norm();
   return kept_inside(crowd.zone.walls, crowd.position(i), here + push,
                      crowd.persons.present_radius[i], crowd.walkers[i].wall_room, scratch.walls);
@@ -174,18 +174,18 @@ Vec2 pushed(CrowdState& crowd, Part part, std::size_t block, std::size_t i) {
 
 /// One pass over all contacts; whether there were any.
 bool push_apart(CrowdState& crowd, Part part) {
-  Motion& motion = crowd.motion;
+  Moves& moves = crowd.moves;
   for_each_block(crowd.persons.walking,
                  [&](std::size_t block, std::size_t first, std::size_t last) {
                    crowd.blocks[block].touching = false;
                    for (std::size_t i = first; i < last; ++i) {
                      const Vec2 at = pushed(crowd, part, block, i);
-                     motion.next_x[i] = at.x();
-                     motion.next_y[i] = at.y();
+                     moves.next_x[i] = at.x();
+                     moves.next_y[i] = at.y();
                    }
                  });
-  motion.x.swap(motion.next_x);
-  motion.y.swap(motion.next_y);
+  moves.x.swap(moves.next_x);
+  moves.y.swap(moves.next_y);
   const auto used =
       crowd.blocks.begin() + static_cast<std::ptrdiff_t>(block_count(crowd.persons.walking));
   return std::any_of(crowd.blocks.begin(), used,
@@ -196,11 +196,11 @@ bool push_apart(CrowdState& crowd, Part part) {
 /// from the velocity; a push never adds to it.
 void commit(CrowdState& crowd) {
   Persons& persons = crowd.persons;
-  Motion& motion = crowd.motion;
+  Moves& moves = crowd.moves;
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Vec2 way = Vec2(motion.x[i], motion.y[i]) - crowd.position(i);
-      const Vec2 push = way - Vec2(motion.dx[i], motion.dy[i]);
+      const Vec2 way = Vec2(moves.x[i], moves.y[i]) - crowd.position(i);
+      const Vec2 push = way - Vec2(moves.dx[i], moves.dy[i]);
       const double length = push.norm();
       crowd.walkers[i].wall_room.spend(way.norm());
       if (length <= kCoincident) continue;
@@ -211,8 +211,8 @@ void commit(CrowdState& crowd) {
       persons.vy[i] = left.y();
     }
   });
-  persons.x.swap(motion.x);
-  persons.y.swap(motion.y);
+  persons.x.swap(moves.x);
+  persons.y.swap(moves.y);
 }
 
 }  // namespace

@@ -61,13 +61,13 @@ struct Crowd::State : CrowdState {
   }
 };
 
-const char* name_of(Activity activity) {
-  switch (activity) {
-    case Activity::kWalking:
+const char* name_of(Motion motion) {
+  switch (motion) {
+    case Motion::kWalking:
       return "walking";
-    case Activity::kWaiting:
+    case Motion::kWaiting:
       return "waiting";
-    case Activity::kStanding:
+    case Motion::kStanding:
       return "standing";
   }
   return "unknown";
@@ -186,12 +186,12 @@ PersonView Crowd::view(Handle handle) const {
   const State& state = *state_;
   const std::size_t i = state.row_of(handle);
   const WalkState& walker = state.walkers[i];
-  const Activity activity = walker.waits                   ? Activity::kWaiting
-                            : walker.slow >= kStandingTime ? Activity::kStanding
-                                                           : Activity::kWalking;
+  const Motion motion = walker.waits                   ? Motion::kWaiting
+                        : walker.slow >= kStandingTime ? Motion::kStanding
+                                                       : Motion::kWalking;
   return {state.position(i),        state.velocity(i),
-          state.persons.heading[i], activity,
-          walker.pastime,           walker.arrived,
+          state.persons.heading[i], motion,
+          walker.activity,          walker.arrived,
           walker.gave_up,           walker.waits_for_group,
           walker.holds_hand,        state.persons.present_radius[i]};
 }

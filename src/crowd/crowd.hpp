@@ -32,16 +32,16 @@ struct NewPerson {
   double radius = 0.24;           ///< [m]
   double preferred_speed = 1.34;  ///< [m/s]
   Destination destination;
-  const Profile* profile = nullptr;       ///< must outlive the crowd; null: as the zone's
-                                          ///< parameters say, without pastimes
-  std::optional<bool> aware;              ///< of vehicles; unset: by the profile's share
-  std::uint64_t group = 0;                ///< persons of the same number keep together; 0: alone
-  std::vector<Waypoint> path;             ///< come by these in turn, then to the destination;
-                                          ///< one that cannot be reached is passed over when
-                                          ///< patience runs out, at once where there is no way
-  std::array<double, kPastimes> rates{};  ///< [1/min] at which each pastime begins
-  bool place_freely = false;              ///< departs here: moved to the nearest free place if
-                                          ///< somebody or something stands there
+  const Profile* profile = nullptr;         ///< must outlive the crowd; null: as the zone's
+                                            ///< parameters say, without activities
+  std::optional<bool> aware;                ///< of vehicles; unset: by the profile's share
+  std::uint64_t group = 0;                  ///< persons of the same number keep together; 0: alone
+  std::vector<Waypoint> path;               ///< come by these in turn, then to the destination;
+                                            ///< one that cannot be reached is passed over when
+                                            ///< patience runs out, at once where there is no way
+  std::array<double, kActivities> rates{};  ///< [1/min] at which each activity begins
+  bool place_freely = false;                ///< departs here: moved to the nearest free place if
+                                            ///< somebody or something stands there
 };
 
 /// Somebody near the zone whom SUMO still walks: seen, not moved. Who stands turns and steps back
@@ -55,15 +55,15 @@ struct SeenPerson {
 };
 
 /// Waiting: for a vehicle. Standing: slower than 0.1 m/s for at least a second for another reason.
-enum class Activity : std::uint8_t { kWalking, kWaiting, kStanding };
-const char* name_of(Activity activity);  ///< "walking", "waiting", "standing"
+enum class Motion : std::uint8_t { kWalking, kWaiting, kStanding };
+const char* name_of(Motion motion);  ///< "walking", "waiting", "standing"
 
 /// One person, read back.
 struct PersonView {
   Vec2 position, velocity;
   double heading;
+  Motion motion;
   Activity activity;
-  Pastime pastime;
   bool arrived;          ///< on its destination (or gave up there after its patience)
   bool gave_up;          ///< arrived only since patience ran out near a blocked destination
   bool waits_for_group;  ///< is too far ahead of the last of its group

@@ -29,7 +29,7 @@ void set_goal(CrowdState& crowd, std::size_t i) {
   }
   const Vec2 to_goal = heading_point(walker.route, crowd.position(i)) - crowd.position(i);
   persons.goal_direction[i] =
-      wrap_angle(angle_of(to_goal) + walker.noise * info_of(walker.pastime).noise);
+      wrap_angle(angle_of(to_goal) + walker.noise * info_of(walker.activity).noise);
   persons.goal_distance[i] = to_goal.norm();
 }
 

@@ -44,11 +44,10 @@ double turned(double heading, const Vec2& velocity, const Decision& decision, do
 /// vehicles simply move on.
 void set_moves(CrowdState& crowd, double dt) {
   Persons& persons = crowd.persons;
-  Motion& motion = crowd.motion;
+  Moves& moves = crowd.moves;
   const Relaxation turning(crowd.zone.parameters.relaxation_time, dt);
   const Relaxation relaxation = crowd.model->sets_velocity() ? Relaxation::none() : turning;
-  for (auto* list :
-       {&motion.dx, &motion.dy, &motion.x, &motion.y, &motion.next_x, &motion.next_y}) {
+  for (auto* list : {&moves.dx, &moves.dy, &moves.x, &moves.y, &moves.next_x, &moves.next_y}) {
     list->resize(persons.size());
   }
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
@@ -69,19 +68,19 @@ void set_moves(CrowdState& crowd, double dt) {
       }
       persons.vx[i] = velocity.x();
       persons.vy[i] = velocity.y();
-      motion.dx[i] = move.x();
-      motion.dy[i] = move.y();
+      moves.dx[i] = move.x();
+      moves.dy[i] = move.y();
     }
   });
   for (std::size_t i = persons.walking; i < persons.size(); ++i) {
-    motion.dx[i] = persons.vx[i] * dt;
-    motion.dy[i] = persons.vy[i] * dt;
+    moves.dx[i] = persons.vx[i] * dt;
+    moves.dy[i] = persons.vy[i] * dt;
   }
   double squared = 0.0;
   for (std::size_t i = 0; i < persons.size(); ++i) {
-    squared = std::max(squared, motion.dx[i] * motion.dx[i] + motion.dy[i] * motion.dy[i]);
+    squared = std::max(squared, moves.dx[i] * moves.dx[i] + moves.dy[i] * moves.dy[i]);
   }
-  motion.reach = std::sqrt(squared);
+  moves.reach = std::sqrt(squared);
 }
 
 }  // namespace pedzone

@@ -159,13 +159,13 @@ class Observer {
 };
 
 Perception perception_of(const Zone& zone, const WalkState& walker) {
-  const PastimeInfo& pastime = info_of(walker.pastime);
+  const ActivityInfo& activity = info_of(walker.activity);
   Perception p{zone.parameters.field_of_view, zone.parameters.hearing, 1.0};
   if (walker.profile != nullptr) {
     p = {walker.profile->field_of_view, walker.profile->hearing, walker.profile->caution};
   }
-  p.field_of_view *= pastime.field_of_view * zone.weather->field_of_view;
-  p.hearing *= pastime.hearing;
+  p.field_of_view *= activity.field_of_view * zone.weather->field_of_view;
+  p.hearing *= activity.hearing;
   if (std::ranges::any_of(walker.noticed, &Noticed::warned)) p.field_of_view = kWarnedField;
   return p;
 }
@@ -176,7 +176,7 @@ bool anybody_differs(const CrowdState& crowd) {
   const bool views_blocked = !crowd.zone.obstacles.empty() || crowd.vehicles.size() > 1;
   if (!crowd.vehicles.empty() && views_blocked) return true;
   return std::ranges::any_of(crowd.walkers, [](const WalkState& walker) {
-    return walker.profile != nullptr || walker.pastime != Pastime::kNone || !walker.aware;
+    return walker.profile != nullptr || walker.activity != Activity::kNone || !walker.aware;
   });
 }
 

@@ -55,9 +55,9 @@ struct WalkState {
   double slow = 0.0;          ///< [s] since the person was last faster than standing
   std::uint64_t planned = 0;  ///< substep of the last plan
   const Profile* profile = nullptr;
-  std::uint64_t group = 0;               ///< 0: alone
-  std::array<float, kPastimes> rates{};  ///< [1/min]
-  double own_speed = 1.34;               ///< [m/s] preferred, but for pastime and weather
+  std::uint64_t group = 0;                 ///< 0: alone
+  std::array<float, kActivities> rates{};  ///< [1/min]
+  double own_speed = 1.34;                 ///< [m/s] preferred, but for activity and weather
   std::vector<Noticed> noticed;
   std::int32_t seat = -1;    ///< index in Zone::seats of where it sits, or goes to; -1: where it is
   double dash = 0.0;         ///< [s] that it still runs in front of a vehicle
@@ -69,7 +69,7 @@ struct WalkState {
   double hand_side = 1.0;      ///< 1: at the adult's left hand, -1: at its right
   float full_radius = 0.24F;   ///< [m] of the body while it does not squeeze
   float turned_width = 0.5F;   ///< with the shoulders turned, over the full width
-  Pastime pastime = Pastime::kNone;
+  Activity activity = Activity::kNone;
   bool aware = true;  ///< of vehicles
   bool waits_for_group = false;
   bool led = false;         ///< a child on its way to its adult, or by its hand
@@ -87,7 +87,7 @@ inline double patience(const Zone& zone, const WalkState& walker) {
 }
 
 /// The motion of all bodies within one substep, in the order of Persons.
-struct Motion {
+struct Moves {
   std::vector<double> dx, dy;          ///< [m] displacement that each body means to make
   std::vector<double> x, y;            ///< [m] where it gets to, as far as that is known
   std::vector<double> next_x, next_y;  ///< [m] the same after one more pass over the contacts
@@ -132,7 +132,7 @@ struct CrowdState {
   bool differs = false;  ///< they do
 
   std::vector<Decision> decisions;
-  Motion motion;
+  Moves moves;
   BodyGrid grid;
   std::vector<BlockScratch> blocks;
   std::vector<std::uint32_t> first_neighbour, last_neighbour;  ///< in the list of one's block
@@ -160,16 +160,16 @@ constexpr double kStandingTime = 1.0;
 constexpr double kLongestSubstep = 0.1;
 
 // The phases of a substep of `dt` [s], in their order (step.cpp).
-void live(CrowdState& crowd, double dt);              // pastimes.cpp
+void live(CrowdState& crowd, double dt);              // activities.cpp
 void perceive(CrowdState& crowd, double dt);          // perception.cpp
 void set_goals(CrowdState& crowd, double dt);         // goals.cpp
 void gather_groups(CrowdState& crowd, double dt);     // groups.cpp
-void go_to_seats(CrowdState& crowd);                  // pastimes.cpp
-void dash(CrowdState& crowd);                         // pastimes.cpp
+void go_to_seats(CrowdState& crowd);                  // activities.cpp
+void dash(CrowdState& crowd);                         // activities.cpp
 void set_goal(CrowdState& crowd, std::size_t i);      // goals.cpp: of one, as it varies now
 void leave_claims(CrowdState& crowd);                 // claims.cpp
 void decide(CrowdState& crowd, double dt);            // step.cpp
-void stand_still(CrowdState& crowd);                  // pastimes.cpp
+void stand_still(CrowdState& crowd);                  // activities.cpp
 void wait_beside_claims(CrowdState& crowd);           // claims.cpp
 void wait_for_groups(CrowdState& crowd);              // groups.cpp
 void set_moves(CrowdState& crowd, double dt);         // moves.cpp

@@ -95,8 +95,8 @@ void find_hits(CrowdState& crowd, double dt) {
   for (std::size_t v = 0; v < crowd.vehicles.size(); ++v) {
     const VehicleState& vehicle = crowd.vehicles[v];
     const double around = 0.5 * std::hypot(vehicle.length, vehicle.width) + widest +
-                          gap_to(vehicle) + vehicle.velocity.norm() * dt +
-                          2.0 * crowd.motion.reach + kStep;
+                          gap_to(vehicle) + vehicle.velocity.norm() * dt + 2.0 * crowd.moves.reach +
+                          kStep;
     const Vec2 box = Vec2::Constant(around);
     const Vec2 low = vehicle.centre - box, high = vehicle.centre + box;
     crowd.grid.visit_box(low, high, [&](std::uint32_t i, const Vec2& there) {
@@ -120,17 +120,17 @@ double distance_to(const VehicleState& vehicle, const Vec2& point) {
 void keep_out_of_vehicles(CrowdState& crowd, double dt) {
   if (crowd.vehicles.empty()) return;
   find_hits(crowd, dt);
-  Motion& motion = crowd.motion;
+  Moves& moves = crowd.moves;
   for (const VehicleHit& hit : crowd.hits) {
     const VehicleState& now = crowd.vehicles[hit.vehicle];
     const VehicleState later = moved_on(now, dt);
     const double turn = std::abs(now.yaw_rate) * 0.5 * now.length;
     const double longest = kStep + (now.velocity.norm() + turn) * dt;
-    const Vec2 here(motion.x[hit.person], motion.y[hit.person]);
+    const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
     const Vec2 at =
         moved_out(crowd.zone.walls, later, here, crowd.persons.radius[hit.person], longest);
-    motion.x[hit.person] = at.x();
-    motion.y[hit.person] = at.y();
+    moves.x[hit.person] = at.x();
+    moves.y[hit.person] = at.y();
   }
 }
 

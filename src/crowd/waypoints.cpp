@@ -138,7 +138,7 @@ class Follower {
       walker_.least_left = left;
       walker_.blocked = 0.0;
     } else if (!walker_.waits && !walker_.waits_for_group && !walker_.led &&
-               info_of(walker_.pastime).speed > 0.0) {
+               info_of(walker_.activity).speed > 0.0) {
       walker_.blocked += dt;
     }
     if (walker_.blocked < patience(crowd_.zone, walker_)) return;
@@ -174,7 +174,7 @@ void follow_waypoints(CrowdState& crowd, double dt) {
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       WalkState& walker = crowd.walkers[i];
-      const Vec2 from(crowd.motion.x[i], crowd.motion.y[i]), to = crowd.position(i);
+      const Vec2 from(crowd.moves.x[i], crowd.moves.y[i]), to = crowd.position(i);
       walker.slow = (to - from).norm() < kStandingSpeed * dt ? walker.slow + dt : 0.0;
       if (!walker.arrived) {
         if (walker.path != nullptr && comes_by(crowd.zone.walls, current(*walker.path), from, to)) {

@@ -64,12 +64,12 @@ class Kinds {
   double companion_guarded_ = 0.0;      ///< probability that a companion is guarded
 };
 
-Pastime draw_pastime(const PanelSpec& spec, double uniform) {
-  for (const auto& [pastime, share] : spec.activities) {
-    if (uniform < share) return pastime;
+Activity draw_activity(const PanelSpec& spec, double uniform) {
+  for (const auto& [activity, share] : spec.activities) {
+    if (uniform < share) return activity;
     uniform -= share;
   }
-  return Pastime::kNone;
+  return Activity::kNone;
 }
 
 void plan_panel(const DemandInput& input, const PanelSpec& spec, const std::vector<int>& parts,
@@ -90,7 +90,7 @@ void plan_panel(const DemandInput& input, const PanelSpec& spec, const std::vect
       Draws draws(input.seed, person.id);
       person.profile = &kinds.draw(member == 0, draws);
       person.speed = draw_speed(*person.profile, spec, draws.uniform());
-      person.pastime = draw_pastime(spec, draws.uniform());
+      person.activity = draw_activity(spec, draws.uniform());
       person.depart = unit.depart;
       person.from = places.beside(trip.from, member, person.profile->width);
       person.to = places.beside(trip.to, 0, person.profile->width);

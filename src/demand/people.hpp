@@ -24,8 +24,8 @@ struct PlannedPerson {
   double speed = 0.0;   ///< [m/s] preferred
   double depart = 0.0;  ///< [s]
   PlannedPlace from, to;
-  std::string group;                 ///< empty: alone
-  Pastime pastime = Pastime::kNone;  ///< what it does now and then
+  std::string group;                    ///< empty: alone
+  Activity activity = Activity::kNone;  ///< what it does now and then
   const PanelSpec* panel = nullptr;
 };
 

@@ -40,8 +40,8 @@ std::string plan_of(const PlannedPerson& person, const Network& network) {
       fmt::format("    <person id=\"{0}\" type=\"{0}\" depart=\"{1:.2f}\" departPos=\"{2:.2f}\">\n",
                   id, person.depart, person.from.position);
   if (!person.group.empty()) text += parameter("pedzone.group", person.group);
-  if (person.pastime != Pastime::kNone) {
-    const PastimeInfo& info = info_of(person.pastime);
+  if (person.activity != Activity::kNone) {
+    const ActivityInfo& info = info_of(person.activity);
     text += parameter("pedzone.activities", fmt::format("{}={}", info.id, info.rate));
   }
   if (!person.panel->path.empty()) text += parameter("pedzone.path", person.panel->path);

@@ -11,20 +11,20 @@ namespace pedzone {
 namespace {
 
 /// "texting phoning=0.5": each with the rate [1/min] at which it begins, or its usual one.
-std::array<double, kPastimes> rates_of(const std::string& text) {
-  std::array<double, kPastimes> rates{};
+std::array<double, kActivities> rates_of(const std::string& text) {
+  std::array<double, kActivities> rates{};
   for (const std::string& word : split_words(text)) {
     const std::size_t equals = word.find('=');
-    const PastimeInfo* info = find_pastime(word.substr(0, equals));
-    if (info == nullptr || info->pastime == Pastime::kNone) {
-      throw HintProblem{"is no activity", word, pastime_ids()};
+    const ActivityInfo* info = find_activity(word.substr(0, equals));
+    if (info == nullptr || info->activity == Activity::kNone) {
+      throw HintProblem{"is no activity", word, activity_ids()};
     }
     double rate = info->rate;
     if (equals != std::string::npos &&
         (!parse_number(word.substr(equals + 1), rate) || rate < 0.0 || rate > 60.0)) {
       throw HintProblem{"has no rate", word, "ACTIVITY or ACTIVITY=0 to 60 (per minute)"};
     }
-    rates[static_cast<std::size_t>(info->pastime)] = rate;
+    rates[static_cast<std::size_t>(info->activity)] = rate;
   }
   return rates;
 }

@@ -18,11 +18,11 @@
 namespace pedzone {
 
 struct PersonHints {
-  const Profile* profile = nullptr;       ///< pedzone.profile; null: none
-  std::optional<bool> aware;              ///< pedzone.aware, of vehicles; unset: by the profile
-  std::uint64_t group = 0;                ///< of pedzone.group; 0: alone
-  std::array<double, kPastimes> rates{};  ///< [1/min] of pedzone.activities
-  const WaypointPath* path = nullptr;     ///< pedzone.path; null: none
+  const Profile* profile = nullptr;         ///< pedzone.profile; null: none
+  std::optional<bool> aware;                ///< pedzone.aware, of vehicles; unset: by the profile
+  std::uint64_t group = 0;                  ///< of pedzone.group; 0: alone
+  std::array<double, kActivities> rates{};  ///< [1/min] of pedzone.activities
+  const WaypointPath* path = nullptr;       ///< pedzone.path; null: none
 };
 
 inline constexpr std::string_view kHintKeys[] = {

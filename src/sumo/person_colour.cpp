@@ -4,13 +4,13 @@
 
 namespace pedzone {
 
-void PersonColour::show(const std::string& person, Pastime pastime) {
-  if (pastime == shown_) return;
-  shown_ = pastime;
+void PersonColour::show(const std::string& person, Activity activity) {
+  if (activity == shown_) return;
+  shown_ = activity;
   if (!own_) own_ = api::Person::getColor(person);
-  const auto& [red, green, blue] = info_of(pastime).colour;
-  api::Person::setColor(person,
-                        pastime == Pastime::kNone ? *own_ : libsumo::TraCIColor(red, green, blue));
+  const auto& [red, green, blue] = info_of(activity).colour;
+  api::Person::setColor(
+      person, activity == Activity::kNone ? *own_ : libsumo::TraCIColor(red, green, blue));
 }
 
 }  // namespace pedzone

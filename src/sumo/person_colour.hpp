@@ -12,11 +12,11 @@ namespace pedzone {
 
 class PersonColour {
  public:
-  /// Colours the person by its pastime, and as it was before once it has none.
-  void show(const std::string& person, Pastime pastime);
+  /// Colours the person by its activity, and as it was before once it has none.
+  void show(const std::string& person, Activity activity);
 
  private:
-  Pastime shown_ = Pastime::kNone;
+  Activity shown_ = Activity::kNone;
   std::optional<libsumo::TraCIColor> own_;
 };
 

@@ -18,9 +18,9 @@ namespace pedzone {
 namespace {
 
 // What pedzone's TrajectoryWriter writes.
-const std::vector<std::string> kHeader{"time", "id",      "x",        "y",      "vx",
-                                       "vy",   "heading", "activity", "pastime"};
-enum Column { kTime, kId, kX, kY, kVx, kVy, kHeading, kActivity, kPastime };
+const std::vector<std::string> kHeader{"time", "id",      "x",      "y",       "vx",
+                                       "vy",   "heading", "motion", "activity"};
+enum Column { kTime, kId, kX, kY, kVx, kVy, kHeading, kMotion, kActivity };
 constexpr NumberRange kTimes{-1e9, 1e9};         // [s]
 constexpr NumberRange kPlaces{-1e9, 1e9};        // [m]
 constexpr NumberRange kSpeeds{-1000.0, 1000.0};  // [m/s]
@@ -47,16 +47,16 @@ Kind kind_of(const std::string& file) {
                    {.file = file, .allowed = "SUMO's fcd-output or pedzone's trajectories"});
 }
 
-Activity activity_of(const CsvRow& row) {
-  for (const Activity activity : {Activity::kWalking, Activity::kWaiting, Activity::kStanding}) {
-    if (row[kActivity] == name_of(activity)) return activity;
+Motion motion_of(const CsvRow& row) {
+  for (const Motion motion : {Motion::kWalking, Motion::kWaiting, Motion::kStanding}) {
+    if (row[kMotion] == name_of(motion)) return motion;
   }
-  throw row.error("is no activity", kActivity, "walking, waiting, standing");
+  throw row.error("is no motion", kMotion, "walking, waiting, standing");
 }
 
-Pastime pastime_of(const CsvRow& row) {
-  if (const PastimeInfo* info = find_pastime(row[kPastime])) return info->pastime;
-  throw row.error("is no pastime", kPastime, comma_list(pastime_list(), &PastimeInfo::id));
+Activity activity_of(const CsvRow& row) {
+  if (const ActivityInfo* info = find_activity(row[kActivity])) return info->activity;
+  throw row.error("is no activity", kActivity, comma_list(activity_list(), &ActivityInfo::id));
 }
 
 /// Ends the reading of a file whose rest is not shown: it may be long.
@@ -134,7 +134,7 @@ void Collector::read_fcd(const std::string& file, bool persons_too,
           if (!persons_too || !sample.rides_in.empty() || !wanted(sample.id)) continue;
           person(sample.id).moments.push_back({step, static_cast<float>(sample.heading),
                                                static_cast<float>(sample.velocity.norm()),
-                                               std::nullopt, Pastime::kNone, sample.position});
+                                               std::nullopt, Activity::kNone, sample.position});
         }
         for (const VehicleSample& sample : vehicles) {
           vehicle(sample, reader)
@@ -159,8 +159,8 @@ void Collector::read_trajectories(const ReadProgress& progress) {
         const PersonMoment moment{0,
                                   static_cast<float>(row.number(kHeading, kAngles)),
                                   static_cast<float>(velocity.norm()),
+                                  motion_of(row),
                                   activity_of(row),
-                                  pastime_of(row),
                                   place};
         if (!shown(time) || !wanted(row[kId])) return;
         auto& moments = person(row[kId]).moments;

@@ -281,7 +281,7 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     totals_.distance += walked;
     totals_.time += dt;
     if (guest.preferred_speed > 0.0) totals_.free_time += walked / guest.preferred_speed;
-    if (view.activity != Activity::kWalking) totals_.waiting += dt;
+    if (view.motion != Motion::kWalking) totals_.waiting += dt;
     if (view.arrived && !has_plan(guest)) guest.check_at = 0.0;
     if (view.arrived && guest.check_at > 0.0 && may_hand_over(guest, view.position, dt, fleet)) {
       guest.gone = hand_over(guest, view, dt);
@@ -290,7 +290,7 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
       api::Person::moveToXY(guest.id, "", view.position.x(), view.position.y(),
                             sumo_from_radians(view.heading), kKeepRouteFree, kNoMatch);
     }
-    guest.colour.show(guest.id, guest.gone ? Pastime::kNone : view.pastime);
+    guest.colour.show(guest.id, guest.gone ? Activity::kNone : view.activity);
     guest.position = view.position;
   }
   drop_gone();

@@ -81,29 +81,29 @@ const Vec2& place_of(const PersonMoment& moment) { return moment.position; }
 const Vec2& place_of(const VehicleMoment& moment) { return moment.centre; }
 
 /// What SUMO's own output does not tell is told from the speed.
-Activity activity_of(const PersonMoment& moment) {
-  if (moment.activity) return *moment.activity;
-  return moment.speed < kStill ? Activity::kStanding : Activity::kWalking;
+Motion motion_of(const PersonMoment& moment) {
+  if (moment.motion) return *moment.motion;
+  return moment.speed < kStill ? Motion::kStanding : Motion::kWalking;
 }
 
-/// [[samples since its first, activity, pastime], ...]: whenever they change.
+/// [[samples since its first, motion, activity], ...]: whenever they change.
 class Changes {
  public:
   void add(std::size_t sample, const PersonMoment& moment) {
-    const auto activity = static_cast<int>(activity_of(moment));
-    const auto pastime = static_cast<int>(moment.pastime);
-    if (!text_.empty() && activity == activity_ && pastime == pastime_) return;
+    const auto motion = static_cast<int>(motion_of(moment));
+    const auto activity = static_cast<int>(moment.activity);
+    if (!text_.empty() && motion == motion_ && activity == activity_) return;
     if (!text_.empty()) text_ += ',';
-    fmt::format_to(std::back_inserter(text_), "[{},{},{}]", sample, activity, pastime);
+    fmt::format_to(std::back_inserter(text_), "[{},{},{}]", sample, motion, activity);
+    motion_ = motion;
     activity_ = activity;
-    pastime_ = pastime;
   }
   void add(std::size_t, const VehicleMoment&) {}
   const std::string& text() const { return text_; }
 
  private:
   std::string text_;
-  int activity_ = 0, pastime_ = 0;
+  int motion_ = 0, activity_ = 0;
 };
 
 struct Track {
@@ -186,14 +186,14 @@ std::string packed_times(const Frames& frames) {
 }
 
 /// Names in the order of their enum.
-std::string activity_names() {
-  return fmt::format(R"(["{}","{}","{}"])", name_of(Activity::kWalking),
-                     name_of(Activity::kWaiting), name_of(Activity::kStanding));
+std::string motion_names() {
+  return fmt::format(R"(["{}","{}","{}"])", name_of(Motion::kWalking), name_of(Motion::kWaiting),
+                     name_of(Motion::kStanding));
 }
 
-std::string pastime_names() {
+std::string activity_names() {
   std::string text;
-  for (const PastimeInfo& info : pastime_list()) {
+  for (const ActivityInfo& info : activity_list()) {
     text += (text.empty() ? "" : ",") + json_string(info.id);
   }
   return '[' + text + ']';
@@ -207,11 +207,11 @@ std::string run(const AnimatedRun& run, double rate) {
   const std::string who = persons(*run.recording, frames, columns);
   const std::string what = vehicles(*run.recording, frames, columns);
   return fmt::format(
-      R"({{"name":{},"activities":{},"pastimes":{},"frames":{},"samples":{},"begin":{},)"
+      R"({{"name":{},"motions":{},"activities":{},"frames":{},"samples":{},"begin":{},)"
       R"("times":"{}",)"
       R"("x":"{}","y":"{}","heading":"{}","speed":"{}",)"
       "\n\"persons\":[{}],\n\"vehicles\":[{}]}}",
-      json_string(run.name), activity_names(), pastime_names(), frames.times.size(),
+      json_string(run.name), motion_names(), activity_names(), frames.times.size(),
       columns.x.differences().size(), frames.times.front(), packed_times(frames),
       packed(columns.x.differences()), packed(columns.y.differences()),
       packed(columns.heading.differences()), packed(columns.speed.differences()), who, what);

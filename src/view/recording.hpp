@@ -14,11 +14,11 @@ namespace pedzone {
 
 /// A person in one step.
 struct PersonMoment {
-  std::uint32_t step = 0;            ///< index into Recording::times
-  float heading = 0.0F;              ///< [rad] where it faces
-  float speed = 0.0F;                ///< [m/s] >= 0
-  std::optional<Activity> activity;  ///< nothing where the recording does not tell it
-  Pastime pastime = Pastime::kNone;
+  std::uint32_t step = 0;        ///< index into Recording::times
+  float heading = 0.0F;          ///< [rad] where it faces
+  float speed = 0.0F;            ///< [m/s] >= 0
+  std::optional<Motion> motion;  ///< nothing where the recording does not tell it
+  Activity activity = Activity::kNone;
   Vec2 position = Vec2::Zero();  ///< [m] centre of the body
 };
 

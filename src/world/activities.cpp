@@ -9,9 +9,9 @@ namespace {
 
 // Lamberg and Muratori 2012: who texts walks a third slower and sways more, who phones a sixth
 // slower. How much more they sway, and what they see and hear meanwhile, is assumed.
-constexpr PastimeInfo kPastimeList[] = {
-    {Pastime::kNone, "none", 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, {}, ""},
-    {Pastime::kTexting,
+constexpr ActivityInfo kActivityList[] = {
+    {Activity::kNone, "none", 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, {}, ""},
+    {Activity::kTexting,
      "texting",
      20.0,
      2.0,
@@ -21,7 +21,7 @@ constexpr PastimeInfo kPastimeList[] = {
      2.5,
      {214, 39, 40},
      "speed: Lamberg and Muratori 2012; else assumed"},
-    {Pastime::kPhoning,
+    {Activity::kPhoning,
      "phoning",
      40.0,
      1.0,
@@ -31,25 +31,25 @@ constexpr PastimeInfo kPastimeList[] = {
      1.5,
      {255, 127, 14},
      "speed: Lamberg and Muratori 2012; else assumed"},
-    {Pastime::kLooking, "looking", 8.0, 2.0, 0.7, 0.6, 1.0, 3.0, {148, 103, 189}, "assumed"},
-    {Pastime::kChatting, "chatting", 30.0, 0.5, 0.0, 0.7, 0.7, 1.0, {44, 160, 44}, "assumed"},
-    {Pastime::kSitting, "sitting", 60.0, 0.5, 0.0, 0.7, 1.0, 1.0, {140, 86, 75}, "assumed"},
+    {Activity::kLooking, "looking", 8.0, 2.0, 0.7, 0.6, 1.0, 3.0, {148, 103, 189}, "assumed"},
+    {Activity::kChatting, "chatting", 30.0, 0.5, 0.0, 0.7, 0.7, 1.0, {44, 160, 44}, "assumed"},
+    {Activity::kSitting, "sitting", 60.0, 0.5, 0.0, 0.7, 1.0, 1.0, {140, 86, 75}, "assumed"},
 };
-static_assert(std::size(kPastimeList) == kPastimes);
+static_assert(std::size(kActivityList) == kActivities);
 
 }  // namespace
 
-std::span<const PastimeInfo> pastime_list() { return kPastimeList; }
+std::span<const ActivityInfo> activity_list() { return kActivityList; }
 
-const PastimeInfo& info_of(Pastime pastime) {
-  return kPastimeList[static_cast<std::size_t>(pastime)];
+const ActivityInfo& info_of(Activity activity) {
+  return kActivityList[static_cast<std::size_t>(activity)];
 }
 
-const PastimeInfo* find_pastime(std::string_view id) {
-  const auto found = std::ranges::find(kPastimeList, id, &PastimeInfo::id);
-  return found == std::end(kPastimeList) ? nullptr : &*found;
+const ActivityInfo* find_activity(std::string_view id) {
+  const auto found = std::ranges::find(kActivityList, id, &ActivityInfo::id);
+  return found == std::end(kActivityList) ? nullptr : &*found;
 }
 
-std::string pastime_ids() { return comma_list(pastime_list().subspan(1), &PastimeInfo::id); }
+std::string activity_ids() { return comma_list(activity_list().subspan(1), &ActivityInfo::id); }
 
 }  // namespace pedzone

@@ -9,11 +9,11 @@
 
 namespace pedzone {
 
-enum class Pastime : std::uint8_t { kNone, kTexting, kPhoning, kLooking, kChatting, kSitting };
-inline constexpr std::size_t kPastimes = 6;
+enum class Activity : std::uint8_t { kNone, kTexting, kPhoning, kLooking, kChatting, kSitting };
+inline constexpr std::size_t kActivities = 6;
 
-struct PastimeInfo {
-  Pastime pastime;
+struct ActivityInfo {
+  Activity activity;
   std::string_view id;                 ///< "texting", ...
   double duration;                     ///< [s] mean; exponential
   double rate;                         ///< [1/min] at which somebody who does it at all begins
@@ -26,11 +26,11 @@ struct PastimeInfo {
 };
 
 /// In the order of the enum, kNone (which changes nothing) included.
-std::span<const PastimeInfo> pastime_list();
-const PastimeInfo& info_of(Pastime pastime);
+std::span<const ActivityInfo> activity_list();
+const ActivityInfo& info_of(Activity activity);
 /// Nullptr where none has that id; "none" is none.
-const PastimeInfo* find_pastime(std::string_view id);
+const ActivityInfo* find_activity(std::string_view id);
 /// "texting, phoning, ...", without "none".
-std::string pastime_ids();
+std::string activity_ids();
 
 }  // namespace pedzone

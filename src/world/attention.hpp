@@ -1,4 +1,4 @@
-// How people perceive at present, where they differ: profile, pastime and weather together, and
+// How people perceive at present, where they differ: profile, activity and weather together, and
 // which vehicles each of them does not mind (not yet noticed, hidden, or unaware of vehicles).
 #pragma once
 

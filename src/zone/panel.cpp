@@ -212,11 +212,11 @@ void read_profiles(const Values& values, const Profiles& profiles, PanelSpec& sp
 
 void read_activities(const Values& values, PanelSpec& spec) {
   for (const auto& [id, share] : values.shares("activities")) {
-    const PastimeInfo* info = find_pastime(id);
-    if (!info || info->pastime == Pastime::kNone) {
-      throw panel_error(spec.text, "is no activity", "activities", id, pastime_ids());
+    const ActivityInfo* info = find_activity(id);
+    if (!info || info->activity == Activity::kNone) {
+      throw panel_error(spec.text, "is no activity", "activities", id, activity_ids());
     }
-    spec.activities.emplace_back(info->pastime, share);
+    spec.activities.emplace_back(info->activity, share);
   }
 }
 

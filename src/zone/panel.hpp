@@ -38,7 +38,7 @@ struct PanelSpec {
   int group_least, group_most;
   double speed_min, speed_max;
   std::vector<std::pair<std::string, double>> profiles;  ///< shares; the rest: others, as in table
-  std::vector<std::pair<Pastime, double>> activities;    ///< shares
+  std::vector<std::pair<Activity, double>> activities;   ///< shares
   std::string path;                                      ///< id; empty: none
   bool stay = false;                                     ///< at the end of the walk
 };

@@ -230,7 +230,7 @@ class Outside(TinyRun):
         self.assertEqual((figures["persons"]["controlled"], figures["outside"]["events"]), (0, 0))
         # ... unless the trajectories say that they were controlled.
         write(self.path("run/trajectories.csv"),
-              "time,id,x,y,vx,vy,heading,activity\n2.00,p,0,0,0,0,0,walking\n")
+              "time,id,x,y,vx,vy,heading,motion\n2.00,p,0,0,0,0,0,walking\n")
         figures = self.check(frames, [walked("p", 0, -1)])
         self.assertEqual(figures["outside"]["in_building"]["events"], 1)
         self.assertEqual(figures["persons"]["controlled_person_steps"], 1)

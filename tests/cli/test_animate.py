@@ -26,7 +26,7 @@ STEP = """<timestep time="{time:.2f}">
   <person id="{person}" x="30.00" y="{y:.2f}" angle="0.00" speed="1.00"/></timestep>
 """
 TYPES = '<routes><vType id="van" length="6" width="2"/></routes>'
-HEADER = "time,id,x,y,vx,vy,heading,activity,pastime\n"
+HEADER = "time,id,x,y,vx,vy,heading,motion,activity\n"
 
 
 def fcd(person="p", steps=21, every=0.1):
@@ -129,7 +129,7 @@ class Animate(RefusalChecks, unittest.TestCase):
                        f"{'texting' if i > 8 else 'none'}\n" for i in range(20))
         self.write("t.csv", HEADER + rows)
         (run,) = self.data("--rate", "10", file="t.csv")["runs"]
-        names = [(run["activities"][a], run["pastimes"][p])
+        names = [(run["motions"][a], run["activities"][p])
                  for _, a, p in run["persons"][0]["changes"]]
         self.assertEqual(names, [("walking", "none"), ("waiting", "none"), ("waiting", "texting")])
         self.assertEqual([change[0] for change in run["persons"][0]["changes"]], [0, 5, 9])
@@ -137,8 +137,8 @@ class Animate(RefusalChecks, unittest.TestCase):
     def test_who_does_not_move_stands(self):
         self.write("fcd.xml", fcd().replace('speed="1.00"', 'speed="0.00"'))
         (run,) = self.data()["runs"]
-        ((_, activity, _),) = run["persons"][0]["changes"]
-        self.assertEqual(run["activities"][activity], "standing")
+        ((_, motion, _),) = run["persons"][0]["changes"]
+        self.assertEqual(run["motions"][motion], "standing")
 
     def test_compressed(self):
         with gzip.open(self.folder / "fcd.xml.gz", "wt") as file:

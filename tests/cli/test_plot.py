@@ -38,7 +38,7 @@ FCD = """<fcd-export>
   <person id="{person}" x="30.00" y="3.00" angle="0.00" speed="1.00"/></timestep>
 </fcd-export>
 """
-ROWS = """time,id,x,y,vx,vy,heading,activity,pastime
+ROWS = """time,id,x,y,vx,vy,heading,motion,activity
 0.00,p,1,2,0,1,1.57,walking,none
 1.00,p,1,3,0,1,1.57,walking,none
 """
@@ -353,7 +353,7 @@ class SmallFiles(RefusalChecks, unittest.TestCase):
         self.refused("far.csv", ROWS.replace(",3,", ",1e300,"), "far.csv:3", "out of range")
 
     def test_other_words(self):
-        self.refused("run.csv", ROWS.replace("walking", "flying", 1), "run.csv:2", "column activity",
+        self.refused("run.csv", ROWS.replace("walking", "flying", 1), "run.csv:2", "column motion",
                      "'flying'", "waiting")
 
     def test_type_whose_size_is_not_known(self):

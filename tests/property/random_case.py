@@ -196,7 +196,7 @@ class Case:
         """Counts person-steps; every figure must be finite, every person once a step."""
         outcome, persons, seen = self.outcome, set(), set()
         with open(path, encoding="utf-8") as stream:
-            assert stream.readline().startswith("time,id,x,y,vx,vy,heading,activity")
+            assert stream.readline().startswith("time,id,x,y,vx,vy,heading,motion")
             for line in stream:
                 time, name, *figures = line.rstrip("\n").split(",")
                 outcome.person_steps += 1

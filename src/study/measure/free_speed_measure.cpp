@@ -26,7 +26,7 @@ using Controlled = std::unordered_map<std::string, std::unordered_set<long long>
 Controlled read_controlled(const std::string& trajectories) {
   Controlled controlled;
   visit_rows(
-      trajectories, {"time", "id", "x", "y", "vx", "vy", "heading", "activity", "pastime"},
+      trajectories, {"time", "id", "x", "y", "vx", "vy", "heading", "motion", "activity"},
       [&](const CsvRow& row) { controlled[row[1]].insert(hundredths(row.number(0, kTimes))); });
   return controlled;
 }

@@ -73,8 +73,8 @@ class Details {
   }
 
   static doing(panel, pose) {
-    const {activity, pastime} = panel.recording.doing(pose);
-    return pastime === "none" ? activity : `${activity}, ${pastime}`;
+    const {motion, activity} = panel.recording.doing(pose);
+    return activity === "none" ? motion : `${motion}, ${activity}`;
   }
 
   static nearest_vehicle(panel, pose) {

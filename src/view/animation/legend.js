@@ -3,16 +3,16 @@
 
 class Looks {
   constructor(recordings) {
-    const profiles = new Set(), groups = new Set(), activities = new Set(), pastimes = new Set();
+    const profiles = new Set(), groups = new Set(), motions = new Set(), activities = new Set();
     const bodies = new Map();
     for (const recording of recordings) {
       for (const person of recording.persons) {
         profiles.add(person.profile);
         if (!bodies.has(person.profile)) bodies.set(person.profile, person);
         if (person.group) groups.add(person.group);
-        for (const [, activity, pastime] of person.changes) {
+        for (const [, motion, activity] of person.changes) {
+          motions.add(recording.motions[motion]);
           activities.add(recording.activities[activity]);
-          pastimes.add(recording.pastimes[pastime]);
         }
       }
     }
@@ -22,8 +22,8 @@ class Looks {
     this.own_profiles = this.profiles.filter((profile) => !order.includes(profile));
     this.bodies = bodies;
     this.rings = new Map([...groups].map((group, i) => [group, i % kGroupColours]));
-    this.activities = ["walking", "waiting", "standing"].filter((name) => activities.has(name));
-    this.pastimes = Object.keys(kPastimes).filter((name) => name !== "none" && pastimes.has(name));
+    this.motions = ["walking", "waiting", "standing"].filter((name) => motions.has(name));
+    this.activities = Object.keys(kActivities).filter((name) => name !== "none" && activities.has(name));
   }
 
   shape(profile) { return shape_of(profile, this.own_profiles); }
@@ -46,10 +46,10 @@ class Legend {
                 {...person, shape, along: fit * size[0], across: fit * size[1]}];
       }));
     this.section("Does", [
-      ...looks.activities.map((name) => [
+      ...looks.motions.map((name) => [
         name, {...person, hollow: name !== "walking", waiting: name === "waiting"}]),
-      ...looks.pastimes.map((name) => [
-        name, {...person, ...pastime_look(name), along: 9, across: 9}]),
+      ...looks.activities.map((name) => [
+        name, {...person, ...activity_look(name), along: 9, across: 9}]),
     ]);
     this.section("Where", [
       ...(looks.rings.size ? [["group", {...person, ring: 0, along: 6, across: 6}]] : []),

@@ -75,10 +75,10 @@ class Panel {
       if (y < -margin || y > this.canvas.clientHeight + margin) continue;
       const shape = this.looks.shape(pose.track.profile);
       const [along, across] = extent(pose.track, shape, this.camera.scale);
-      const {activity, pastime} = this.recording.doing(pose);
-      const look = pastime_look(pastime);
+      const {motion, activity} = this.recording.doing(pose);
+      const look = activity_look(activity);
       figures.push({x, y, heading: pose.heading, along, across, shape, colour: look.colour,
-                    hollow: activity !== "walking", waiting: activity === "waiting",
+                    hollow: motion !== "walking", waiting: motion === "waiting",
                     ring: this.looks.ring(pose.track.group), group: pose.track.group,
                     letter: look.letter});
     }

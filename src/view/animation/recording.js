@@ -24,7 +24,7 @@ class Track {
     return -1;
   }
 
-  // What a person does at a sample: numbers of an activity and a pastime.
+  // What a person does at a sample: numbers of a motion and an activity.
   doing(sample) {
     let low = 0, high = this.changes.length - 1;
     while (low < high) {
@@ -44,8 +44,8 @@ class Recording {
       unpacked(data.speed, data.samples)]);
     sum_twice(times, 0, times.length);
     Object.assign(recording, {name: data.name, begin: data.begin, times, x, y, heading, speed});
+    recording.motions = data.motions;
     recording.activities = data.activities;
-    recording.pastimes = data.pastimes;
     let sample = 0;
     const track = (kind) => (info, number) => {
       const made = new Track(info, kind, number);
@@ -116,8 +116,8 @@ class Recording {
 
   // Names of what a person does at that pose.
   doing(pose) {
-    const [, activity, pastime] = pose.track.doing(pose.sample);
-    return {activity: this.activities[activity], pastime: this.pastimes[pastime]};
+    const [, motion, activity] = pose.track.doing(pose.sample);
+    return {motion: this.motions[motion], activity: this.activities[activity]};
   }
 }
 

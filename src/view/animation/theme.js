@@ -29,7 +29,7 @@ class Theme {
 }
 
 // Okabe and Ito's colours, told apart by the colour-blind too; each with its letter.
-const kPastimes = {
+const kActivities = {
   none: {colour: "walker", letter: ""},
   texting: {colour: "texting", letter: "T"},
   phoning: {colour: "phoning", letter: "P"},
@@ -40,4 +40,4 @@ const kPastimes = {
 
 const kGroupColours = 6;
 
-function pastime_look(pastime) { return kPastimes[pastime] || kPastimes.none; }
+function activity_look(activity) { return kActivities[activity] || kActivities.none; }

@@ -141,7 +141,7 @@ NewPerson sitting_at(const Vec2& place) {
   NewPerson person;
   person.position = place;
   person.destination = line_at_x(kLength - 1, 0.1, 0.8);
-  person.rates[static_cast<std::size_t>(Pastime::kSitting)] = 6000.0;
+  person.rates[static_cast<std::size_t>(Activity::kSitting)] = 6000.0;
   return person;
 }
 

@@ -89,7 +89,7 @@ TEST(Claim, nobody_steps_into_it) {
     scene.run(0.5);
     EXPECT_FALSE(scene.in_the_way(person));
   }
-  EXPECT_EQ(scene.view(person).activity, Activity::kWaiting);
+  EXPECT_EQ(scene.view(person).motion, Motion::kWaiting);
 }
 
 TEST(Claim, without_room_beside_people_walk_ahead_of_the_vehicle) {

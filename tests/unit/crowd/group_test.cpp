@@ -97,7 +97,7 @@ TEST(Group, who_waits_stands_and_turns_to_the_others) {
   EXPECT_TRUE(view.waits_for_group);
   EXPECT_LT(view.velocity.norm(), 0.05);
   EXPECT_LT(std::cos(view.heading), -0.9);
-  EXPECT_EQ(view.activity, Activity::kStanding);
+  EXPECT_EQ(view.motion, Motion::kStanding);
   scene.run(120);
   EXPECT_EQ(scene.arrived(), 2u);
 }

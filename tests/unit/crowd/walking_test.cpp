@@ -190,7 +190,7 @@ TEST(Walking, stands_when_its_preferred_speed_is_zero) {
   scene.run(30);
   EXPECT_EQ(scene.arrived(), 0u);
   EXPECT_NEAR((scene.people[person].view.position - Vec2(20, 5)).norm(), 0.0, 0.1);
-  EXPECT_EQ(scene.people[person].view.activity, Activity::kStanding);
+  EXPECT_EQ(scene.people[person].view.motion, Motion::kStanding);
 }
 
 TEST(Walking, is_put_inside_when_given_outside) {

@@ -126,7 +126,7 @@ TEST(Patience, is_not_spent_on_waiting_for_vehicles) {
     scene.run(30);
     EXPECT_EQ(scene.arrived(), waits ? 0u : 1u);
     EXPECT_EQ(scene.people[person].view.gave_up, !waits);
-    EXPECT_EQ(scene.people[person].view.activity, waits ? Activity::kWaiting : Activity::kStanding);
+    EXPECT_EQ(scene.people[person].view.motion, waits ? Motion::kWaiting : Motion::kStanding);
   }
 }
 

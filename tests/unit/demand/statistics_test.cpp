@@ -211,11 +211,11 @@ TEST(PanelStatistics, small_children_have_somebody_with_them_and_groups_walk_tog
 TEST(PanelStatistics, activities_are_as_frequent_as_asked_for) {
   PanelScene scene = PanelScene::plaza();
   scene.add({{"number", "10000"}, {"activities", "texting=0.2 phoning=0.1"}});
-  std::map<Pastime, int> counts;
-  for (const PlannedPerson& person : scene.people()) ++counts[person.pastime];
-  expect_count(counts[Pastime::kTexting], kPeople, 0.2, "texting");
-  expect_count(counts[Pastime::kPhoning], kPeople, 0.1, "phoning");
-  expect_count(counts[Pastime::kNone], kPeople, 0.7, "none");
+  std::map<Activity, int> counts;
+  for (const PlannedPerson& person : scene.people()) ++counts[person.activity];
+  expect_count(counts[Activity::kTexting], kPeople, 0.2, "texting");
+  expect_count(counts[Activity::kPhoning], kPeople, 0.1, "phoning");
+  expect_count(counts[Activity::kNone], kPeople, 0.7, "none");
 }
 
 TEST(PanelStatistics, arrivals_by_the_hour_are_a_poisson_process) {

@@ -36,7 +36,7 @@ TEST(FreeSpeed, of_sumos_models_is_that_on_edges) {
 
 TEST(FreeSpeed, of_pedzone_is_that_while_it_walks_the_person) {
   const TemporaryFile fcd("fcd", recording());
-  std::string rows = "time,id,x,y,vx,vy,heading,activity,pastime\n";
+  std::string rows = "time,id,x,y,vx,vy,heading,motion,activity\n";
   for (int time = 10; time <= 30; ++time) {
     rows += fmt::format("{}.00,p,0,0,0,0,0,walking,\n", time);
   }
@@ -49,7 +49,7 @@ TEST(FreeSpeed, of_pedzone_is_that_while_it_walks_the_person) {
 TEST(FreeSpeed, of_few_seconds_is_none) {
   const TemporaryFile fcd("fcd", recording());
   const TemporaryFile trajectories("csv",
-                                   "time,id,x,y,vx,vy,heading,activity,pastime\n"
+                                   "time,id,x,y,vx,vy,heading,motion,activity\n"
                                    "5.00,p,0,0,0,0,0,walking,\n6.00,p,0,0,0,0,0,walking,\n");
   EXPECT_TRUE(free_speeds_of(fcd.path(), trajectories.path()).empty());
 }

@@ -19,7 +19,7 @@ constexpr const char* kFcd =
     "<timestep time='2'/><timestep time='3'>"
     "<person id='p' x='92' y='50' angle='0' speed='2'/></timestep></fcd-export>";
 constexpr const char* kRows =
-    "time,id,x,y,vx,vy,heading,activity,pastime\n"
+    "time,id,x,y,vx,vy,heading,motion,activity\n"
     "2.00,p,91,50,0.6,0.8,0.5,walking,texting\n"
     "3.00,p,92,50,0,0,0.5,waiting,none\n";
 constexpr const char* kRoutes =
@@ -70,7 +70,7 @@ TEST_F(Reading, floating_car_data_become_metres_and_radians_and_riders_are_left_
   EXPECT_EQ(person.moments[1].position, Vec2(92.0, 50.0));
   EXPECT_NEAR(person.moments[1].heading, 0.5 * kPi, 1e-6);
   EXPECT_NEAR(person.moments[1].speed, 2.0, 1e-6);
-  EXPECT_EQ(person.moments[1].activity, std::nullopt);
+  EXPECT_EQ(person.moments[1].motion, std::nullopt);
   ASSERT_EQ(recording.vehicles.size(), 1U);
   EXPECT_EQ(recording.vehicles[0].type, "van");
   EXPECT_EQ(recording.vehicles[0].moments[0].centre, Vec2(100.0, 47.0)) << "half a length back";
@@ -84,9 +84,9 @@ TEST_F(Reading, trajectories_have_activities_and_another_files_vehicles) {
   const auto& moments = recording.persons[0].moments;
   ASSERT_EQ(moments.size(), 2U);
   EXPECT_EQ(moments[0].step, 1U);
-  EXPECT_EQ(moments[0].pastime, Pastime::kTexting);
+  EXPECT_EQ(moments[0].activity, Activity::kTexting);
   EXPECT_NEAR(moments[0].speed, 1.0, 1e-6);
-  EXPECT_EQ(moments[1].activity, Activity::kWaiting);
+  EXPECT_EQ(moments[1].motion, Motion::kWaiting);
   EXPECT_EQ(recording.vehicles[0].moments[0].step, 0U);
 }
 
@@ -106,12 +106,19 @@ TEST_F(Reading, shows_the_time_and_persons_asked_for) {
   EXPECT_THAT(complaint({.file = file, .end = 0.5}), HasSubstr("no person in the time shown"));
 }
 
+TEST_F(Reading, names_the_columns_of_today_where_a_table_has_those_of_before) {
+  const std::string error =
+      complaint({.file = write("run.csv", "time,id,x,y,vx,vy,heading,activity,pastime\n")});
+  EXPECT_THAT(error, HasSubstr("heading,activity,pastime'"));
+  EXPECT_THAT(error, HasSubstr("heading,motion,activity"));
+}
+
 TEST_F(Reading, refuses_rows_that_mean_nothing) {
   const auto with = [&](const std::string& row) {
     return complaint({.file = write("run.csv", kRows + row)});
   };
-  EXPECT_THAT(with("4,p,1,1,0,0,0,running,none\n"), HasSubstr("run.csv:4: column activity"));
-  EXPECT_THAT(with("4,p,1,1,0,0,0,walking,juggling\n"), HasSubstr("column pastime: 'juggling'"));
+  EXPECT_THAT(with("4,p,1,1,0,0,0,running,none\n"), HasSubstr("run.csv:4: column motion"));
+  EXPECT_THAT(with("4,p,1,1,0,0,0,walking,juggling\n"), HasSubstr("column activity: 'juggling'"));
   EXPECT_THAT(with("2,p,1,1,0,0,0,walking,none\n"), HasSubstr("earlier than the row before"));
   EXPECT_THAT(with("3,p,1,1,0,0,0,walking,none\n"), HasSubstr("twice in this time step"));
   EXPECT_THAT(with("4,p,1,1,0,0,0,walk"), HasSubstr("cut off"));

@@ -16,19 +16,19 @@ constexpr double kSeatReach = 15.0;  // [m] assumed: nobody goes farther to sit 
 constexpr double kOnSeat = 0.4;      // [m] assumed
 constexpr double kDashTime = 3.0;    // [s] assumed: and so long it runs
 
-/// The pastime that begins within dt; none nearly always.
-Pastime begun(const CrowdState& crowd, std::size_t i, double dt) {
+/// The activity that begins within dt; none nearly always.
+Activity begun(const CrowdState& crowd, std::size_t i, double dt) {
   const WalkState& walker = crowd.walkers[i];
   double drawn = -1.0, sum = 0.0;
-  for (std::size_t k = 0; k < kPastimes; ++k) {
+  for (std::size_t k = 0; k < kActivities; ++k) {
     if (walker.rates[k] <= 0.0) continue;
     if (drawn < 0.0) {
-      drawn = random_uniform(crowd.seed, crowd.persons.key[i], crowd.substep, Purpose::kPastime);
+      drawn = random_uniform(crowd.seed, crowd.persons.key[i], crowd.substep, Purpose::kActivity);
     }
     sum += 1.0 - std::exp(-walker.rates[k] * dt / kMinute);
-    if (drawn < sum) return static_cast<Pastime>(k);
+    if (drawn < sum) return static_cast<Activity>(k);
   }
-  return Pastime::kNone;
+  return Activity::kNone;
 }
 
 /// Index of the nearest seat that the person can go straight to; -1: none within kSeatReach.
@@ -47,27 +47,27 @@ std::int32_t free_seat(const CrowdState& crowd, std::size_t i) {
 }
 
 /// Where there are seats people sit on seats, else where they are.
-void begin(CrowdState& crowd, std::size_t i, Pastime pastime) {
+void begin(CrowdState& crowd, std::size_t i, Activity activity) {
   WalkState& walker = crowd.walkers[i];
   walker.seat = -1;
-  if (pastime == Pastime::kSitting && !crowd.zone.seats.empty()) {
+  if (activity == Activity::kSitting && !crowd.zone.seats.empty()) {
     walker.seat = free_seat(crowd, i);
     if (walker.seat < 0) return;
   }
-  walker.pastime = pastime;
+  walker.activity = activity;
 }
 
 /// [m] way to the seat of a person who goes to sit down; zero where it has got there, or has none.
 Vec2 way_to_seat(const CrowdState& crowd, std::size_t i) {
   const WalkState& walker = crowd.walkers[i];
-  if (walker.pastime != Pastime::kSitting || walker.seat < 0) return Vec2::Zero();
+  if (walker.activity != Activity::kSitting || walker.seat < 0) return Vec2::Zero();
   const Vec2 way = crowd.zone.seats[static_cast<std::size_t>(walker.seat)] - crowd.position(i);
   return way.norm() > kOnSeat ? way : Vec2(Vec2::Zero());
 }
 
 bool ended(const CrowdState& crowd, std::size_t i, double dt) {
-  const double stays = std::exp(-dt / info_of(crowd.walkers[i].pastime).duration);
-  return random_uniform(crowd.seed, crowd.persons.key[i], crowd.substep, Purpose::kPastime) >=
+  const double stays = std::exp(-dt / info_of(crowd.walkers[i].activity).duration);
+  return random_uniform(crowd.seed, crowd.persons.key[i], crowd.substep, Purpose::kActivity) >=
          stays;
 }
 
@@ -100,15 +100,15 @@ void live(CrowdState& crowd, double dt) {
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       WalkState& walker = crowd.walkers[i];
-      if (walker.pastime == Pastime::kNone) {
+      if (walker.activity == Activity::kNone) {
         begin(crowd, i, begun(crowd, i, dt));
       } else if (ended(crowd, i, dt)) {
-        walker.pastime = Pastime::kNone;
+        walker.activity = Activity::kNone;
       }
       walker.dash = std::max(0.0, walker.dash - dt);
       begin_dash(crowd, i, dt);
       // Who stands still wants to walk as fast as ever: it stands by its decision (stand_still).
-      const double pace = info_of(walker.pastime).speed;
+      const double pace = info_of(walker.activity).speed;
       crowd.persons.preferred_speed[i] =
           walker.own_speed * crowd.zone.weather->speed * (pace > 0.0 ? pace : 1.0);
       if (walker.dash > 0.0) crowd.persons.preferred_speed[i] = walker.profile->top_speed;
@@ -148,7 +148,7 @@ void dash(CrowdState& crowd) {
 void stand_still(CrowdState& crowd) {
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     const WalkState& walker = crowd.walkers[i];
-    if (walker.pastime == Pastime::kNone || info_of(walker.pastime).speed > 0.0) continue;
+    if (walker.activity == Activity::kNone || info_of(walker.activity).speed > 0.0) continue;
     if (way_to_seat(crowd, i) != Vec2::Zero()) continue;
     const bool disturbed = std::ranges::any_of(
         walker.noticed, [&](const Noticed& noticed) { return noticed.minds && noticed.near; });

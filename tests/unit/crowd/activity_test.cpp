@@ -8,24 +8,24 @@
 namespace pedzone::test {
 namespace {
 
-NewPerson walker(const Vec2& from, const Destination& to, Pastime pastime, double rate) {
+NewPerson walker(const Vec2& from, const Destination& to, Activity activity, double rate) {
   NewPerson person;
   person.position = from;
   person.destination = to;
   person.heading = angle_of(0.5 * (to.a + to.b) - from);
-  person.rates[static_cast<std::size_t>(pastime)] = rate;
+  person.rates[static_cast<std::size_t>(activity)] = rate;
   return person;
 }
 
-TEST(Pastimes, begin_and_end_by_their_rates) {
+TEST(Activities, begin_and_end_by_their_rates) {
   // A process that begins at rate a and ends at rate b is on for a share a/(a + b) of the time.
   constexpr double kRate = 3.0;
-  const double share = kRate / 60.0 / (kRate / 60.0 + 1.0 / info_of(Pastime::kTexting).duration);
+  const double share = kRate / 60.0 / (kRate / 60.0 + 1.0 / info_of(Activity::kTexting).duration);
   const Zone zone = zone_of(box(0, 0, 2000, 400));
   Scene scene(zone, 3);
   constexpr int kPeople = 200;
   for (int k = 0; k < kPeople; ++k) {
-    scene.add(walker({5, 2.0 * k + 1}, {{1999, 0}, {1999, 400}}, Pastime::kTexting, kRate));
+    scene.add(walker({5, 2.0 * k + 1}, {{1999, 0}, {1999, 400}}, Activity::kTexting, kRate));
   }
   scene.run(100.0, 0.1);
   long texting = 0, all = 0;
@@ -33,7 +33,7 @@ TEST(Pastimes, begin_and_end_by_their_rates) {
     scene.step();
     for (const auto& person : scene.people) {
       ++all;
-      texting += person.view.pastime == Pastime::kTexting ? 1 : 0;
+      texting += person.view.activity == Activity::kTexting ? 1 : 0;
     }
   }
   // The process forgets itself in about 10 s, so 100 s of one person are about five looks at it.
@@ -41,20 +41,20 @@ TEST(Pastimes, begin_and_end_by_their_rates) {
   EXPECT_NEAR(static_cast<double>(texting) / static_cast<double>(all), share, bound);
 }
 
-TEST(Pastimes, slow_down_or_stop) {
+TEST(Activities, slow_down_or_stop) {
   const Zone zone = zone_of(box(0, 0, 400, 20));
-  for (const Pastime pastime : {Pastime::kTexting, Pastime::kPhoning, Pastime::kChatting}) {
+  for (const Activity activity : {Activity::kTexting, Activity::kPhoning, Activity::kChatting}) {
     Scene scene(zone);
-    const auto person = scene.add(walker({5, 10}, {{399, 1}, {399, 19}}, pastime, 60.0));
-    while (scene.people[person].view.pastime != pastime) scene.step();
-    const double wanted = 1.34 * info_of(pastime).speed;
+    const auto person = scene.add(walker({5, 10}, {{399, 1}, {399, 19}}, activity, 60.0));
+    while (scene.people[person].view.activity != activity) scene.step();
+    const double wanted = 1.34 * info_of(activity).speed;
     double settled = -1.0;
-    for (int k = 0; k < 40 && scene.people[person].view.pastime == pastime; ++k) {
+    for (int k = 0; k < 40 && scene.people[person].view.activity == activity; ++k) {
       scene.step();
       if (k >= 25) settled = scene.people[person].view.velocity.norm();
     }
     if (settled >= 0.0) {
-      EXPECT_NEAR(settled, wanted, 0.02) << info_of(pastime).id;
+      EXPECT_NEAR(settled, wanted, 0.02) << info_of(activity).id;
     }
   }
 }
@@ -65,24 +65,24 @@ TEST(Weather, changes_how_fast_people_walk) {
     Zone zone = zone_of(box(0, 0, 60, 20));
     if (ice) zone.weather = find_weather("ice");
     Scene scene(zone);
-    scene.add(walker({5, 10}, {{55, 1}, {55, 19}}, Pastime::kNone, 0.0));
+    scene.add(walker({5, 10}, {{55, 1}, {55, 19}}, Activity::kNone, 0.0));
     scene.run(200.0);
     time[ice ? 1 : 0] = scene.people[0].arrival_time;
   }
   EXPECT_NEAR(time[0] / time[1], find_weather("ice")->speed, 0.02);
 }
 
-TEST(Pastimes, people_sit_down_on_seats) {
+TEST(Activities, people_sit_down_on_seats) {
   Zone zone = zone_of(box(0, 0, 60, 30));
   zone.seats = {{20, 22}, {50, 2}};
   int on_seats = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Scene scene(zone, seed);
-    const auto person = scene.add(walker({5, 15}, {{59, 14}, {59, 16}}, Pastime::kSitting, 6.0));
+    const auto person = scene.add(walker({5, 15}, {{59, 14}, {59, 16}}, Activity::kSitting, 6.0));
     while (scene.time < 900 && scene.arrived() == 0) {
       scene.step();
       const PersonView& view = scene.people[person].view;
-      if (view.pastime != Pastime::kSitting || view.velocity.norm() > 0.01) continue;
+      if (view.activity != Activity::kSitting || view.velocity.norm() > 0.01) continue;
       const double to_seat =
           std::min((view.position - zone.seats[0]).norm(), (view.position - zone.seats[1]).norm());
       ASSERT_LT(to_seat, 0.5) << "seed " << seed << ", " << scene.time << " s";
@@ -102,7 +102,7 @@ TEST(Weather, heat_leads_through_the_shade) {
       zone.shades = {repair(box(20, 12, 60, 18)), repair(box(20, -200, 60, -190))};
     }
     Scene scene(zone);
-    const auto person = scene.add(walker({2, 8}, {{78, 7}, {78, 9}}, Pastime::kNone, 0.0));
+    const auto person = scene.add(walker({2, 8}, {{78, 7}, {78, 9}}, Activity::kNone, 0.0));
     scene.run(200.0);
     int shaded = 0;
     for (const Vec2& at : scene.people[person].path) {
@@ -124,7 +124,7 @@ TEST(Impulse, sends_people_in_front_of_a_vehicle) {
     for (const bool impulsive : {false, true}) {
       const Zone zone = zone_of(box(0, 0, 80, 40));
       Scene scene(zone, seed);
-      NewPerson person = walker({60, 14}, {{1, 1}, {1, 16}}, Pastime::kNone, 0.0);
+      NewPerson person = walker({60, 14}, {{1, 1}, {1, 16}}, Activity::kNone, 0.0);
       Profile calm = child;
       calm.impulsiveness = 0.0;
       person.profile = impulsive ? &child : &calm;
