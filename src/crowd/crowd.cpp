@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 #include "core/random.hpp"
-#include "crowd/awareness.hpp"
-#include "crowd/bystanding.hpp"
+#include "crowd/behaviour/bystanding.hpp"
+#include "crowd/behaviour/path_walk.hpp"
+#include "crowd/behaviour/shade.hpp"
 #include "crowd/insight.hpp"
-#include "crowd/path_walk.hpp"
-#include "crowd/placement.hpp"
-#include "crowd/shade.hpp"
-#include "crowd/state.hpp"
+#include "crowd/motion/placement.hpp"
+#include "crowd/sense/awareness.hpp"
+#include "crowd/state/state.hpp"
 #include "crowd/step.hpp"
 #include "model/obstacle_lists.hpp"
 
@@ -42,13 +42,20 @@ struct Crowd::State : CrowdState {
 
   std::size_t row_of(Handle handle) const { return row[handle]; }
 
+  /// Of a person of whom nothing is remembered.
   Handle new_handle() {
     if (unused.empty()) {
+      unused.push_back(static_cast<Handle>(row.size()));
       row.push_back(0);
-      return static_cast<Handle>(row.size() - 1);
     }
     const Handle handle = unused.back();
     unused.pop_back();
+    traffic.begin(handle);
+    activities.begin(handle);
+    groups.begin(handle);
+    children.begin(handle);
+    paths.begin(handle);
+    jams.begin(handle);
     return handle;
   }
 
@@ -121,21 +128,23 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   persons.key[i] = person.key;
   walker.handle = state.new_handle();
   walker.profile = person.profile;
-  walker.group = person.group;
-  if (walker.group != 0) ++state.grouped;
-  std::ranges::copy(person.rates, walker.rates.begin());
+  state.groups[walker.handle].group = person.group;
+  if (person.group != 0) ++state.grouped;
+  std::ranges::copy(person.rates, state.activities[walker.handle].rates.begin());
   walker.own_speed = preferred;
   const double awareness = person.profile != nullptr ? person.profile->awareness : 1.0;
-  walker.aware = person.aware.value_or(
+  state.traffic[walker.handle].aware = person.aware.value_or(
       random_uniform(state.seed, person.key, 0, Purpose::kAwareness) < awareness);
   state.row[walker.handle] = static_cast<std::uint32_t>(i);
   // The variation starts in its stationary state, with the number of the substep before.
-  walker.noise = state.zone.parameters.heading_noise * kPi / 180.0 *
-                 random_normal(state.seed, person.key, state.substep - 1, Purpose::kHeadingNoise);
+  walker.heading_noise =
+      state.zone.parameters.heading_noise * kPi / 180.0 *
+      random_normal(state.seed, person.key, state.substep - 1, Purpose::kHeadingNoise);
   std::vector<Waypoint> path = person.path;
   if (path.empty()) path = way_through_shade(state.zone, place, person.destination);
   if (!path.empty()) {
-    walker.path = std::make_unique<PathWalk>(PathWalk{std::move(path), 0, person.destination});
+    state.paths[walker.handle] =
+        std::make_unique<PathWalk>(PathWalk{std::move(path), 0, person.destination});
   }
   start_way(state, i, person.destination);
   return walker.handle;
@@ -144,7 +153,7 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
 void Crowd::remove(Handle handle) {
   State& state = *state_;
   const std::size_t i = state.row_of(handle), last = state.persons.walking - 1;
-  if (state.walkers[i].group != 0) --state.grouped;
+  if (state.groups[handle].group != 0) --state.grouped;
   if (i != last) state.copy_row(last, i);
   state.walkers.pop_back();
   state.persons.walking = last;
@@ -186,22 +195,27 @@ PersonView Crowd::view(Handle handle) const {
   const State& state = *state_;
   const std::size_t i = state.row_of(handle);
   const WalkState& walker = state.walkers[i];
-  const Motion motion = walker.waits                   ? Motion::kWaiting
-                        : walker.slow >= kStandingTime ? Motion::kStanding
-                                                       : Motion::kWalking;
-  return {state.position(i),        state.velocity(i),
-          state.persons.heading[i], motion,
-          walker.activity,          walker.arrived,
-          walker.gave_up,           walker.waits_for_group,
-          walker.holds_hand,        state.persons.present_radius[i]};
+  const Motion motion = walker.waits                       ? Motion::kWaiting
+                        : walker.standing >= kStandingTime ? Motion::kStanding
+                                                           : Motion::kWalking;
+  return {state.position(i),
+          state.velocity(i),
+          state.persons.heading[i],
+          motion,
+          state.activities[handle].activity,
+          walker.arrived,
+          walker.gave_up,
+          state.groups[handle].waits,
+          state.children[handle].holds_hand,
+          state.persons.present_radius[i]};
 }
 
 bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {
   const State& state = *state_;
   const std::size_t i = state.row_of(handle);
   const bool moving = vehicle.velocity.norm() >= kStandingSpeed;
-  if (!state.differs || !moving) return is_aware(state.persons, i, vehicle, state.zone);
-  return std::ranges::any_of(state.walkers[i].noticed, [&](const Noticed& noticed) {
+  if (!state.perception_varies || !moving) return is_aware(state.persons, i, vehicle, state.zone);
+  return std::ranges::any_of(state.traffic[handle].noticed, [&](const Noticed& noticed) {
     return noticed.vehicle == vehicle.key && noticed.minds;
   });
 }
@@ -218,7 +232,7 @@ std::optional<Vec2> Crowd::seen_at(std::uint64_t key) const {
   return own_place(*state_, static_cast<std::size_t>(found - state_->seen.begin()));
 }
 
-std::span<const JamNotice> Crowd::jams() const { return state_->jams; }
+std::span<const JamNotice> Crowd::jams() const { return state_->jam_notices; }
 
 std::size_t Crowd::size() const { return state_->persons.walking; }
 std::uint64_t Crowd::person_steps() const { return state_->person_steps; }

@@ -1,5 +1,7 @@
 #include "crowd/insight.hpp"
 
+#include "crowd/behaviour/way.hpp"
+#include "crowd/sense/perception.hpp"
 #include "crowd/step.hpp"
 
 namespace pedzone {
@@ -14,7 +16,8 @@ Insight insight_of(const CrowdState& crowd, std::size_t i) {
   insight.aim = heading_point(walker.route, insight.position);
   insight.direction = crowd.decisions[i].direction;
   insight.speed = crowd.decisions[i].speed;
-  if (walker.path != nullptr) insight.waypoint = walker.path->waypoints[walker.path->next];
+  const PathMemory& path = crowd.paths[walker.handle];
+  if (path != nullptr) insight.waypoint = path->waypoints[path->next];
   crowd.model->rays(i, insight.rays);
   return insight;
 }
@@ -25,21 +28,25 @@ Insight insight_of(const CrowdState& crowd, std::size_t i) {
 /// people perceive stays as it was: a vehicle noticed here would be one noticed too early.
 std::vector<Insight> look_into(CrowdState& crowd, std::span<const std::size_t> rows) {
   const Attention attention = crowd.attention;
-  const bool differs = crowd.differs;
-  std::vector<std::vector<Noticed>> noticed;
-  for (const WalkState& walker : crowd.walkers) noticed.push_back(walker.noticed);
+  const bool varied = crowd.perception_varies;
+  const ByHandle<TrafficMemory> traffic = crowd.traffic;
 
-  append_seen(crowd);
-  perceive(crowd, 0.0);
-  for (std::size_t i = 0; i < crowd.persons.walking; ++i) set_goal(crowd, i);
-  decide(crowd, kLongestSubstep);
+  append_seen(crowd, crowd.persons);
+  crowd.perception_varies = perceives_otherwise(crowd);
+  if (crowd.perception_varies) perceive(crowd, crowd.time, crowd.traffic, crowd.attention);
+  crowd.proposals.begin(crowd.persons.walking);
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
+    crowd.proposals.propose(i, wish_of_route(crowd, i));
+  }
+  resolve(crowd.proposals, crowd.persons);
+  decide(crowd, kLongestSubstep, crowd.decisions);
   std::vector<Insight> insights;
   for (const std::size_t i : rows) insights.push_back(insight_of(crowd, i));
   resize_rows(crowd.persons, crowd.persons.walking);
 
-  for (std::size_t i = 0; i < noticed.size(); ++i) crowd.walkers[i].noticed = std::move(noticed[i]);
+  crowd.traffic = traffic;
   crowd.attention = attention;
-  crowd.differs = differs;
+  crowd.perception_varies = varied;
   return insights;
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "crowd/state.hpp"
+#include "crowd/state/state.hpp"
 
 namespace pedzone {
 

@@ -1,14 +1,28 @@
-// The step: one file to see the whole loop.
+// The step: what happens to a person in 0.1 s, on one screen. Each phase reads the crowd as it is
+// and writes what stands after it among the arguments; those that are given nothing else say in
+// their headers what they write. Who wins when behaviours disagree: state/proposals.hpp.
 #include "crowd/step.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "crowd/bystanding.hpp"
-#include "crowd/jams.hpp"
-#include "crowd/parallel.hpp"
-#include "crowd/state.hpp"
-#include "crowd/vehicle_motion.hpp"
+#include "crowd/behaviour/activities.hpp"
+#include "crowd/behaviour/bystanding.hpp"
+#include "crowd/behaviour/claims.hpp"
+#include "crowd/behaviour/dash.hpp"
+#include "crowd/behaviour/families.hpp"
+#include "crowd/behaviour/groups.hpp"
+#include "crowd/behaviour/jams.hpp"
+#include "crowd/behaviour/pace.hpp"
+#include "crowd/behaviour/way.hpp"
+#include "crowd/behaviour/waypoints.hpp"
+#include "crowd/motion/contacts.hpp"
+#include "crowd/motion/moves.hpp"
+#include "crowd/motion/shoulders.hpp"
+#include "crowd/motion/vehicle_contacts.hpp"
+#include "crowd/sense/perception.hpp"
+#include "crowd/sense/vehicle_motion.hpp"
+#include "crowd/state/parallel.hpp"
 
 namespace pedzone {
 namespace {
@@ -16,40 +30,74 @@ namespace {
 constexpr double kRounding = 1e-9;  // numerical: 0.3 s are three substeps, not four
 
 /// What pedzone does not walk moves on as it is seen to move.
-void move_others_on(CrowdState& crowd, double dt) {
-  for (SeenPerson& person : crowd.seen) person.position += person.velocity * dt;
-  for (VehicleState& vehicle : crowd.vehicles) vehicle = moved_on(vehicle, dt);
+void move_others_on(double dt, std::vector<SeenPerson>& seen, std::vector<VehicleState>& vehicles) {
+  for (SeenPerson& person : seen) person.position += person.velocity * dt;
+  for (VehicleState& vehicle : vehicles) vehicle = moved_on(vehicle, dt);
 }
 
-void walk_substep(CrowdState& crowd, double dt) {
-  append_seen(crowd);
-  live(crowd, dt);
-  perceive(crowd, dt);
-  set_goals(crowd, dt);
-  gather_groups(crowd, dt);
-  go_to_seats(crowd);
-  dash(crowd);
-  leave_claims(crowd);
-  decide(crowd, dt);
-  stand_still(crowd);
-  wait_beside_claims(crowd);
-  wait_for_groups(crowd);
-  set_moves(crowd, dt);
-  notice_standing(crowd, dt);
-  resolve_contacts(crowd, dt);
-  remember_seen(crowd, dt);
-  follow_waypoints(crowd, dt);
-  notice_jams(crowd, dt);
-  move_others_on(crowd, dt);
+void count(CrowdState& crowd, double dt) {
   crowd.person_steps += crowd.persons.walking;
   ++crowd.substep;
   crowd.time += dt;
 }
 
+void walk_substep(CrowdState& crowd, double dt) {
+  append_seen(crowd, crowd.persons);
+
+  // What each does and remembers, before it looks where to go.
+  carry_on_activities(crowd, dt, crowd.activities);
+  begin_dashes(crowd, dt, crowd.activities);
+  set_paces(crowd, crowd.persons.preferred_speed);
+  crowd.perception_varies = perceives_otherwise(crowd);
+  if (crowd.perception_varies) perceive(crowd, crowd.time + dt, crowd.traffic, crowd.attention);
+  index_members(crowd, crowd.members, crowd.groups, crowd.children);
+  guide_children(crowd, dt, crowd.children);
+  update_waits(crowd, dt, crowd.groups);
+
+  // Every behaviour proposes; the most important one wins.
+  Proposals& proposals = crowd.proposals;
+  proposals.begin(crowd.persons.walking);
+  propose_way(crowd, dt, crowd.walkers, proposals);
+  propose_ways_to_adults(crowd, proposals);
+  propose_room_in_groups(crowd, crowd.members, proposals);
+  propose_seats(crowd, proposals);
+  propose_dashes(crowd, proposals, crowd.attention);
+  propose_ways_out_of_claims(crowd, proposals);
+  resolve(proposals, crowd.persons);
+
+  // The model decides; behaviours hold people back.
+  decide(crowd, dt, crowd.decisions);
+  Restraints& restraints = crowd.restraints;
+  restraints.begin(crowd.persons.walking);
+  restrain_by_activity(crowd, restraints);
+  restrain_beside_claims(crowd, restraints);
+  restrain_by_groups(crowd, restraints);
+  restrain_adults(crowd, restraints);
+  restraints.apply(crowd.decisions);
+  lead_by_hand(crowd, crowd.decisions);
+
+  // Bodies move, and settle their contacts.
+  set_moves(crowd, dt);
+  notice_standing(crowd, dt, crowd.standing, crowd.moves.reach);
+  find_neighbours(crowd, crowd.grid, crowd.near);
+  make_room(crowd, dt);
+  hold_shoulders(crowd, dt);
+  move_freely(crowd);
+  settle_contacts(crowd);
+  keep_out_of_vehicles(crowd, dt, crowd.near.hits, crowd.moves);
+  commit(crowd);
+
+  // What has come of it.
+  remember_seen(crowd, dt, crowd.seen_memory);
+  follow_waypoints(crowd, dt);
+  notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
+  move_others_on(dt, crowd.seen, crowd.vehicles);
+  count(crowd, dt);
+}
+
 }  // namespace
 
-void append_seen(CrowdState& crowd) {
-  Persons& persons = crowd.persons;
+void append_seen(const CrowdState& crowd, Persons& persons) {
   resize_rows(persons, persons.walking + crowd.seen.size());
   for (std::size_t k = 0; k < crowd.seen.size(); ++k) {
     const SeenPerson& person = crowd.seen[k];
@@ -66,7 +114,7 @@ void append_seen(CrowdState& crowd) {
     persons.turned_radius[i] =
         (person.turns ? crowd.zone.parameters.turned_width : 1.0) * person.radius;
     persons.present_radius[i] =
-        std::lerp(person.radius, persons.turned_radius[i], crowd.bystanding[k].turn);
+        std::lerp(person.radius, persons.turned_radius[i], crowd.seen_memory[k].turn);
     persons.preferred_speed[i] = person.velocity.norm();
     persons.key[i] = 0;
   }
@@ -77,24 +125,24 @@ void resize_rows(Persons& persons, std::size_t rows) {
   persons.key.resize(rows);
 }
 
-void decide(CrowdState& crowd, double dt) {
+void decide(const CrowdState& crowd, double dt, std::vector<Decision>& decisions) {
   const Snapshot snapshot{&crowd.persons,
                           crowd.vehicles,
                           &crowd.zone.walls,
                           &crowd.zone.parameters,
-                          crowd.differs ? &crowd.attention : nullptr,
+                          crowd.perception_varies ? &crowd.attention : nullptr,
                           crowd.seed,
                           dt,
                           crowd.time};
-  crowd.decisions.resize(crowd.persons.size());
+  decisions.resize(crowd.persons.size());
   crowd.model->prepare(snapshot);
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
-    crowd.model->decide(first, last, crowd.decisions);
+    crowd.model->decide(first, last, decisions);
   });
 }
 
 void walk(CrowdState& crowd, double dt) {
-  crowd.jams.clear();
+  crowd.jam_notices.clear();
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
   for (int k = 0; k < substeps; ++k) walk_substep(crowd, dt / substeps);
   resize_rows(crowd.persons, crowd.persons.walking);

@@ -1,7 +1,7 @@
 // The step of a crowd.
 #pragma once
 
-#include "crowd/state.hpp"
+#include "crowd/state/state.hpp"
 
 namespace pedzone {
 
@@ -10,9 +10,12 @@ namespace pedzone {
 void walk(CrowdState& crowd, double dt);
 
 /// Appends those who are only seen to those who are walked.
-void append_seen(CrowdState& crowd);
+void append_seen(const CrowdState& crowd, Persons& persons);
 
 /// Sets the length of every column.
 void resize_rows(Persons& persons, std::size_t rows);
+
+/// What everybody chooses by the model for the next `dt` [s].
+void decide(const CrowdState& crowd, double dt, std::vector<Decision>& decisions);
 
 }  // namespace pedzone

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/statistics.hpp"
-#include "crowd/parallel.hpp"
+#include "crowd/state/parallel.hpp"
 
 namespace pedzone {
 namespace {

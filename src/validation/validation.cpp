@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 #include "core/statistics.hpp"
-#include "crowd/parallel.hpp"
+#include "crowd/state/parallel.hpp"
 
 namespace pedzone {
 namespace {

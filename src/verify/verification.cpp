@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/statistics.hpp"
 #include "core/text.hpp"
-#include "crowd/parallel.hpp"
+#include "crowd/state/parallel.hpp"
 #include "verify/references.hpp"
 
 namespace pedzone::verify {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "crowd/parallel.hpp"
+#include "crowd/state/parallel.hpp"
 
 namespace {
 

@@ -71,7 +71,48 @@ class Names(unittest.TestCase):
         self.assertEqual(double, {})
 
 
+# Folders inside a layer, in the order of who may include whom; "": the layer's own files.
+FOLDERS = {"crowd": ("state", "sense", "behaviour", "motion", "")}
+
+
+def includes(path):
+    """The project's files that a source file includes, as paths inside src."""
+    return re.findall(r'^#include "(\w+/[\w./]+)"', path.read_text(encoding="utf-8"), re.MULTILINE)
+
+
+def folder(path):
+    """(layer, folder inside it) of a path inside src."""
+    parts = Path(path).parts
+    return parts[0], parts[1] if len(parts) > 2 else ""
+
+
 class Layers(unittest.TestCase):
+    def test_no_include_runs_back_up_inside_a_layer(self):
+        for path in sources("src"):
+            own = folder(path.relative_to(PROJECT / "src"))
+            order = FOLDERS.get(own[0])
+            for include in includes(path) if order else []:
+                layer, other = folder(include)
+                if layer == own[0]:
+                    self.assertLessEqual(order.index(other), order.index(own[1]), f"{path}: {include}")
+
+    def test_no_includes_go_round_in_a_circle(self):
+        graph = {str(path.relative_to(PROJECT / "src")): includes(path) for path in sources("src")}
+        self.assertGreater(len(graph), 300)
+        done, way = set(), []
+
+        def visit(file):
+            self.assertNotIn(file, way, "a circle of includes")
+            if file in done:
+                return
+            way.append(file)
+            for other in graph.get(file, []):
+                visit(other)
+            done.add(way.pop())
+
+        for file in graph:
+            visit(file)
+
     def test_no_include_runs_back_up(self):
         cmake = (PROJECT / "src" / "CMakeLists.txt").read_text(encoding="utf-8")
         layers = re.search(r"foreach\(layer ([\w ]+)\)", cmake).group(1).split()

@@ -1,7 +1,7 @@
 // A vehicle that people hold up claims the room ahead of it.
 #include <gmock/gmock.h>
 
-#include "crowd/claims.hpp"
+#include "crowd/sense/claim_room.hpp"
 #include "scene.hpp"
 
 namespace pedzone::test {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/random.hpp"
-#include "crowd/body_grid.hpp"
-#include "crowd/wall_guard.hpp"
+#include "crowd/state/body_grid.hpp"
+#include "crowd/state/wall_guard.hpp"
 #include "scene.hpp"
 
 namespace pedzone::test {

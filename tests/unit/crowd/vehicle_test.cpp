@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
-#include "crowd/vehicle_motion.hpp"
+#include "crowd/sense/vehicle_motion.hpp"
 #include "scene.hpp"
 
 namespace pedzone::test {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "crowd/route.hpp"
+#include "crowd/state/route.hpp"
 #include "scene.hpp"
 
 namespace pedzone::test {

@@ -1,0 +1,263 @@
+// Who waits where others pass: for a bus, a light, somebody, or because its SUMO stage says so. A
+// person who is held up by somebody that stands asks it for room beside its line, for the more the
+// longer it has got nowhere, and the one that stands steps out of that line sideways: away from
+// the line if there is room, else to the other side of it. It goes no farther than it has to and,
+// where SUMO holds its place, no farther from that than kStepBack; there it returns when nobody
+// needs the room.
+//
+//          x   x   x   waiting                    x   x   x
+//   o->      x   x                ==>     ---o->            -->
+//          x   x   x                              x   x   x
+//
+// Everybody reads the places of the substep's beginning and writes its own, so the order of persons
+// does not matter; of several passers the one who lacks most room is minded, of equals the one with
+// the lower key.
+#include "crowd/behaviour/bystanding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "crowd/sense/vehicle_motion.hpp"
+#include "crowd/state/parallel.hpp"
+#include "crowd/state/state.hpp"
+#include "crowd/state/wall_guard.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kStill = 0.05;        // [m/s] assumed: slower than this a body stands
+constexpr double kMoves = 0.1;         // [m/s] assumed: who is slower does not pass anybody
+constexpr double kStepBack = 0.5;      // [m] assumed: a step, and no more than a row of a bus stop
+constexpr double kStepSpeed = 0.5;     // [m/s] assumed: a step to the side takes a second
+constexpr double kReturnSpeed = 0.25;  // [m/s] assumed: nobody hurries back
+constexpr double kTurnReach = 1.5;     // [m] assumed: for somebody so near the shoulders are turned
+constexpr double kPassReach = 1.2;     // [m] assumed: beyond the bodies, along the passer's line
+constexpr double kHeldUpShare = 0.5;   // assumed: slower than so much of its speed is held up
+constexpr double kPassGap = 0.1;       // [m] assumed: between turned bodies that pass
+constexpr double kGapPerSecond = 0.1;  // [m/s] assumed: more, for who gets nowhere for long ...
+constexpr double kMostGap = 0.4;       // [m] ... up to the room of one more turned body
+constexpr double kRejoin = 0.5;        // [s] assumed: who walks again is where SUMO has it by then
+constexpr double kMoved = 0.3;         // [m] numerical: SUMO has put the person elsewhere
+constexpr double kVehicleReach = 3.0;  // [m] assumed: nobody steps nearer to a vehicle so near
+constexpr double kTolerance = 1e-9;    // [m] numerical
+
+/// Room [m] beside its line that passer j asks of those who stand; nothing while it gets on.
+std::optional<double> gap_asked(const CrowdState& crowd, std::size_t j) {
+  const Vec2 along = unit(crowd.persons.goal_direction[j]);
+  if (crowd.velocity(j).dot(along) > kHeldUpShare * crowd.persons.preferred_speed[j]) return {};
+  return std::min(kMostGap, kPassGap + kGapPerSecond * crowd.walkers[j].blocked);
+}
+
+/// The line of somebody who is held up, as one sees it who stands in its way.
+struct Line {
+  double lacking = 0.0;  ///< [m] of room between their bodies; 0: is not in the way
+  double lateral = 0.0;  ///< [m] of who stands, positive to the left of the line
+  Vec2 left = Vec2::Zero();
+  std::uint64_t key = 0;  ///< of who is held up
+};
+
+/// One person that stands.
+class Stander {
+ public:
+  /// widest: [m] largest turned radius of all.
+  Stander(const CrowdState& crowd, std::size_t i, double widest,
+          std::vector<std::uint32_t>& scratch)
+      : crowd_(crowd),
+        i_(i),
+        here_(crowd.position(i)),
+        own_(crowd.persons.turned_radius[i]),
+        widest_(widest),
+        scratch_(scratch) {
+    const double reach = std::max(kTurnReach, own_ + widest + kPassReach + kMostGap);
+    const Vec2 box = Vec2::Constant(reach);
+    crowd.grid.visit_box(here_ - box, here_ + box,
+                         [&](std::uint32_t j, const Vec2& there) { look_at(j, there); });
+  }
+
+  /// Whether somebody goes past, or would like to.
+  bool passed() const { return passed_; }
+
+  /// The step [m] of at most `most` for who is held up by it; nothing where there is nobody. Across
+  /// the other's line only where it gets out of it there.
+  std::optional<Vec2> step_aside(double most) {
+    if (worst_.lacking <= 0.0) return std::nullopt;
+    const double side = worst_.lateral >= 0.0 ? 1.0 : -1.0;
+    const double across = worst_.lacking + 2.0 * std::abs(worst_.lateral);
+    const Vec2 away = side * std::min(worst_.lacking, most) * worst_.left;
+    if (free(away)) return away;
+    const Vec2 over = -side * std::min(across, most) * worst_.left;
+    if (in_reach(-side * across * worst_.left) && free(over)) return over;
+    return Vec2::Zero();
+  }
+
+  /// Whether others leave so much room, and a gap, for the step, or it takes nobody's.
+  bool others_allow(const Vec2& step, double gap) const {
+    const Vec2 to = here_ + step;
+    for (const VehicleState& vehicle : crowd_.vehicles) {
+      const double distance = distance_to(vehicle, to);
+      if (distance < kVehicleReach && distance < distance_to(vehicle, here_)) return false;
+    }
+    bool free = true;
+    const Vec2 box = Vec2::Constant(own_ + widest_ + gap);
+    crowd_.grid.visit_box(to - box, to + box, [&](std::uint32_t j, const Vec2& there) {
+      const double bodies = own_ + crowd_.persons.turned_radius[j] + gap;
+      const double after = (there - to).squaredNorm();
+      free =
+          free && (j == i_ || after >= bodies * bodies || after >= (there - here_).squaredNorm());
+    });
+    return free;
+  }
+
+ private:
+  void look_at(std::uint32_t j, const Vec2& there) {
+    const bool walked = j < crowd_.persons.walking;
+    if (crowd_.standing.stands[j] != 0 || (!walked && crowd_.velocity(j).norm() < kMoves)) return;
+    passed_ = passed_ || (there - here_).squaredNorm() < kTurnReach * kTurnReach;
+    const auto gap = walked ? gap_asked(crowd_, j) : std::nullopt;
+    if (!gap) return;
+    const Vec2 from_other = here_ - there, along = unit(crowd_.persons.goal_direction[j]);
+    const double bodies = own_ + crowd_.persons.turned_radius[j], ahead = from_other.dot(along);
+    if (ahead <= -bodies || ahead > bodies + kPassReach) return;
+    const double lateral = cross(along, from_other);
+    const Line line{bodies + *gap - std::abs(lateral), lateral, left_of(along),
+                    crowd_.persons.key[j]};
+    const bool worse =
+        line.lacking > worst_.lacking || (line.lacking == worst_.lacking && line.key < worst_.key);
+    if (worse) worst_ = line;
+  }
+
+  /// Whether it gets as far as that: SUMO holds the places of those whom it walks.
+  bool in_reach(const Vec2& step) const {
+    const std::size_t walking = crowd_.persons.walking;
+    return i_ < walking || (crowd_.seen_memory[i_ - walking].stepped + step).norm() <= kStepBack;
+  }
+
+  bool free(const Vec2& step) { return walls_allow(here_ + step) && others_allow(step, 0.0); }
+
+  /// Whether it is inside at `to`, and no nearer to walls than it is or needs to be.
+  bool walls_allow(const Vec2& to) {
+    const WallIndex& walls = crowd_.zone.walls;
+    if (!walls.sees(here_, to) || !walls.inside(to)) return false;
+    const double room = std::min(own_, wall_distance(walls, here_, own_, scratch_));
+    return wall_distance(walls, to, own_, scratch_) >= room - kTolerance;
+  }
+
+  const CrowdState& crowd_;
+  std::size_t i_;
+  Vec2 here_;
+  double own_, widest_;
+  std::vector<std::uint32_t>& scratch_;
+  bool passed_ = false;
+  Line worst_;
+};
+
+/// Whether a walked person stands because it wants to, and not because others hold it up.
+bool stands_by_choice(const CrowdState& crowd, std::size_t i) {
+  const WalkState& walker = crowd.walkers[i];
+  const bool stays = walker.arrived || walker.waits || crowd.groups[walker.handle].waits ||
+                     info_of(crowd.activities[walker.handle].activity).speed <= 0.0;
+  return stays && crowd.velocity(i).norm() < kStill;
+}
+
+/// Of a step of somebody whom SUMO holds, what stays within kStepBack of SUMO's place.
+Vec2 within_reach(const SeenMemory& seen, const Vec2& step) {
+  const Vec2 stepped = seen.stepped + step;
+  const double length = stepped.norm();
+  return length <= kStepBack ? step : Vec2(stepped * (kStepBack / length) - seen.stepped);
+}
+
+/// Back towards SUMO's place, wherever that is, when it is free.
+Vec2 step_home(const Stander& stander, const SeenMemory& seen, double most) {
+  const double far = seen.stepped.norm();
+  if (far < kTolerance) return Vec2::Zero();
+  const Vec2 step = seen.stepped * (-std::min(far, most) / far);
+  return stander.others_allow(step, kPassGap) ? step : Vec2(Vec2::Zero());
+}
+
+/// What person i, who stands, does for others.
+void make_room_by(CrowdState& crowd, std::size_t i, double dt, double widest,
+                  std::vector<std::uint32_t>& scratch) {
+  Stander stander(crowd, i, widest, scratch);
+  std::optional<Vec2> step = stander.step_aside(kStepSpeed * dt);
+  const std::size_t walking = crowd.persons.walking;
+  if (i < walking) {
+    crowd.standing.passed[i] = stander.passed() ? 1 : 0;
+  } else {
+    SeenMemory& seen = crowd.seen_memory[i - walking];
+    const double change = dt / std::max(crowd.zone.parameters.turn_time, dt);
+    seen.turn = stander.passed() ? 1.0 : std::max(0.0, seen.turn - change);
+    step = seen.key == 0
+               ? Vec2(Vec2::Zero())
+               : within_reach(seen, step ? *step : step_home(stander, seen, kReturnSpeed * dt));
+    seen.stepped += *step;
+  }
+  if (!step) return;
+  crowd.moves.dx[i] = step->x();
+  crowd.moves.dy[i] = step->y();
+}
+
+}  // namespace
+
+void recognise_seen(CrowdState& crowd) {
+  std::ranges::sort(crowd.seen, {}, &SeenPerson::key);
+  std::swap(crowd.seen_memory, crowd.seen_before);
+  crowd.seen_memory.clear();
+  auto known = crowd.seen_before.begin();
+  for (const SeenPerson& person : crowd.seen) {
+    while (known != crowd.seen_before.end() && known->key < person.key) ++known;
+    SeenMemory& now = crowd.seen_memory.emplace_back();
+    if (person.key == 0) continue;
+    const bool again = known != crowd.seen_before.end() && known->key == person.key &&
+                       (known->foreseen - person.position).norm() < kMoved;
+    if (again) now = *known;
+    now.key = person.key;
+    now.foreseen = person.position;
+  }
+}
+
+void notice_standing(const CrowdState& crowd, double dt, Standing& standing, double& reach) {
+  const std::size_t walking = crowd.persons.walking;
+  standing.stands.assign(crowd.persons.size(), 0);
+  standing.passed.assign(walking, 0);
+  standing.anybody = false;
+  for (std::size_t i = 0; i < standing.stands.size(); ++i) {
+    const bool stands = i < walking ? stands_by_choice(crowd, i)
+                                    : crowd.seen_memory[i - walking].still >= kStandingTime;
+    standing.stands[i] = stands ? 1 : 0;
+    standing.anybody = standing.anybody || stands;
+  }
+  if (standing.anybody) reach = std::max(reach, kStepSpeed * dt);
+}
+
+void make_room(CrowdState& crowd, double dt) {
+  if (!crowd.standing.anybody) return;
+  const double widest = std::ranges::max(crowd.persons.turned_radius);
+  for_each_block(crowd.persons.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (crowd.standing.stands[i] != 0)
+        make_room_by(crowd, i, dt, widest, crowd.near.blocks[block].walls);
+    }
+  });
+}
+
+void remember_seen(const CrowdState& crowd, double dt, std::vector<SeenMemory>& memory) {
+  for (std::size_t k = 0; k < crowd.seen.size(); ++k) {
+    const SeenPerson& person = crowd.seen[k];
+    SeenMemory& now = memory[k];
+    now.foreseen = person.position + person.velocity * dt;
+    if (person.velocity.norm() < kStill) {
+      now.still += dt;
+    } else {  // goes on from where it stood and not from where SUMO had it stand
+      now.still = 0.0;
+      now.turn = 1.0;
+      now.stepped *= std::max(0.0, 1.0 - dt / kRejoin);
+    }
+  }
+}
+
+Vec2 own_place(const CrowdState& crowd, std::size_t k) {
+  return crowd.seen[k].position + crowd.seen_memory[k].stepped;
+}
+
+}  // namespace pedzone

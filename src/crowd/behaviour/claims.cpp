@@ -1,0 +1,99 @@
+// Without this, a vehicle that yields to everybody before it and people who fill every gap stand
+// before each other for ever: the direction heuristic sees a standing vehicle as a wall, and the
+// waiting rule knows moving vehicles only. Not in the paper; its persons "in advance start making
+// way", which is the model for it.
+#include "crowd/behaviour/claims.hpp"
+
+#include <algorithm>
+
+#include "crowd/sense/claim_room.hpp"
+#include "crowd/state/parallel.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kBeside = 0.45;    // [m] assumed: room that people leave beside a held-up vehicle
+constexpr double kBorder = 0.25;    // [m] numerical: who waits does so farther out than who leaves
+constexpr double kLookAhead = 1.2;  // [m] assumed: a person stops so far before the claim's border
+constexpr double kLookStep = 0.3;   // [m] numerical
+constexpr double kCrossing = 3.0;   // [m] assumed: nobody steps across nearer to the bumper
+
+/// Whether a claim may touch what is within `reach` of a point: cheap and generous.
+bool far_from(const VehicleState& vehicle, const Vec2& point) {
+  const double reach = vehicle.claim + vehicle.length + vehicle.width;
+  return (point - vehicle.centre).squaredNorm() > reach * reach;
+}
+
+/// Out of the claim: sideways where there is room, nearer side first, else ahead of the vehicle.
+Vec2 way_out(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle,
+             const ClaimPlace& place, double own_direction) {
+  const WallIndex& walls = crowd.zone.walls;
+  const Vec2 here = crowd.position(i);
+  const Vec2 outward = left_of(place.along) * (place.lateral < 0.0 ? -1.0 : 1.0);
+  const double border = 0.5 * vehicle.width + crowd.persons.radius[i] + kBeside;
+  const double near = border - std::abs(place.lateral), far = border + std::abs(place.lateral);
+  const double body = 0.5 * crowd.persons.radius[i];
+  Vec2 side = Vec2::Zero();
+  if (walls.free_line(here, here + outward * near, body)) {
+    side = outward;
+  } else if (place.ahead > kCrossing && walls.free_line(here, here - outward * far, body)) {
+    side = -outward;
+  } else {
+    return place.along;
+  }
+  // The farther the vehicle, the more of its own way a person keeps.
+  const double share = std::clamp(place.ahead / vehicle.claim, 0.0, 1.0);
+  const Vec2 mixed = side + share * unit(own_direction);
+  return mixed.dot(side) > 0.25 ? mixed : side;
+}
+
+bool enters(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
+  const Vec2 step = unit(crowd.decisions[i].direction);
+  const double margin = crowd.persons.radius[i] + kBorder;
+  for (double ahead = kLookStep; ahead <= kLookAhead; ahead += kLookStep) {
+    if (place_in_claim(vehicle, crowd.position(i) + step * ahead, margin)) return true;
+  }
+  return false;
+}
+
+bool any_claim(const CrowdState& crowd) {
+  return std::any_of(crowd.vehicles.begin(), crowd.vehicles.end(),
+                     [](const VehicleState& vehicle) { return vehicle.claim > 0.0; });
+}
+
+/// Calls what(person, vehicle) for the pairs that may matter, persons in parallel.
+template <class What>
+void for_each_claim(const CrowdState& crowd, const What& what) {
+  if (!any_claim(crowd)) return;
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      for (const VehicleState& vehicle : crowd.vehicles) {
+        if (vehicle.claim > 0.0 && !far_from(vehicle, crowd.position(i))) what(i, vehicle);
+      }
+    }
+  });
+}
+
+}  // namespace
+
+void propose_ways_out_of_claims(const CrowdState& crowd, Proposals& proposals) {
+  for_each_claim(crowd, [&](std::size_t i, const VehicleState& vehicle) {
+    const double margin = crowd.persons.radius[i] + kBeside;
+    const auto place = place_in_claim(vehicle, crowd.position(i), margin);
+    if (!place || crowd.walkers[i].arrived) return;
+    Wish wish = proposals.best(i);
+    wish.direction = angle_of(way_out(crowd, i, vehicle, *place, wish.direction));
+    wish.by = Behaviour::kClaim;
+    proposals.propose(i, wish);
+  });
+}
+
+void restrain_beside_claims(const CrowdState& crowd, Restraints& restraints) {
+  for_each_claim(crowd, [&](std::size_t i, const VehicleState& vehicle) {
+    const double margin = crowd.persons.radius[i] + kBeside;
+    if (place_in_claim(vehicle, crowd.position(i), margin) || !enters(crowd, i, vehicle)) return;
+    restraints.wait(i);
+  });
+}
+
+}  // namespace pedzone

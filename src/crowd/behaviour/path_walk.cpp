@@ -1,0 +1,59 @@
+#include "crowd/behaviour/path_walk.hpp"
+
+namespace pedzone {
+namespace {
+
+/// Plans the way of row i to `destination`, and starts its clocks anew.
+void plan_way(CrowdState& crowd, std::size_t i, const Destination& destination) {
+  WalkState& walker = crowd.walkers[i];
+  const Vec2 here = crowd.position(i);
+  plan(crowd.zone, here, crowd.persons.radius[i], destination, walker.route);
+  walker.planned = crowd.substep;
+  walker.entered = walker.arrived = walker.gave_up = false;
+  walker.least_left = std::numeric_limits<double>::infinity();
+  walker.blocked = 0.0;
+  crowd.jams[walker.handle] = {};
+  const Vec2 to_goal = heading_point(walker.route, here) - here;
+  crowd.persons.goal_direction[i] = angle_of(to_goal);
+  crowd.persons.goal_distance[i] = to_goal.norm();
+}
+
+/// Plans the way to the current waypoint, or to the first one after it to which there is any way:
+/// walls do not move, so that patience would not help.
+void plan_leg(CrowdState& crowd, std::size_t i) {
+  PathMemory& path = crowd.paths[crowd.handle(i)];
+  for (; path->next < path->waypoints.size(); ++path->next) {
+    const Vec2& at = path->waypoints[path->next].at;
+    plan_way(crowd, i, {at, at});
+    if (crowd.walkers[i].route.found) return;
+  }
+  const Destination destination = path->destination;
+  path.reset();
+  plan_way(crowd, i, destination);
+}
+
+}  // namespace
+
+void start_way(CrowdState& crowd, std::size_t i, const Destination& destination) {
+  crowd.walkers[i].waits = false;
+  const PathMemory& path = crowd.paths[crowd.handle(i)];
+  if (path == nullptr) {
+    plan_way(crowd, i, destination);
+  } else {
+    path->destination = destination;
+    plan_leg(crowd, i);
+  }
+}
+
+bool comes_by(const WallIndex& walls, const Waypoint& waypoint, const Vec2& from, const Vec2& to) {
+  // Between two substeps a person can pass a small radius.
+  const Vec2 nearest = nearest_on_segment(waypoint.at, from, to);
+  return (nearest - waypoint.at).norm() <= waypoint.radius && walls.free_line(nearest, waypoint.at);
+}
+
+void leave_waypoint(CrowdState& crowd, std::size_t i) {
+  ++crowd.paths[crowd.handle(i)]->next;
+  plan_leg(crowd, i);
+}
+
+}  // namespace pedzone

@@ -1,0 +1,211 @@
+// Phase: how each person perceives at present, and which vehicles it minds. Sight is blocked by
+// walls of buildings and by parked or large vehicles; a vehicle counts once the person's reaction
+// time is over; who is unaware of vehicles minds only those that are very near or sound their horn.
+#include "crowd/sense/perception.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "crowd/sense/vehicle_motion.hpp"
+#include "crowd/state/parallel.hpp"
+#include "model/senses.hpp"
+#include "model/vehicle_view.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kMemory = 2.0;        // [s] assumed: so long a vehicle is minded unperceived ...
+constexpr double kForget = 10.0;       // [s] ... and known, so that no new reaction time begins
+constexpr float kLastMoment = 1.5F;    // [m] assumed: who is unaware jumps aside this near
+constexpr float kDisturbs = 5.0F;      // [m] assumed: who stands makes room for a vehicle this near
+constexpr double kLargeVehicle = 6.0;  // [m] assumed: longer vehicles are too high to see over
+constexpr double kWarnedField = 180.0;  // [deg] who hears a horn looks round
+
+/// What all persons of a substep share.
+struct TrafficShapes {
+  LatticeOrigin origin;
+  std::vector<VehicleShape> shapes;
+  std::vector<std::uint32_t> blocking;  ///< vehicles that nobody sees through or over
+};
+
+TrafficShapes shapes_of(const std::vector<VehicleState>& vehicles) {
+  TrafficShapes traffic;
+  if (vehicles.empty()) return traffic;
+  const Vec2& near = vehicles.front().centre;
+  traffic.origin = {to_lattice(near.x()), to_lattice(near.y())};
+  for (std::size_t v = 0; v < vehicles.size(); ++v) {
+    traffic.shapes.push_back(shape_of(vehicles[v], traffic.origin));
+    if (!traffic.shapes[v].moving() || vehicles[v].length > kLargeVehicle) {
+      traffic.blocking.push_back(static_cast<std::uint32_t>(v));
+    }
+  }
+  return traffic;
+}
+
+/// One person's look at the vehicles.
+class Observer {
+ public:
+  Observer(const CrowdState& crowd, const TrafficShapes& traffic, double now, std::size_t i,
+           TrafficMemory& memory, Attention& attention)
+      : crowd_(crowd),
+        traffic_(traffic),
+        now_(now),
+        i_(i),
+        memory_(memory),
+        attention_(attention),
+        perception_(attention.persons[i]),
+        senses_(
+            with(senses_of(crowd.zone.parameters, vehicle_form(crowd.zone.model)), perception_)) {
+    const Persons& persons = crowd.persons;
+    self_.at = to_lattice(persons.x[i], persons.y[i], traffic.origin);
+    self_.heading = persons.heading[i];
+    self_.heading_cos = static_cast<float>(std::cos(self_.heading));
+    self_.heading_sin = static_cast<float>(std::sin(self_.heading));
+    self_.radius = static_cast<float>(persons.radius[i]);
+  }
+
+  void look() {
+    for (Noticed& noticed : memory_.noticed) noticed.minds = noticed.near = false;
+    for (std::size_t v = 0; v < traffic_.shapes.size(); ++v) {
+      if (traffic_.shapes[v].moving()) look_at(v);
+    }
+    std::erase_if(memory_.noticed,
+                  [&](const Noticed& noticed) { return now_ - noticed.last > kForget; });
+  }
+
+ private:
+  void look_at(std::size_t v) {
+    const VehicleView view = view_of(traffic_.shapes[v], self_);
+    Noticed* known = find(crowd_.vehicles[v].key);
+    const bool perceived = perceives(v, view);
+    if (perceived && known == nullptr) {
+      known = &memory_.noticed.emplace_back(Noticed{crowd_.vehicles[v].key, now_});
+    }
+    if (known != nullptr) {
+      if (perceived) known->last = now_;
+      known->warned = known->warned || (perceived && traffic_.shapes[v].horn);
+      known->minds = minds(*known);
+      known->near = view.distance < kDisturbs;
+    }
+    const bool counts = known != nullptr && known->minds;
+    if (!counts && view.distance > kLastMoment) attention_.ignore(i_, v);
+  }
+
+  Noticed* find(std::uint64_t key) {
+    const auto found = std::ranges::find(memory_.noticed, key, &Noticed::vehicle);
+    return found == memory_.noticed.end() ? nullptr : &*found;
+  }
+
+  bool perceives(std::size_t v, const VehicleView& view) const {
+    switch (awareness(view, self_, senses_)) {
+      case Awareness::kNone:
+        return false;
+      case Awareness::kHeard:
+        return true;
+      case Awareness::kSeen:
+        return !hidden(v) || heard(view, senses_);
+    }
+    return false;
+  }
+
+  /// Whether neither its centre nor a corner is in view.
+  bool hidden(std::size_t v) const {
+    if (crowd_.zone.obstacles.empty() && traffic_.blocking.empty()) return false;
+    const VehicleState& vehicle = crowd_.vehicles[v];
+    const Vec2 along = unit(vehicle.heading) * (0.5 * vehicle.length);
+    const Vec2 across = left_of(unit(vehicle.heading)) * (0.5 * vehicle.width);
+    for (const Vec2& offset : {Vec2(Vec2::Zero()), Vec2(along + across), Vec2(along - across),
+                               Vec2(across - along), Vec2(-along - across)}) {
+      if (sees(vehicle.centre + offset, v)) return false;
+    }
+    return true;
+  }
+
+  bool sees(const Vec2& point, std::size_t v) const {
+    const Vec2 here = crowd_.position(i_);
+    for (const std::uint32_t other : traffic_.blocking) {
+      if (other != v && runs_through(rectangle_of(crowd_.vehicles[other]), here, point))
+        return false;
+    }
+    return crowd_.zone.obstacles.empty() || crowd_.zone.sight_walls.free_line(here, point, 0.0);
+  }
+
+  bool minds(const Noticed& known) const {
+    const double reaction =
+        crowd_.walkers[i_].profile != nullptr ? crowd_.walkers[i_].profile->reaction_time : 0.0;
+    return (memory_.aware || known.warned) && now_ - known.last <= kMemory &&
+           now_ - known.since >= reaction;
+  }
+
+  const CrowdState& crowd_;
+  const TrafficShapes& traffic_;
+  double now_;  ///< [s]
+  std::size_t i_;
+  TrafficMemory& memory_;
+  Attention& attention_;
+  const Perception& perception_;
+  Senses senses_;
+  Walker self_;
+};
+
+Perception perception_of(const CrowdState& crowd, std::size_t i) {
+  const WalkState& walker = crowd.walkers[i];
+  const ActivityInfo& activity = info_of(crowd.activities[walker.handle].activity);
+  Perception p{crowd.zone.parameters.field_of_view, crowd.zone.parameters.hearing, 1.0};
+  if (walker.profile != nullptr) {
+    p = {walker.profile->field_of_view, walker.profile->hearing, walker.profile->caution};
+  }
+  p.field_of_view *= activity.field_of_view * crowd.zone.weather->field_of_view;
+  p.hearing *= activity.hearing;
+  if (std::ranges::any_of(crowd.traffic[walker.handle].noticed, &Noticed::warned)) {
+    p.field_of_view = kWarnedField;
+  }
+  return p;
+}
+
+/// Sets everybody's perception, and minds all vehicles.
+void begin(const CrowdState& crowd, Attention& attention) {
+  const std::size_t walking = crowd.walkers.size();
+  attention.persons.resize(walking);
+  attention.words = (crowd.vehicles.size() + 63) / 64;
+  attention.ignored.assign(walking * attention.words, 0);
+  attention.widest_field = attention.farthest_hearing = 0.0;
+  for (std::size_t i = 0; i < walking; ++i) {
+    attention.persons[i] = perception_of(crowd, i);
+    attention.widest_field = std::max(attention.widest_field, attention.persons[i].field_of_view);
+    attention.farthest_hearing = std::max(attention.farthest_hearing, attention.persons[i].hearing);
+  }
+  // What people see of each other is looked up in cells: no new ones for each change.
+  constexpr double kFieldStep = 15.0;  // [deg]
+  attention.widest_field = std::ceil(attention.widest_field / kFieldStep) * kFieldStep;
+}
+
+}  // namespace
+
+bool perceives_otherwise(const CrowdState& crowd) {
+  if (crowd.zone.weather->field_of_view != 1.0) return true;
+  const bool views_blocked = !crowd.zone.obstacles.empty() || crowd.vehicles.size() > 1;
+  if (!crowd.vehicles.empty() && views_blocked) return true;
+  return std::ranges::any_of(crowd.walkers, [&](const WalkState& walker) {
+    return walker.profile != nullptr ||
+           crowd.activities[walker.handle].activity != Activity::kNone ||
+           !crowd.traffic[walker.handle].aware;
+  });
+}
+
+void perceive(const CrowdState& crowd, double now, ByHandle<TrafficMemory>& memory,
+              Attention& attention) {
+  begin(crowd, attention);
+  if (crowd.vehicles.empty()) {
+    for (const WalkState& walker : crowd.walkers) memory[walker.handle].noticed.clear();
+    return;
+  }
+  const TrafficShapes traffic = shapes_of(crowd.vehicles);
+  for_each_block(crowd.walkers.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      Observer(crowd, traffic, now, i, memory[crowd.handle(i)], attention).look();
+    }
+  });
+}
+
+}  // namespace pedzone

@@ -1,0 +1,151 @@
+// Everything a crowd holds. The step (step.cpp) tells which phase writes what.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "crowd/state/body_grid.hpp"
+#include "crowd/state/memory.hpp"
+#include "crowd/state/person.hpp"
+#include "crowd/state/proposals.hpp"
+#include "crowd/state/restraints.hpp"
+#include "crowd/state/route.hpp"
+#include "crowd/state/wall_guard.hpp"
+#include "zone/zone.hpp"
+
+namespace pedzone {
+
+/// What a walked person holds beside its row in Persons: its way, and how it gets on.
+struct WalkState {
+  PersonHandle handle = 0;
+  const Profile* profile = nullptr;
+  Route route;
+  WallRoom wall_room;          ///< around where the person is
+  double heading_noise = 0.0;  ///< [rad] variation of the goal direction
+  double least_left = std::numeric_limits<double>::infinity();  ///< [m] least way left so far
+  double blocked = 0.0;                                         ///< [s] since that was
+  double standing = 0.0;      ///< [s] since the person was last faster than standing
+  std::uint64_t planned = 0;  ///< substep of the last plan
+  double own_speed = 1.34;    ///< [m/s] preferred, but for activity and weather
+  float full_radius = 0.24F;  ///< [m] of the body while it does not squeeze
+  float turned_width = 0.5F;  ///< with the shoulders turned, over the full width
+  bool entered = false;       ///< has been within the radius of the current waypoint
+  bool waits = false;         ///< for a vehicle
+  bool new_here = true;       ///< has not been walked yet
+  bool pressed = false;       ///< others kept it from moving as it meant to in the last substep
+  bool arrived = false, gave_up = false;
+};
+
+/// The moves of all bodies within one substep, in the order of Persons.
+struct Moves {
+  std::vector<double> dx, dy;          ///< [m] displacement that each body means to make
+  std::vector<double> x, y;            ///< [m] where it gets to, as far as that is known
+  std::vector<double> next_x, next_y;  ///< [m] the same after one more pass over the contacts
+  double reach = 0.0;                  ///< [m] longest displacement
+};
+
+/// Who stands by its own choice, and not because others hold it up.
+struct Standing {
+  std::vector<std::uint8_t> stands;  ///< of all, 1: stands so
+  std::vector<std::uint8_t> passed;  ///< of the walked, 1: stands so, and somebody goes past
+  bool anybody = false;
+};
+
+/// What one block of persons works with; no two blocks share it.
+struct BlockScratch {
+  std::vector<std::uint32_t> neighbours;  ///< of the block's persons, one after the other
+  std::vector<std::uint32_t> walls;
+  bool touching = false;  ///< somebody of the block was pushed in the last pass
+};
+
+/// A person that a vehicle may reach within the substep.
+struct VehicleHit {
+  std::uint32_t person, vehicle;
+};
+
+/// Which bodies may touch within a substep.
+struct Neighbourhood {
+  std::vector<BlockScratch> blocks;
+  std::vector<std::uint32_t> first, last;  ///< of each walked person, in the list of its block
+  std::vector<VehicleHit> hits;            ///< by person
+
+  /// Bodies that person i of that block may touch.
+  std::span<const std::uint32_t> of(std::size_t block, std::size_t i) const {
+    const std::uint32_t* const list = blocks[block].neighbours.data();
+    return {list + first[i], list + last[i]};
+  }
+};
+
+/// A person of a group that is still under way.
+struct GroupMember {
+  std::uint64_t group = 0, key = 0;  ///< what members are sorted by
+  std::uint32_t row = 0;
+  double left = 0.0;         ///< [m] D: way left to its destination
+  bool steps_aside = false;  ///< waits, but is in the way of a member behind it
+};
+
+struct CrowdState {
+  CrowdState(const Zone& its_zone, std::uint64_t its_seed, std::unique_ptr<WalkingModel> its_model)
+      : zone(its_zone), seed(its_seed), model(std::move(its_model)) {}
+
+  const Zone& zone;
+  std::uint64_t seed;
+  std::unique_ptr<WalkingModel> model;
+
+  // Who is there. Rows: those pedzone walks, then, within a step, those it only sees.
+  Persons persons;
+  std::vector<WalkState> walkers;                    ///< of the first persons.walking rows
+  std::vector<std::uint32_t> row;                    ///< of each handle
+  std::vector<PersonHandle> unused;                  ///< handles to give out again
+  std::vector<SeenPerson> seen;                      ///< by key
+  std::vector<SeenMemory> seen_memory, seen_before;  ///< of each of them; and of those before
+  std::vector<VehicleState> vehicles;  ///< as they are in this substep; after a step, at its end
+
+  // What behaviours remember.
+  ByHandle<TrafficMemory> traffic;
+  ByHandle<ActivityMemory> activities;
+  ByHandle<GroupMemory> groups;
+  ByHandle<ChildMemory> children;
+  ByHandle<PathMemory> paths;
+  ByHandle<JamMemory> jams;
+  std::size_t grouped = 0;  ///< how many walkers have a group
+
+  // The clock: one.
+  double time = 0.0;          ///< [s] of all substeps so far
+  std::uint64_t substep = 0;  ///< their number: a key of random numbers
+  std::uint64_t person_steps = 0;
+
+  // Made anew in every substep, each by one phase.
+  Attention attention;               ///< where people differ in what they perceive
+  bool perception_varies = false;    ///< they do
+  std::vector<GroupMember> members;  ///< of groups, by group and key
+  Proposals proposals;
+  std::vector<Decision> decisions;
+  Restraints restraints;
+  Moves moves;
+  Standing standing;
+  BodyGrid grid;
+  Neighbourhood near;
+  std::vector<double> next_radius;     ///< [m] of each walked person's body, while it is found
+  std::vector<JamNotice> jam_notices;  ///< begun in this step
+
+  Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
+  Vec2 velocity(std::size_t i) const { return {persons.vx[i], persons.vy[i]}; }
+  PersonHandle handle(std::size_t i) const { return walkers[i].handle; }
+};
+
+/// [s] assumed: so long slower than walking, a person stands.
+constexpr double kStandingTime = 1.0;
+
+/// Substeps are at most this long [s].
+constexpr double kLongestSubstep = 0.1;
+
+/// [s] blocked for so long, the person goes on elsewhere.
+inline double patience(const Zone& zone, const WalkState& walker) {
+  return walker.profile != nullptr ? walker.profile->patience : zone.parameters.patience;
+}
+
+}  // namespace pedzone
