@@ -71,9 +71,9 @@ DriverEvents log_lines() {
 /// given up; false where a signal asks to end.
 bool make_missing(const Store& store, const Plan& plan, const PlannedRun& run) {
   const Plan alone{plan.study, plan.conditions, {run}, {}};
-  Workshop workshop{store, alone, this_program(), {}};
+  RunContext context{store, alone, this_program(), {}};
   const std::vector<std::size_t> missing = missing_runs(store.records(alone), false);
-  return missing.empty() || !make_runs(workshop, missing, 1, log_lines()).interrupted;
+  return missing.empty() || !make_runs(context, missing, 1, log_lines()).interrupted;
 }
 
 int task(const TaskOptions& options) {

@@ -22,8 +22,8 @@ int jobs_of(const StudyRunOptions& options) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-DriverResult make_missing(const StudyRunOptions& options, Workshop& workshop) {
-  const Records records = workshop.store.records(workshop.plan);
+DriverResult make_missing(const StudyRunOptions& options, RunContext& context) {
+  const Records records = context.store.records(context.plan);
   const std::vector<std::size_t> missing = missing_runs(records, options.retry_failed);
   const int jobs = jobs_of(options);
   StudyProgress progress(records.size(), records.size() - missing.size(), jobs);
@@ -40,7 +40,7 @@ DriverResult make_missing(const StudyRunOptions& options, Workshop& workshop) {
                   !done, wall_s);
   };
   events.tick = [&] { progress.update(); };
-  const DriverResult result = make_runs(workshop, missing, jobs, events);
+  const DriverResult result = make_runs(context, missing, jobs, events);
   progress.finish();
   return result;
 }
@@ -59,8 +59,8 @@ int work(const StudyRunOptions& options) {
       submit_study(store, plan, options.retry_failed, options.slurm.sbatch)) {
     return 0;
   }
-  Workshop workshop{store, plan, pedzone, {}};
-  const DriverResult result = make_missing(options, workshop);
+  RunContext context{store, plan, pedzone, {}};
+  const DriverResult result = make_missing(options, context);
   const Records records = store.records(plan);
   const RunCounts counts = count_runs(records);
   fmt::print("{} runs: {} done, {} failed, {} killed, {} missing\n", records.size(), counts.done,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "world/speeds.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -110,7 +112,7 @@ std::optional<double> deceleration_to_avoid(const Approach& a) {
   const double side = a.speed < 0.0 ? -1.0 : 1.0;  // reversing: the rear leads
   const double v = side * a.speed, w = -side * a.velocity.x();
   const double gap = side * a.at.x() - a.sizes.half_length - a.sizes.radius;
-  if (v < kStill || w <= 0.0 || gap <= 0.0 || !time_to_contact(a)) return std::nullopt;
+  if (v < kHaltingSpeed || w <= 0.0 || gap <= 0.0 || !time_to_contact(a)) return std::nullopt;
   Stretch in_way{0.0, kForever};
   cut_to_slab(a.at.y(), a.velocity.y(), a.sizes.half_width + a.sizes.radius, in_way);
   const double t = std::clamp(2.0 * gap / std::max(w, 2.0 * w - v), in_way.enter, in_way.leave);

@@ -14,10 +14,6 @@ struct Sizes {
   double radius = 0.24;                        ///< [m] of the person
 };
 
-/// [m/s] slower is standing. Assumed: far below a walk, above what rounding in a file makes of one
-/// who stands.
-inline constexpr double kStill = 0.1;
-
 /// A person relative to a vehicle, in the vehicle's frame: x ahead of its centre, y to its left.
 struct Approach {
   Vec2 at = Vec2::Zero();        ///< [m] centre of the person's disc

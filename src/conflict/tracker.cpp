@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "world/speeds.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -22,7 +24,7 @@ std::uint64_t pair_of(std::uint32_t person, std::uint32_t vehicle) {
 }
 
 double direction_of(const Vec2& velocity, double heading) {
-  return velocity.norm() >= kStill ? angle_of(velocity) : heading;
+  return velocity.norm() >= kHaltingSpeed ? angle_of(velocity) : heading;
 }
 
 }  // namespace
@@ -165,8 +167,8 @@ void ConflictTracker::meet(const PersonRow& person, std::uint32_t v, const Searc
   meeting.centre = pose.centre;
   meeting.axis = pose.axis;
   meeting.braking = vehicle.braking;
-  meeting.type =
-      type_of(approach, known.trail[0].direction, pose.direction, vehicle.velocity.norm() < kStill);
+  meeting.type = type_of(approach, known.trail[0].direction, pose.direction,
+                         vehicle.velocity.norm() < kHaltingSpeed);
   const auto [entry, is_new] = encounters_.try_emplace(pair_of(person.place, v));
   Encounter& encounter = entry->second;
   if (is_new) {

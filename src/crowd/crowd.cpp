@@ -13,7 +13,7 @@
 #include "crowd/sense/awareness.hpp"
 #include "crowd/state/state.hpp"
 #include "crowd/step.hpp"
-#include "model/obstacle_lists.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
@@ -213,8 +213,10 @@ PersonView Crowd::view(Handle handle) const {
 bool Crowd::aware_of(Handle handle, const VehicleState& vehicle) const {
   const State& state = *state_;
   const std::size_t i = state.row_of(handle);
-  const bool moving = vehicle.velocity.norm() >= kStandingSpeed;
-  if (!state.perception_varies || !moving) return is_aware(state.persons, i, vehicle, state.zone);
+  const bool moving = vehicle.velocity.norm() >= kStaticSpeed;
+  if (!state.perception_varies || !moving) {
+    return is_aware(state.persons, i, vehicle, state.zone.parameters, state.model->vehicle_form());
+  }
   return std::ranges::any_of(state.traffic[handle].noticed, [&](const Noticed& noticed) {
     return noticed.vehicle == vehicle.key && noticed.minds;
   });

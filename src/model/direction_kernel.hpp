@@ -107,7 +107,7 @@ struct PacedChoice {
 inline constexpr std::uint32_t kNoDirection = ~0U;
 
 /// A vehicle that comes near enough to be a discomfort, as one person meets it.
-struct Annoyance {
+struct VehicleFelt {
   float x, y;                     ///< [m] the person in the vehicle's frame, x ahead, y left
   float cos, sin;                 ///< of the vehicle's heading
   float vx, vy;                   ///< [m/s] of the vehicle
@@ -119,7 +119,7 @@ struct Annoyance {
 /// How a person might go on in each direction: with that share of its preferred speed, once its
 /// present velocity v has relaxed (which carries it by (v − wanted)·glide), until something stops
 /// it.
-struct Stroll {
+struct PacedWalk {
   float share = 1.0F;           ///< of the preferred speed, [0, 1]
   float time = 4.0F;            ///< [s] how far ahead it looks
   float glide = 0.5F;           ///< [s] relaxation time
@@ -144,10 +144,10 @@ struct DirectionKernel {
   void (*times_of)(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
                    std::size_t first, std::size_t count, float* out);
   /// Raises `out[k]` for directions [first, first + count) to the discomfort h that the vehicle is
-  /// at its worst within the stroll's time; first and count are multiples of kDirectionGroup. With
+  /// at its worst within the walk's time; first and count are multiples of kDirectionGroup. With
   /// c the least clearance of the person's centre and m the margin: (1 − c/m)² for c < m,
   /// 1 − c/(2m) inside the rectangle (c < 0: depth).
-  void (*discomfort)(const DirectionTask& task, const Annoyance& vehicle, const Stroll& stroll,
+  void (*discomfort)(const DirectionTask& task, const VehicleFelt& vehicle, const PacedWalk& walk,
                      std::size_t first, std::size_t count, float* out);
 };
 

@@ -83,7 +83,7 @@ struct DiscomfortImpl {
   /// Raises `worst` to the way's h where it `counts`. Most ways come nowhere near the circle around
   /// the rectangle and its margin. (What a lane gets must not depend on its neighbours: vectors of
   /// all lengths give the same bits.)
-  static void raise(const Way& w, const Annoyance& v, Float counts, Float& worst) {
+  static void raise(const Way& w, const VehicleFelt& v, Float counts, Float& worst) {
     const Float zero = all(0.0F);
     const Float inverse = all(1.0F) / larger(w.ux * w.ux + w.uy * w.uy, all(kLeast));
     const Float t = within((zero - w.x * w.ux - w.y * w.uy) * inverse, zero, all(1.0F));
@@ -92,27 +92,27 @@ struct DiscomfortImpl {
     if (bits(near) != 0) worst = larger(both(near, of_way(w, inverse, 1.0F / v.margin)), worst);
   }
 
-  static void discomfort(const DirectionTask& task, const Annoyance& v, const Stroll& stroll,
+  static void discomfort(const DirectionTask& task, const VehicleFelt& v, const PacedWalk& walk,
                          std::size_t first, std::size_t count, float* out) {
-    const float speed = stroll.share * task.speed;
+    const float speed = walk.share * task.speed;
     // All in the vehicle's frame: the person's heading, its present velocity, and how it moves
     // while it stands [m/s].
     const float hc = speed * (task.heading_cos * v.cos + task.heading_sin * v.sin);
     const float hs = speed * (task.heading_sin * v.cos - task.heading_cos * v.sin);
-    const float present_x = stroll.vx * v.cos + stroll.vy * v.sin;
-    const float present_y = stroll.vy * v.cos - stroll.vx * v.sin;
+    const float present_x = walk.vx * v.cos + walk.vy * v.sin;
+    const float present_y = walk.vy * v.cos - walk.vx * v.sin;
     const Float drive_x = all(-v.vx * v.cos - v.vy * v.sin);
     const Float drive_y = all(v.vx * v.sin - v.vy * v.cos);
-    const Float start_x = all(v.x + stroll.glide * present_x);
-    const Float start_y = all(v.y + stroll.glide * present_y);
-    const Float time = all(stroll.time), glide = all(stroll.glide);
-    const Float slower = all(1.0F / stroll.share);
+    const Float start_x = all(v.x + walk.glide * present_x);
+    const Float start_y = all(v.y + walk.glide * present_y);
+    const Float time = all(walk.time), glide = all(walk.glide);
+    const Float slower = all(1.0F / walk.share);
     for (std::size_t k = first; k < first + count; k += kLanes) {
       const Float oc = Float::load(task.candidates.cosine + k);
       const Float os = Float::load(task.candidates.sine + k);
       const Float ex = all(hc) * oc - all(hs) * os, ey = all(hs) * oc + all(hc) * os;  // wanted
       // How long it walks: not a number, all the time, where it does not walk from before a wall.
-      const Float walks = smaller(Float::load(stroll.stop + k) * slower, time);
+      const Float walks = smaller(Float::load(walk.stop + k) * slower, time);
       const Way way{start_x - ex * glide,   start_y - ey * glide, (ex + drive_x) * walks,
                     (ey + drive_y) * walks, all(v.half_length),   all(v.half_width)};
       Float worst = Float::load(out + k);

@@ -55,15 +55,15 @@ bool GivingWay::notice(const Walker& walker, std::span<const VehicleView> vehicl
 
 void GivingWay::worst_of(const DirectionTask& task, float share, const Parameters& parameters,
                          std::size_t first, std::size_t count, const DirectionKernel& kernel) {
-  const Stroll stroll{share,
-                      static_cast<float>(parameters.discomfort_horizon),
-                      static_cast<float>(parameters.relaxation_time),
-                      vx_,
-                      vy_,
-                      stop_};
+  const PacedWalk walk{share,
+                       static_cast<float>(parameters.discomfort_horizon),
+                       static_cast<float>(parameters.relaxation_time),
+                       vx_,
+                       vy_,
+                       stop_};
   std::fill(discomfort_ + first, discomfort_ + first + count, 0.0F);
-  for (const Annoyance& vehicle : vehicles_) {
-    kernel.discomfort(task, vehicle, stroll, first, count, discomfort_);
+  for (const VehicleFelt& vehicle : vehicles_) {
+    kernel.discomfort(task, vehicle, walk, first, count, discomfort_);
   }
 }
 

@@ -46,7 +46,7 @@ class GivingWay {
   void price(const DirectionTask& task, const Parameters& parameters, std::size_t first, float most,
              const DirectionKernel& kernel);
 
-  std::vector<Annoyance> vehicles_;
+  std::vector<VehicleFelt> vehicles_;
   float vx_ = 0.0F, vy_ = 0.0F;       ///< [m/s] of the person
   float stop_[kMaxDirections];        ///< [s] until something that stands blocks the way
   float discomfort_[kMaxDirections];  ///< h

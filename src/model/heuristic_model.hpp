@@ -22,6 +22,7 @@ class HeuristicModel : public WalkingModel {
 
   void prepare(const Snapshot& snapshot) override;
   void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override;
+  VehicleForm vehicle_form() const override { return form_; }
   void rays(std::size_t person, std::vector<Ray>& out) const override;
 
  private:

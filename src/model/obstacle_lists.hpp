@@ -23,10 +23,6 @@
 
 namespace pedzone {
 
-/// [m/s] slower than this a vehicle is parked, a person stands: static obstacles. Assumed;
-/// SUMO's own threshold for halting is 0.1 m/s.
-inline constexpr float kStandingSpeed = 0.05F;
-
 /// [m²] least p² − R²: two bodies that touch count as 1 mm apart, so that contact "now" stays a
 /// number. Numerical: halving it lets rounding (1e-7) show in α of equal velocities.
 inline constexpr float kLeastDiscGap = 1e-3F;

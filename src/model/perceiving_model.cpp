@@ -155,7 +155,7 @@ void PerceivingModel::see_persons(std::size_t i, bool turned, const Walker& walk
       if (distance == 0.0 || distance > reach) continue;  // at 0: itself
       if (offset.dot(who.heading) < field * distance) continue;
       const double radius = radii[j];
-      const bool stands = slots.speed2[j] < kStandingSpeed * kStandingSpeed;
+      const bool stands = slots.speed2[j] < kStaticSpeed * kStaticSpeed;
       if (stands && distance > walker.static_reach + who.radius + radius) continue;
       who.neighbours.push_back({offset, Vec2(slots.vx[j], slots.vy[j]), radius, distance});
     }

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "model/direction_kernel.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 
@@ -93,8 +94,8 @@ struct SightImpl {
     const Float farthest = contact + s.walk, still = contact + s.static_reach;
     const Float touchable =
         either(at_least(farthest * farthest, fx * fx + fy * fy), more(v2, s.speed2));
-    const Float counts = either(at_least(v2, Float::all(kStandingSpeed * kStandingSpeed)),
-                                at_least(still * still, d2));
+    const Float counts =
+        either(at_least(v2, Float::all(kStaticSpeed * kStaticSpeed)), at_least(still * still, d2));
 
     const Float softness =
         Float::all(kTurnedSoftness) - q * Float::all(kTurnedSoftness - kSoftness);

@@ -11,6 +11,7 @@
 #include "model/obstacle_lists.hpp"
 #include "model/walker.hpp"
 #include "world/snapshot.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 
@@ -34,7 +35,7 @@ struct VehicleShape {
   float loudness = 1.0F;                        ///< how much farther than a slow car it is heard
   bool horn = false;
   bool invites = false;  ///< nobody need give way to it
-  bool moving() const { return speed >= kStandingSpeed; }
+  bool moving() const { return speed >= kStaticSpeed; }
 };
 
 VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin);

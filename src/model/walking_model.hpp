@@ -26,6 +26,11 @@ struct Ray {
   double free_distance;  ///< [m] [0, sight] f(α)
 };
 
+/// How vehicles are minded: as in the paper (obstacles that move, and the waiting rule), or as more
+/// than obstacles, by a discomfort that grows before contact (giving_way.hpp; none: as in the
+/// paper) or by a model's own rule.
+enum class VehicleForm { kPlain, kDiscomfort };
+
 /// A walking model. prepare() is called once a step, then decide() for disjoint ranges from many
 /// threads at once. A decision depends on the snapshot alone, never on the order of persons or
 /// calls. Persons that stand at the same index in `decisions` and Persons.
@@ -40,6 +45,8 @@ class WalkingModel {
   /// Whether a decision is the velocity that the person has at once, its inertia included. Else the
   /// crowd lets velocities relax towards decisions (relaxationTime).
   virtual bool sets_velocity() const { return false; }
+  /// How the model minds vehicles, which says how far people see them.
+  virtual VehicleForm vehicle_form() const { return VehicleForm::kDiscomfort; }
   /// For pictures, and slow: the candidate directions of one person, once round. After prepare();
   /// none where the model does not compare directions.
   virtual void rays(std::size_t /*person*/, std::vector<Ray>& out) const { out.clear(); }

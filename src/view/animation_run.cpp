@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "view/animation_parts.hpp"
 #include "view/packed_numbers.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone::animation {
 namespace {
@@ -83,7 +84,7 @@ const Vec2& place_of(const VehicleMoment& moment) { return moment.centre; }
 /// What SUMO's own output does not tell is told from the speed.
 Motion motion_of(const PersonMoment& moment) {
   if (moment.motion) return *moment.motion;
-  return moment.speed < kStill ? Motion::kStanding : Motion::kWalking;
+  return moment.speed < kHaltingSpeed ? Motion::kStanding : Motion::kWalking;
 }
 
 /// [[samples since its first, motion, activity], ...]: whenever they change.

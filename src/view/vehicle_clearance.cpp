@@ -1,13 +1,14 @@
 #include "view/vehicle_clearance.hpp"
 
 #include "conflict/approach.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 
 VehicleClearance::VehicleClearance(const Recording& recording) : driving_(recording.times.size()) {
   for (const RecordedVehicle& vehicle : recording.vehicles) {
     for (const VehicleMoment& moment : vehicle.moments) {
-      if (moment.speed < kStill) continue;
+      if (moment.speed < kHaltingSpeed) continue;
       driving_[moment.step].push_back(
           {moment.centre, unit(moment.heading), 0.5 * vehicle.length, 0.5 * vehicle.width});
     }

@@ -13,8 +13,8 @@ class VehicleClearance {
  public:
   explicit VehicleClearance(const Recording& recording);
 
-  /// Room [m] between a person's disc and the rectangle of the nearest vehicle that drives (kStill)
-  /// at the step; negative: they overlap. Nothing where none drives.
+  /// Room [m] between a person's disc and the rectangle of the nearest vehicle that drives
+  /// (kHaltingSpeed) at the step; negative: they overlap. Nothing where none drives.
   std::optional<double> of(const Vec2& position, double radius, std::uint32_t step) const;
 
  private:

@@ -22,12 +22,11 @@
 #include "crowd/state/parallel.hpp"
 #include "crowd/state/state.hpp"
 #include "crowd/state/wall_guard.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
 
-constexpr double kStill = 0.05;        // [m/s] assumed: slower than this a body stands
-constexpr double kMoves = 0.1;         // [m/s] assumed: who is slower does not pass anybody
 constexpr double kStepBack = 0.5;      // [m] assumed: a step, and no more than a row of a bus stop
 constexpr double kStepSpeed = 0.5;     // [m/s] assumed: a step to the side takes a second
 constexpr double kReturnSpeed = 0.25;  // [m/s] assumed: nobody hurries back
@@ -112,7 +111,8 @@ class Stander {
  private:
   void look_at(std::uint32_t j, const Vec2& there) {
     const bool walked = j < crowd_.persons.walking;
-    if (crowd_.standing.stands[j] != 0 || (!walked && crowd_.velocity(j).norm() < kMoves)) return;
+    if (crowd_.standing.stands[j] != 0 || (!walked && crowd_.velocity(j).norm() < kHaltingSpeed))
+      return;
     passed_ = passed_ || (there - here_).squaredNorm() < kTurnReach * kTurnReach;
     const auto gap = walked ? gap_asked(crowd_, j) : std::nullopt;
     if (!gap) return;
@@ -157,7 +157,7 @@ bool stands_by_choice(const CrowdState& crowd, std::size_t i) {
   const WalkState& walker = crowd.walkers[i];
   const bool stays = walker.arrived || walker.waits || crowd.groups[walker.handle].waits ||
                      info_of(crowd.activities[walker.handle].activity).speed <= 0.0;
-  return stays && crowd.velocity(i).norm() < kStill;
+  return stays && crowd.velocity(i).norm() < kStaticSpeed;
 }
 
 /// Of a step of somebody whom SUMO holds, what stays within kStepBack of SUMO's place.
@@ -246,7 +246,7 @@ void remember_seen(const CrowdState& crowd, double dt, std::vector<SeenMemory>& 
     const SeenPerson& person = crowd.seen[k];
     SeenMemory& now = memory[k];
     now.foreseen = person.position + person.velocity * dt;
-    if (person.velocity.norm() < kStill) {
+    if (person.velocity.norm() < kStaticSpeed) {
       now.still += dt;
     } else {  // goes on from where it stood and not from where SUMO had it stand
       now.still = 0.0;

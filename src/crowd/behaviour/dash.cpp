@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "crowd/sense/danger.hpp"
 #include "crowd/state/parallel.hpp"
 
 namespace pedzone {
 namespace {
 
 constexpr double kMinute = 60.0;
-constexpr double kReach = 15.0;   // [m] assumed: from farther away nobody runs at a vehicle
-constexpr double kSlowest = 0.5;  // [m/s] assumed: nor at one that hardly moves
-constexpr double kTime = 3.0;     // [s] assumed: and so long it runs
+constexpr double kReach = 15.0;  // [m] assumed: from farther away nobody runs at a vehicle
+constexpr double kTime = 3.0;    // [s] assumed: and so long it runs
 
 /// The moving vehicle nearest to the person within kReach; null: none.
 const VehicleState* nearest_moving(const CrowdState& crowd, std::size_t i) {
@@ -20,7 +20,7 @@ const VehicleState* nearest_moving(const CrowdState& crowd, std::size_t i) {
   double least = kReach;
   for (const VehicleState& vehicle : crowd.vehicles) {
     const double distance = (vehicle.centre - crowd.position(i)).norm();
-    if (distance >= least || vehicle.velocity.norm() < kSlowest) continue;
+    if (distance >= least || !drives(vehicle)) continue;
     least = distance;
     nearest = &vehicle;
   }

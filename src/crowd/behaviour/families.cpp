@@ -8,6 +8,7 @@
 
 #include "crowd/behaviour/groups.hpp"
 #include "crowd/sense/danger.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
@@ -27,7 +28,6 @@ constexpr double kHandShare = 0.9;  // assumed: of the child's speed, so that it
 constexpr double kCatchUpShare = 0.5;      // assumed: while the child is behind
 constexpr double kLastMoment = 1.0;        // [s] as the models' last-moment guard
 constexpr double kLastMomentMargin = 0.1;  // [m] numerical
-constexpr double kStillSpeed = 0.1;        // [m/s] numerical: a slower pull turns nobody round
 constexpr double kRound = kPi / 3.0;       // [rad] numerical: of the way round the adult at a time
 
 Vec2 facing(const CrowdState& crowd, std::size_t i) { return unit(crowd.persons.heading[i]); }
@@ -125,8 +125,8 @@ void pull(const CrowdState& crowd, std::size_t i, std::size_t adult,
       crowd.velocity(adult) + (hand_place(crowd, i, adult) - crowd.position(i)) / kTug;
   const double speed = wanted.norm();
   Decision& decision = decisions[i];
-  decision.direction = speed > kStillSpeed ? angle_of(wanted) : crowd.persons.heading[adult];
-  decision.speed = speed > kStillSpeed ? std::min(speed, crowd.persons.preferred_speed[i]) : 0.0;
+  decision.direction = speed > kHaltingSpeed ? angle_of(wanted) : crowd.persons.heading[adult];
+  decision.speed = speed > kHaltingSpeed ? std::min(speed, crowd.persons.preferred_speed[i]) : 0.0;
   decision.free_distance = crowd.zone.parameters.sight;  // bodies and walls stop it on contact
   decision.waits = decisions[adult].waits;
 }

@@ -7,19 +7,19 @@
 #include "crowd/behaviour/path_walk.hpp"
 #include "crowd/state/parallel.hpp"
 #include "crowd/state/state.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
 
-constexpr double kAtLine = 0.3;         // [m] assumed: so near, a portal is reached
-constexpr double kAtPoint = 0.5;        // [m] assumed: so near, a single point is reached
-constexpr double kBodySlack = 0.06;     // [m] numerical: a body that touches a wall on its
-                                        // destination has reached it
-constexpr double kOnWaypoint = 0.15;    // [m] numerical: on it, whatever is in view
-constexpr double kGiveUpWithin = 3.0;   // [m] assumed: a blocked destination is as good as reached
-constexpr double kProgress = 0.5;       // [m] assumed: less in `patience` seconds is none
-constexpr double kStandingSpeed = 0.1;  // [m/s] assumed
-constexpr double kPullMargin = 0.03;    // [m] numerical: beyond the body when a corner is skipped
+constexpr double kAtLine = 0.3;        // [m] assumed: so near, a portal is reached
+constexpr double kAtPoint = 0.5;       // [m] assumed: so near, a single point is reached
+constexpr double kBodySlack = 0.06;    // [m] numerical: a body that touches a wall on its
+                                       // destination has reached it
+constexpr double kOnWaypoint = 0.15;   // [m] numerical: on it, whatever is in view
+constexpr double kGiveUpWithin = 3.0;  // [m] assumed: a blocked destination is as good as reached
+constexpr double kProgress = 0.5;      // [m] assumed: less in `patience` seconds is none
+constexpr double kPullMargin = 0.03;   // [m] numerical: beyond the body when a corner is skipped
 
 // Numerical, in substeps: how often a person looks whether it may skip a waypoint, whether it
 // still sees its own, and how often at most it plans again. Looking twice as often cuts corners
@@ -182,7 +182,7 @@ void follow_waypoints(CrowdState& crowd, double dt) {
     for (std::size_t i = first; i < last; ++i) {
       WalkState& walker = crowd.walkers[i];
       const Vec2 from(crowd.moves.x[i], crowd.moves.y[i]), to = crowd.position(i);
-      walker.standing = (to - from).norm() < kStandingSpeed * dt ? walker.standing + dt : 0.0;
+      walker.standing = (to - from).norm() < kHaltingSpeed * dt ? walker.standing + dt : 0.0;
       if (!walker.arrived) {
         const PathMemory& path = crowd.paths[walker.handle];
         if (path != nullptr && comes_by(crowd.zone.walls, current(*path), from, to)) {

@@ -8,9 +8,9 @@
 namespace pedzone {
 
 bool is_aware(const Persons& persons, std::size_t i, const VehicleState& vehicle,
-              const Zone& zone) {
+              const Parameters& parameters, VehicleForm form) {
   const LatticeOrigin origin{to_lattice(vehicle.centre.x()), to_lattice(vehicle.centre.y())};
-  const Senses senses = senses_of(zone.parameters, vehicle_form(zone.model));
+  const Senses senses = senses_of(parameters, form);
   Walker walker;
   walker.at = to_lattice(persons.x[i], persons.y[i], origin);
   walker.heading = persons.heading[i];

@@ -6,11 +6,11 @@
 #include "crowd/sense/claim_room.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
 #include "geometry/polyline.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
 
-constexpr double kMoving = 0.3;  // [m/s] assumed: crawling is not driving
 constexpr double kLook = 0.25;   // [s] numerical: no vehicle drives past its own length meanwhile
 constexpr double kGlance = 1.0;  // [s] numerical: the same for what is within metres
 constexpr double kClear = 0.5;   // [m] assumed: nobody stands where a vehicle comes this near ...
@@ -25,7 +25,7 @@ bool drives_over(const VehicleState& vehicle, const Vec2& point, double reach, d
 }
 
 bool sweeps(const VehicleState& vehicle, const Vec2& point, double reach, double time) {
-  if (!is_moving(vehicle)) return false;
+  if (!drives(vehicle)) return false;
   const double way = vehicle.velocity.norm() * time;
   const double bound = way + vehicle.length + vehicle.width + reach;
   if ((point - vehicle.centre).squaredNorm() > bound * bound) return false;
@@ -38,7 +38,7 @@ bool sweeps(const VehicleState& vehicle, const Vec2& point, double reach, double
 }
 
 bool comes_near(const VehicleState& vehicle, const Vec2& point, double reach, double time) {
-  if (!is_moving(vehicle)) return false;
+  if (!drives(vehicle)) return false;
   for (double t = 0.0; t <= time; t += kGlance) {
     if (distance_to(moved_on(vehicle, t), point) < reach) return true;
   }
@@ -47,8 +47,8 @@ bool comes_near(const VehicleState& vehicle, const Vec2& point, double reach, do
 
 }  // namespace
 
-bool is_moving(const VehicleState& vehicle) {
-  return vehicle.velocity.squaredNorm() > kMoving * kMoving;
+bool drives(const VehicleState& vehicle) {
+  return vehicle.velocity.squaredNorm() > kDrivingSpeed * kDrivingSpeed;
 }
 
 bool is_claimed(const CrowdState& crowd, std::size_t i, double margin) {

@@ -5,13 +5,13 @@
 
 namespace pedzone {
 
-/// Whether the vehicle moves. Slower than 0.3 m/s (assumed) it stands.
-bool is_moving(const VehicleState& vehicle);
+/// Whether the vehicle drives (kDrivingSpeed).
+bool drives(const VehicleState& vehicle);
 
 /// Whether a vehicle claims a place within `margin` [m] of the body of row i.
 bool is_claimed(const CrowdState& crowd, std::size_t i, double margin);
 
-/// Whether a vehicle that moves comes within `margin` [m] of the body of row i in the next `time`
+/// Whether a vehicle that drives comes within `margin` [m] of the body of row i in the next `time`
 /// [s], the body staying where it is.
 bool is_swept(const CrowdState& crowd, std::size_t i, double margin, double time);
 
@@ -19,8 +19,8 @@ bool is_swept(const CrowdState& crowd, std::size_t i, double margin, double time
 /// comes there soon.
 bool may_stand(const CrowdState& crowd, std::size_t i);
 
-/// The nearest of the vehicles that move and are, or within `time` [s] will be, nearer than `reach`
-/// [m] to the point; null: none.
+/// The nearest of the vehicles that drive and are, or within `time` [s] will be, nearer than
+/// `reach` [m] to the point; null: none.
 const VehicleState* moving_near(const CrowdState& crowd, const Vec2& point, double reach,
                                 double time);
 

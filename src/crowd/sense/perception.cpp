@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMemory = 2.0;        // [s] assumed: so long a vehicle is minded unperceived ...
 constexpr double kForget = 10.0;       // [s] ... and known, so that no new reaction time begins
-constexpr float kLastMoment = 1.5F;    // [m] assumed: who is unaware jumps aside this near
+constexpr float kStartled = 1.5F;      // [m] assumed: who is unaware jumps aside this near
 constexpr float kDisturbs = 5.0F;      // [m] assumed: who stands makes room for a vehicle this near
 constexpr double kLargeVehicle = 6.0;  // [m] assumed: longer vehicles are too high to see over
 constexpr double kWarnedField = 180.0;  // [deg] who hears a horn looks round
@@ -54,8 +54,7 @@ class Observer {
         memory_(memory),
         attention_(attention),
         perception_(attention.persons[i]),
-        senses_(
-            with(senses_of(crowd.zone.parameters, vehicle_form(crowd.zone.model)), perception_)) {
+        senses_(with(senses_of(crowd.zone.parameters, crowd.model->vehicle_form()), perception_)) {
     const Persons& persons = crowd.persons;
     self_.at = to_lattice(persons.x[i], persons.y[i], traffic.origin);
     self_.heading = persons.heading[i];
@@ -88,7 +87,7 @@ class Observer {
       known->near = view.distance < kDisturbs;
     }
     const bool counts = known != nullptr && known->minds;
-    if (!counts && view.distance > kLastMoment) attention_.ignore(i_, v);
+    if (!counts && view.distance > kStartled) attention_.ignore(i_, v);
   }
 
   Noticed* find(std::uint64_t key) {

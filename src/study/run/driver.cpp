@@ -41,8 +41,8 @@ struct Active {
 
 class Driver {
  public:
-  Driver(Workshop& workshop, int jobs, const DriverEvents& events)
-      : workshop_(workshop), jobs_(static_cast<std::size_t>(jobs)), events_(events) {}
+  Driver(RunContext& context, int jobs, const DriverEvents& events)
+      : context_(context), jobs_(static_cast<std::size_t>(jobs)), events_(events) {}
   ~Driver() {
     for (Active& active : active_) {
       active.child.kill();
@@ -57,7 +57,7 @@ class Driver {
     try {
       loop();
     } catch (const std::exception&) {
-      check_disk(workshop_.store.folder());  // says it better
+      check_disk(context_.store.folder());  // says it better
       throw;
     }
     return result_;
@@ -77,15 +77,15 @@ class Driver {
     }
   }
 
-  const PlannedRun& run_of(const Task& task) const { return workshop_.plan.runs[task.run]; }
+  const PlannedRun& run_of(const Task& task) const { return context_.plan.runs[task.run]; }
 
   void start_next() {
     const Task task = waiting_.front();
     waiting_.pop_front();
     const PlannedRun& run = run_of(task);
-    const std::string folder = workshop_.store.make_folder(run.id);
+    const std::string folder = context_.store.make_folder(run.id);
     active_.emplace_back(task, folder, [this, &run, task, folder] {
-      return make_run(workshop_, run, task.attempt, folder);
+      return make_run(context_, run, task.attempt, folder);
     });
   }
 
@@ -93,7 +93,7 @@ class Driver {
   void look() {
     for (auto active = active_.begin(); active != active_.end();) {
       std::optional<Ending> ending = active->child.poll();
-      const bool late = !ending && active->age() > workshop_.plan.study.time_limit;
+      const bool late = !ending && active->age() > context_.plan.study.time_limit;
       if (late) active->child.kill();
       if (late || ending) {
         over(*active, late, ending.value_or(Ending{}));
@@ -107,14 +107,14 @@ class Driver {
   void over(const Active& active, bool late, const Ending& ending) {
     const PlannedRun& run = run_of(active.task);
     if (!late && ending.good()) {
-      workshop_.sums.learn(read_record(workshop_.store.run_folder(run.id) + "/record.json").inputs);
+      context_.sums.learn(read_record(context_.store.run_folder(run.id) + "/record.json").inputs);
       ++result_.done;
       events_.over(run, RunStatus::kDone, "", active.age());
       return;
     }
-    check_disk(workshop_.store.folder());  // while what the run has written is still there
+    check_disk(context_.store.folder());  // while what the run has written is still there
     const std::string why =
-        late ? fmt::format("took longer than {} s", workshop_.plan.study.time_limit)
+        late ? fmt::format("took longer than {} s", context_.plan.study.time_limit)
              : failure_sentence(active.folder, ending);
     if (active.task.attempt < kAttempts) {
       remove(active.folder);
@@ -124,7 +124,7 @@ class Driver {
     }
     const bool killed = !late && ending.from_outside();
     const RunStatus status = killed ? RunStatus::kKilled : RunStatus::kFailed;
-    record_failure(workshop_, run, {status, why, active.task.attempt, active.age()}, active.folder);
+    record_failure(context_, run, {status, why, active.task.attempt, active.age()}, active.folder);
     ++(killed ? result_.killed : result_.failed);
     events_.over(run, status, why, active.age());
   }
@@ -134,7 +134,7 @@ class Driver {
     std::filesystem::remove_all(folder, ignored);
   }
 
-  Workshop& workshop_;
+  RunContext& context_;
   std::size_t jobs_;
   const DriverEvents& events_;
   DriverResult result_;
@@ -156,10 +156,10 @@ std::vector<std::size_t> missing_runs(const Records& records, bool retry_failed)
   return missing;
 }
 
-DriverResult make_runs(Workshop& workshop, const std::vector<std::size_t>& runs, int jobs,
+DriverResult make_runs(RunContext& context, const std::vector<std::size_t>& runs, int jobs,
                        const DriverEvents& events) {
   ask_sumo_options();
-  return Driver(workshop, jobs, events).work(runs);
+  return Driver(context, jobs, events).work(runs);
 }
 
 }  // namespace pedzone::study

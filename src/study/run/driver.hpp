@@ -33,7 +33,7 @@ std::vector<std::size_t> missing_runs(const Records& records, bool retry_failed)
 /// with the end of its log; one that was killed twice from outside, as killed. What lay in the
 /// place of a run is thrown away. No process and no unfinished folder is left, whatever happens.
 /// Throws InputError where the disk is full: nothing is held against the runs then.
-DriverResult make_runs(Workshop& workshop, const std::vector<std::size_t>& runs, int jobs,
+DriverResult make_runs(RunContext& context, const std::vector<std::size_t>& runs, int jobs,
                        const DriverEvents& events);
 
 }  // namespace pedzone::study

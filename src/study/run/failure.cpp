@@ -51,15 +51,15 @@ std::string failure_sentence(const std::string& folder, const Ending& ending) {
   return "the run's process " + ending.text();
 }
 
-void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& given_up,
+void record_failure(RunContext& context, const PlannedRun& run, const GivenUp& given_up,
                     const std::string& folder) {
   RunRecord record;
   try {
-    record = blank_record(workshop, run);
+    record = blank_record(context, run);
   } catch (const InputError&) {  // gone: that is why it has failed
     record.id = run.id;
     record.definition = run.definition;
-    record.versions = workshop.store.versions();
+    record.versions = context.store.versions();
   }
   record.status = given_up.status;
   record.failure = given_up.why + "\n" + end_of_log(folder);
@@ -69,7 +69,7 @@ void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& gi
     if (entry.path().filename() != kLogFile) fs::remove_all(entry.path());
   }
   write_complete_file(folder + "/record.json", record_text(record), kOutOption);
-  workshop.store.finish(folder, run.id);
+  context.store.finish(folder, run.id);
 }
 
 void check_disk(const std::string& results) {

@@ -20,7 +20,7 @@ struct GivenUp {
 
 /// Puts the folder of a run, with nothing but its log and a record that has the log's end, into the
 /// run's place.
-void record_failure(Workshop& workshop, const PlannedRun& run, const GivenUp& given_up,
+void record_failure(RunContext& context, const PlannedRun& run, const GivenUp& given_up,
                     const std::string& folder);
 
 /// Throws InputError where a study's directory takes no more: no space left, and the like.

@@ -70,10 +70,10 @@ void measure(const RunOutputs& outputs, RunKind kind, RunRecord& record) {
   record.demand = std::move(measures.demand);
 }
 
-RunOutputs outputs_of(const Workshop& workshop, const PlannedRun& run, const RunCommands& commands,
+RunOutputs outputs_of(const RunContext& context, const PlannedRun& run, const RunCommands& commands,
                       const std::string& folder) {
-  const Study& study = workshop.plan.study;
-  const std::size_t scenario = workshop.plan.conditions[run.condition].scenario;
+  const Study& study = context.plan.study;
+  const std::size_t scenario = context.plan.conditions[run.condition].scenario;
   const std::string people = folder + "/" + kPeopleFile;
   RunOutputs outputs{
       folder, study.resolve(study.scenarios[scenario].file), commands.sumo_options, {}};
@@ -97,17 +97,17 @@ std::vector<std::vector<std::string>> in_place(std::vector<std::vector<std::stri
   return commands;
 }
 
-void make(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
+void make(RunContext& context, const PlannedRun& run, int attempt, const std::string& folder) {
   const auto begin = std::chrono::steady_clock::now();
-  RunRecord record = blank_record(workshop, run);  // inputs as they are before anybody reads them
-  const RunCommands commands = run_commands(workshop.plan, run, workshop.pedzone, folder);
-  record.commands = in_place(commands.commands, folder, workshop.store.run_folder(run.id));
-  simulate(commands, workshop.plan.study.folder, folder);
-  measure(outputs_of(workshop, run, commands, folder), run.kind, record);
+  RunRecord record = blank_record(context, run);  // inputs as they are before anybody reads them
+  const RunCommands commands = run_commands(context.plan, run, context.pedzone, folder);
+  record.commands = in_place(commands.commands, folder, context.store.run_folder(run.id));
+  simulate(commands, context.plan.study.folder, folder);
+  measure(outputs_of(context, run, commands, folder), run.kind, record);
   record.attempts = attempt;
   record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_complete_file(folder + "/record.json", record_text(record), kOutOption);
-  workshop.store.finish(folder, run.id);
+  context.store.finish(folder, run.id);
 }
 
 int fail(const Failure& failure, const std::string& folder) {
@@ -118,22 +118,22 @@ int fail(const Failure& failure, const std::string& folder) {
 
 }  // namespace
 
-RunRecord blank_record(Workshop& workshop, const PlannedRun& run) {
+RunRecord blank_record(RunContext& context, const PlannedRun& run) {
   RunRecord record;
   record.id = run.id;
   record.definition = run.definition;
-  record.versions = workshop.store.versions();
-  for (const std::string& input : run_inputs(workshop.plan, run)) {
-    record.inputs[input] = workshop.sums.of(input);
+  record.versions = context.store.versions();
+  for (const std::string& input : run_inputs(context.plan, run)) {
+    record.inputs[input] = context.sums.of(input);
   }
   return record;
 }
 
-int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder) {
+int make_run(RunContext& context, const PlannedRun& run, int attempt, const std::string& folder) {
   print_to_log(folder);
   find_sumo_data();
   try {
-    make(workshop, run, attempt, folder);
+    make(context, run, attempt, folder);
     return 0;
   } catch (const Failure& failure) {
     return fail(failure, folder);

@@ -9,7 +9,7 @@
 namespace pedzone::study {
 
 /// What is the same for all units of a driver.
-struct Workshop {
+struct RunContext {
   const Store& store;
   const Plan& plan;
   std::string pedzone;  ///< absolute path of the program
@@ -22,12 +22,12 @@ inline constexpr const char* kFailureFile = "failure.txt";  ///< why it failed, 
 
 /// The record of a run of which nothing is known but what goes into it. Throws InputError where
 /// that cannot be read.
-RunRecord blank_record(Workshop& workshop, const PlannedRun& run);
+RunRecord blank_record(RunContext& context, const PlannedRun& run);
 
 /// Makes a run in `folder`, which has been made for it, and puts it into its place. Writes whatever
 /// anybody prints to the log there. To be called in a process of its own: returns the exit code. 0:
 /// the run is in its place. Otherwise the folder is left; 128 + signal where somebody has killed a
 /// program of the run.
-int make_run(Workshop& workshop, const PlannedRun& run, int attempt, const std::string& folder);
+int make_run(RunContext& context, const PlannedRun& run, int attempt, const std::string& folder);
 
 }  // namespace pedzone::study

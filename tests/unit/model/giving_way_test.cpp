@@ -51,7 +51,7 @@ class Discomfort : public testing::TestWithParam<const DirectionKernel*> {
     task.speed = static_cast<float>(c.person.speed);
     const Vec2 ahead = unit(c.vehicle.heading), d = c.person.at - c.vehicle.centre;
     const auto number = [](double x) { return static_cast<float>(x); };
-    const Annoyance annoyance{
+    const VehicleFelt annoyance{
         number(d.dot(ahead)),
         number(cross(ahead, d)),
         number(ahead.x()),
@@ -62,13 +62,13 @@ class Discomfort : public testing::TestWithParam<const DirectionKernel*> {
         number(c.vehicle.width / 2.0),
         number(c.margin),
         number(std::hypot(c.vehicle.length, c.vehicle.width) / 2.0 + c.margin)};
-    const Stroll stroll{number(c.share),
-                        number(c.time),
-                        number(c.lag),
-                        number(c.person.velocity.x()),
-                        number(c.person.velocity.y()),
-                        c.stop};
-    GetParam()->discomfort(task, annoyance, stroll, 0, candidates_.padded(), out);
+    const PacedWalk walk{number(c.share),
+                         number(c.time),
+                         number(c.lag),
+                         number(c.person.velocity.x()),
+                         number(c.person.velocity.y()),
+                         c.stop};
+    GetParam()->discomfort(task, annoyance, walk, 0, candidates_.padded(), out);
   }
 
   double clearance(const Case& c, std::size_t k) const {

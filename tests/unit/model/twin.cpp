@@ -68,7 +68,7 @@ Seen see(const PersonSlots& slots, std::span<const SlotGroup> groups, const Sigh
       const float straight = root * root;
       const float contact = narrow + straight * (wide - narrow);
       const float still = contact + s.static_reach;
-      if (v2 < kStandingSpeed * kStandingSpeed && d2 > still * still) continue;
+      if (v2 < kStaticSpeed * kStaticSpeed && d2 > still * still) continue;
       const float soft =
           larger((kTurnedSoftness - straight * (kTurnedSoftness - kSoftness)) * d2, kLeastDiscGap);
       const float gamma = 1.0F / larger(d2 - contact * contact, soft);
@@ -122,14 +122,14 @@ struct Place {
   float outside2, depth;
 };
 
-Place place(const Annoyance& v, Velocity way, float t) {
+Place place(const VehicleFelt& v, Velocity way, float t) {
   const float x = std::abs(v.x + t * way.x) - v.half_length;
   const float y = std::abs(v.y + t * way.y) - v.half_width;
   const float dx = larger(x, 0.0F), dy = larger(y, 0.0F);
   return {dx * dx + dy * dy, std::min(-x, -y)};
 }
 
-float at_worst(const Annoyance& v, Velocity way) {
+float at_worst(const VehicleFelt& v, Velocity way) {
   const float inverse = 1.0F / larger(way.x * way.x + way.y * way.y, 1e-12F);
   const float nearest = std::clamp((0.0F - v.x * way.x - v.y * way.y) * inverse, 0.0F, 1.0F);
   const float near_x = v.x + nearest * way.x, near_y = v.y + nearest * way.y;
@@ -160,24 +160,24 @@ float at_worst(const Annoyance& v, Velocity way) {
   return share * share + depth * (0.5F * of_margin);
 }
 
-void discomfort(const DirectionTask& task, const Annoyance& v, const Stroll& stroll,
+void discomfort(const DirectionTask& task, const VehicleFelt& v, const PacedWalk& walk,
                 std::size_t first, std::size_t count, float* out) {
-  const float speed = stroll.share * task.speed;
+  const float speed = walk.share * task.speed;
   const float hc = speed * (task.heading_cos * v.cos + task.heading_sin * v.sin);
   const float hs = speed * (task.heading_sin * v.cos - task.heading_cos * v.sin);
   const Velocity drive{0.0F - v.vx * v.cos - v.vy * v.sin, v.vx * v.sin - v.vy * v.cos};
   for (std::size_t k = first; k < first + count; ++k) {
     const float oc = task.candidates.cosine[k], os = task.candidates.sine[k];
     const float ex = hc * oc - hs * os, ey = hs * oc + hc * os;
-    Annoyance begin = v;
-    begin.x = v.x + stroll.glide * (stroll.vx * v.cos + stroll.vy * v.sin) - ex * stroll.glide;
-    begin.y = v.y + stroll.glide * (stroll.vy * v.cos - stroll.vx * v.sin) - ey * stroll.glide;
-    const float walks = smaller(stroll.stop[k] * (1.0F / stroll.share), stroll.time);
+    VehicleFelt begin = v;
+    begin.x = v.x + walk.glide * (walk.vx * v.cos + walk.vy * v.sin) - ex * walk.glide;
+    begin.y = v.y + walk.glide * (walk.vy * v.cos - walk.vx * v.sin) - ey * walk.glide;
+    const float walks = smaller(walk.stop[k] * (1.0F / walk.share), walk.time);
     const Velocity way{(ex + drive.x) * walks, (ey + drive.y) * walks};
     out[k] = std::max(out[k], at_worst(begin, way));
-    const float stands = stroll.time - walks;
+    const float stands = walk.time - walks;
     if (stands <= 0.0F) continue;
-    Annoyance later = begin;
+    VehicleFelt later = begin;
     later.x += way.x;
     later.y += way.y;
     out[k] = std::max(out[k], at_worst(later, {drive.x * stands, drive.y * stands}));
