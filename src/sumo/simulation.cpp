@@ -7,10 +7,10 @@
 
 #include "core/error.hpp"
 #include "model/walking_model.hpp"
-#include "sumo/hint_values.hpp"
-#include "sumo/people_file.hpp"
-#include "sumo/stand_off.hpp"
-#include "sumo/steering.hpp"
+#include "sumo/files/hint_values.hpp"
+#include "sumo/files/people_file.hpp"
+#include "sumo/live/stand_off.hpp"
+#include "sumo/live/steering.hpp"
 
 namespace pedzone {
 namespace {

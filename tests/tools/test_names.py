@@ -72,16 +72,58 @@ class Names(unittest.TestCase):
 
 
 class Layers(unittest.TestCase):
+    def layers(self):
+        """Folders below src, lowest first. Inside sumo, what has no folder is on top of those that have."""
+        def listed(folder, pattern):
+            text = (PROJECT / "src" / folder / "CMakeLists.txt").read_text(encoding="utf-8")
+            return re.findall(pattern, text)
+        order = []
+        for layer in listed("", r"foreach\(layer ([\w ]+)\)")[0].split():
+            if layer == "sumo":
+                order += ["sumo/" + inner for inner in listed("sumo", r"add_subdirectory\((\w+)\)")]
+            order.append(layer)
+        return order
+
+    def layer_of(self, file, layers):
+        folders = file.split("/")[:-1]
+        inner = "/".join(folders[:2])
+        return layers.index(inner if inner in layers else folders[0])
+
     def test_no_include_runs_back_up(self):
-        cmake = (PROJECT / "src" / "CMakeLists.txt").read_text(encoding="utf-8")
-        layers = re.search(r"foreach\(layer ([\w ]+)\)", cmake).group(1).split()
+        layers = self.layers()
         self.assertGreater(len(layers), 10)
+        self.assertLess(layers.index("sumo/files"), layers.index("sumo/live"))
         for path in sources("src"):
-            own = path.relative_to(PROJECT / "src").parts[0]
+            own = self.layer_of(str(path.relative_to(PROJECT / "src")), layers)
             text = path.read_text(encoding="utf-8")
-            for include in re.findall(r'^#include "(\w+)/', text, re.MULTILINE):
-                if include in layers:
-                    self.assertLessEqual(layers.index(include), layers.index(own), str(path))
+            for include in re.findall(r'^#include "(\w+/[^"]+)"', text, re.MULTILINE):
+                if include.split("/")[0] in layers:
+                    self.assertLessEqual(self.layer_of(include, layers), own, f"{path}: {include}")
+
+    def test_nothing_but_a_running_sumos_folder_names_sumos_library(self):
+        for path in sources("src"):
+            if path.relative_to(PROJECT / "src").parts[:2] != ("sumo", "live"):
+                self.assertNotRegex(path.read_text(encoding="utf-8"), r"#include <libsumo/", str(path))
+
+    def test_includes_run_in_no_circle(self):
+        includes = {}
+        for path in sources("src"):
+            text = path.read_text(encoding="utf-8")
+            includes[str(path.relative_to(PROJECT / "src"))] = re.findall(
+                r'^#include "(\w+/[^"]+)"', text, re.MULTILINE)
+        done, open_ = set(), []
+
+        def visit(file):
+            self.assertNotIn(file, open_, "a circle")
+            if file in done:
+                return
+            open_.append(file)
+            for include in includes.get(file, []):
+                visit(include)
+            open_.pop()
+            done.add(file)
+        for file in includes:
+            visit(file)
 
 
 if __name__ == "__main__":
