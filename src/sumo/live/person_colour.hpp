@@ -1,11 +1,10 @@
 // What a person does is its colour in sumo-gui.
 #pragma once
 
-#include <libsumo/TraCIDefs.h>
-
 #include <optional>
 #include <string>
 
+#include "sumo/live/sumo_person.hpp"
 #include "world/activities.hpp"
 
 namespace pedzone {
@@ -17,7 +16,7 @@ class PersonColour {
 
  private:
   Pastime shown_ = Pastime::kNone;
-  std::optional<libsumo::TraCIColor> own_;
+  std::optional<Colour> own_;
 };
 
 }  // namespace pedzone

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "sumo/live/api.hpp"
-
 namespace pedzone {
 namespace {
 
@@ -12,15 +10,15 @@ constexpr double kRange = 20.0;    // [m] numerical: pairs farther apart are not
 
 }  // namespace
 
-void RunTotals::count_persons() {
-  departed_ += api::Simulation::getDepartedPersonNumber();
-  arrived_ += api::Simulation::getArrivedPersonNumber();
+void RunTotals::count_persons(long departed, long arrived) {
+  departed_ += departed;
+  arrived_ += arrived;
 }
 
 void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
   person_steps_ += static_cast<long>(takeover.guests().size());
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
-    const double loss = api::Vehicle::getTimeLoss(vehicle.id);
+    const double loss = vehicle.time_loss;
     const auto [entry, is_new] = delays_.try_emplace(vehicle.id, Delay{loss, loss});
     entry->second.last = loss;
     const Body body = body_of(vehicle);
@@ -33,15 +31,15 @@ void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
   }
 }
 
-RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding) const {
+RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding,
+                              std::size_t walking) const {
   RunSummary summary;
   const WalkTotals& walks = takeover.totals();
   const double persons = static_cast<double>(std::max(1L, walks.controlled));
   summary.persons.seen = departed_;
   summary.persons.controlled = walks.controlled;
   summary.persons.arrived = arrived_;
-  // Not getIDCount: that counts those who are yet to depart, too.
-  summary.persons.walking = static_cast<long>(api::Person::getIDList().size());
+  summary.persons.walking = static_cast<long>(walking);
   summary.persons.lost = departed_ - arrived_ - summary.persons.walking;
   summary.jams = takeover.jams();
   if (walks.time > 0.0) summary.persons.mean_speed = walks.distance / walks.time;

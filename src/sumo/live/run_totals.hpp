@@ -7,7 +7,6 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "sumo/live/fleet.hpp"
 #include "sumo/live/takeover.hpp"
 
 namespace pedzone {
@@ -36,13 +35,13 @@ struct RunSummary {
 /// Watches persons and vehicles step by step.
 class RunTotals {
  public:
-  /// Who departed and arrived in SUMO's last step.
-  void count_persons();
+  /// How many departed and arrived in SUMO's last step.
+  void count_persons(long departed, long arrived);
   /// Distances between guests and vehicles now; delays of vehicles.
   void observe(const Fleet& fleet, const Takeover& takeover);
 
-  /// Figures so far; SUMO must still be running.
-  RunSummary summary(const Takeover& takeover, std::size_t yielding) const;
+  /// Figures so far. `yielding`: vehicles that ever gave way; `walking`: persons in SUMO now.
+  RunSummary summary(const Takeover& takeover, std::size_t yielding, std::size_t walking) const;
 
  private:
   struct Delay {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "conflict/tracker.hpp"
-#include "sumo/live/fleet.hpp"
 #include "sumo/live/takeover.hpp"
 
 namespace pedzone {

@@ -51,6 +51,8 @@ double Session::time() const { return api::Simulation::getTime(); }
 double Session::step_length() const { return api::Simulation::getDeltaT(); }
 double Session::end_time() const { return api::Simulation::getEndTime(); }
 bool Session::nobody_left() const { return api::Simulation::getMinExpectedNumber() <= 0; }
+long Session::departed_persons() const { return api::Simulation::getDepartedPersonNumber(); }
+long Session::arrived_persons() const { return api::Simulation::getArrivedPersonNumber(); }
 
 std::string Session::option(const std::string& name) const {
   return translated("to tell option " + name, [&] { return api::Simulation::getOption(name); });

@@ -23,6 +23,8 @@ class Session {
   double step_length() const;  ///< [s]
   double end_time() const;     ///< [s]; negative: until nobody is left
   bool nobody_left() const;
+  long departed_persons() const;  ///< in the last step
+  long arrived_persons() const;   ///< in the last step
   /// An option's value as SUMO has it.
   std::string option(const std::string& name) const;
 

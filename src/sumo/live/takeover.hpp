@@ -15,11 +15,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "sumo/live/bystanders.hpp"
-#include "sumo/live/fleet.hpp"
 #include "sumo/live/person_colour.hpp"
-#include "sumo/live/yielding.hpp"
-#include "sumo/live/zone_route.hpp"
+#include "sumo/plan/bystanders.hpp"
+#include "sumo/plan/takeover_plan.hpp"
+#include "sumo/plan/yield_plan.hpp"
 
 namespace pedzone {
 
@@ -30,7 +29,7 @@ struct Guest {
   Crowd::Handle handle = 0;
   ZoneStretch stretch;
   int stages_left = 0;
-  std::size_t plan = 0;          ///< hash of SUMO's plan for it: stages left and route
+  std::size_t plan = 0;          ///< number of SUMO's plan for it
   Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
   double radius = 0.24;          ///< [m]
   double preferred_speed = 0.0;  ///< [m/s]
@@ -82,29 +81,15 @@ class Takeover {
   void add_bystanders(std::vector<PersonAhead>& out) const;
 
  private:
-  struct Past {             ///< what is remembered of a person that is not a guest
-    std::size_t plan = 0;   ///< the plan this belongs to
-    int last = -1;          ///< route index of the edge it was released on
-    int refused_edge = -1;  ///< edge on which it was found that it cannot be taken over
-    bool was_controlled = false;
-  };
-
-  /// A walk through a zone, from where it can begin.
-  struct Walk {
-    ZoneStretch stretch;
-    Vec2 start;  ///< [m] inside the walls
-  };
-
   static bool has_plan(const Guest& guest);
   void check_guests(double time, const Fleet& fleet);
+  void look_at_bystanders(double time);
+  void show_bystanders(const Fleet& fleet);
   void consider(const std::string& id, const Vec2* known_position, const Fleet& fleet);
-  std::optional<Walk> plan_walk(int zone, const std::vector<int>& route, int index,
-                                double arrival_position, const Vec2& position) const;
-  bool worth_while(const Walk& walk, int index, const Vec2& position) const;
-  bool add_guest(const std::string& id, int zone, const Walk& walk, std::size_t plan,
-                 bool place_freely, const Fleet& fleet);
-  static bool may_hand_over(Guest& guest, const Vec2& place, double dt, const Fleet& fleet);
-  bool hand_over(const Guest& guest, const PersonView& view, double dt);
+  bool add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan, const Fleet& fleet);
+  bool may_hand_over(Guest& guest, const PersonView& view, double dt, const Fleet& fleet) const;
+  void hand_over(const Guest& guest, const PersonView& view, double dt) const;
+  void count(const Guest& guest, const PersonView& view, double dt);
   void drop_gone();
   void list_jams(double time);
 
@@ -113,13 +98,14 @@ class Takeover {
   std::vector<std::unique_ptr<Crowd>>& crowds_;
   const Profiles& profiles_;
   const std::vector<WaypointPath>& paths_;
-  double striping_share_;          ///< of top speed, see takeover.cpp
+  double striping_share_;          ///< of top speed, see takeover_plan.hpp
   std::vector<int> zone_of_edge_;  ///< -1: SUMO's
   Bystanders bystanders_;
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;
-  std::unordered_map<std::string, Past> past_;
+  std::unordered_map<std::string, PersonPast> past_;
   std::vector<Vec2> eyes_;                     ///< [m] who looks at bystanders
+  std::vector<Bystander*> in_sight_;           ///< of them
   std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
   WalkTotals totals_;
   std::vector<JamRecord> jams_;

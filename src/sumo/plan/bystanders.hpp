@@ -9,7 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "crowd/crowd.hpp"
+#include "sumo/files/body_sizes.hpp"
 #include "zone/zone_distance.hpp"
 
 namespace pedzone {
@@ -19,7 +19,7 @@ struct Bystander {
   bool guest = false;            ///< pedzone walks it
   bool near = false;             ///< within sight of a zone's walkable area
   double look_at = -1.0;         ///< [s] not looked at before
-  double radius = 0.0;           ///< [m] 0: not known yet
+  double radius = 0.0;           ///< [m] 0: not measured yet
   std::uint64_t key = 0;         ///< person_key(id), with the radius
   bool turns = true;             ///< its shoulders, with the radius
   double looked_at = -1.0;       ///< [s] when last looked at; < 0: not yet
@@ -28,33 +28,39 @@ struct Bystander {
   double heading = 0.0;          ///< [rad] in which it moved last
 };
 
+/// Once its length and width are known.
+void measure(Bystander& person, const BodySize& size);
+
 class Bystanders {
  public:
   explicit Bystanders(const std::vector<Zone>& zones);
 
-  /// After a step of SUMO, at `time` [s]: takes in who is there, tells who has gone.
-  void read(double time);
+  /// Takes in who is in SUMO after a step, and who of the guests has gone.
+  void update(std::vector<std::string> ids);
 
-  /// Everybody in SUMO, in its order. `near` and `position` are of now for those who are near.
+  /// Whether a person has to be looked at, at `time` [s]: nobody who is walked by pedzone, nor who
+  /// cannot have come near a zone since the last look.
+  static bool is_due(const Bystander& person, double time) {
+    return !person.guest && time >= person.look_at;
+  }
+  /// It is at `position` [m] now.
+  void look(Bystander& person, double time, const Vec2& position) const;
+
+  /// Everybody in SUMO, by ascending id. `near` and `position` are of now for those who are near.
   std::vector<Bystander>& all() { return all_; }
   const std::vector<std::string>& gone() const { return gone_; }  ///< guests that SUMO lost
   void set_guest(const std::string& id, bool guest);
 
-  /// Those near a zone, who walk or stand, within sight of one of `eyes` [m] at least: reading them
-  /// all is dear, and most have nobody near.
-  void seen_from(std::size_t zone, std::span<const Vec2> eyes, std::vector<SeenPerson>& out);
+  /// Those near a zone and within sight of one of `eyes` [m] at least, riders included: reading
+  /// all of them is dear, and most have nobody near.
+  void seen_from(std::size_t zone, std::span<const Vec2> eyes, std::vector<Bystander*>& out);
 
  private:
-  void look(Bystander& person, double time) const;
-
   const std::vector<Zone>& zones_;
   std::vector<ZoneDistance> distances_;
   std::vector<Bystander> all_, before_;  ///< by ascending id
   std::vector<std::string> gone_;
   std::unordered_set<std::int64_t> eyed_;  ///< cells with eyes; kept for its memory
 };
-
-/// A person's body as a disc [m]: as large as its rectangle and never narrower than it is.
-double body_radius(const std::string& id);
 
 }  // namespace pedzone

@@ -6,7 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "sumo/live/fleet.hpp"
+#include "sumo/plan/vehicle.hpp"
+#include "world/parameters.hpp"
 
 namespace pedzone {
 

@@ -1,4 +1,4 @@
-#include "sumo/live/zone_route.hpp"
+#include "sumo/plan/zone_route.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,12 +1,9 @@
-#include "sumo/live/bystanders.hpp"
+#include "sumo/plan/bystanders.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/random.hpp"
-#include "sumo/files/body_sizes.hpp"
-#include "sumo/files/frames.hpp"
-#include "sumo/live/api.hpp"
 
 namespace pedzone {
 namespace {
@@ -15,13 +12,6 @@ constexpr double kFastest = 40.0;  // [m/s] numerical: nobody comes nearer faste
 constexpr double kBeyondSight = 10.0;  // [m] numerical: bodies, and what comes towards somebody
 constexpr double kStanding = 0.1;      // [m/s] assumed: slower moves are no walking
 constexpr double kLatest = 1.0;  // [s] numerical: a program that embeds us may move them anyhow
-
-/// Prams, wheelchairs and bicycles, longer than wide, cannot be turned to be narrower.
-void measure(Bystander& person) {
-  person.radius = body_radius(person.id);
-  person.turns = api::Person::getLength(person.id) < api::Person::getWidth(person.id);
-  person.key = person_key(person.id);
-}
 
 /// Square cells of the plane, numbered.
 class Cells {
@@ -38,8 +28,11 @@ class Cells {
 
 }  // namespace
 
-double body_radius(const std::string& id) {
-  return disc_radius({api::Person::getLength(id), api::Person::getWidth(id)});
+/// Prams, wheelchairs and bicycles, longer than wide, cannot be turned to be narrower.
+void measure(Bystander& person, const BodySize& size) {
+  person.radius = disc_radius(size);
+  person.turns = size.length < size.width;
+  person.key = person_key(person.id);
 }
 
 Bystanders::Bystanders(const std::vector<Zone>& zones) : zones_(zones) {
@@ -47,8 +40,7 @@ Bystanders::Bystanders(const std::vector<Zone>& zones) : zones_(zones) {
 }
 
 /// SUMO's list and ours have the same order, so one pass over both finds who came and who went.
-void Bystanders::read(double time) {
-  std::vector<std::string> ids = api::Person::getIDList();
+void Bystanders::update(std::vector<std::string> ids) {
   if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
   std::swap(all_, before_);
   all_.clear();
@@ -66,14 +58,9 @@ void Bystanders::read(double time) {
     }
   }
   std::for_each(known, before_.end(), leave);
-  for (Bystander& person : all_) {
-    if (!person.guest && time >= person.look_at) look(person, time);
-  }
 }
 
-void Bystanders::look(Bystander& person, double time) const {
-  const auto at = api::Person::getPosition(person.id);
-  const Vec2 position(at.x, at.y);
+void Bystanders::look(Bystander& person, double time, const Vec2& position) const {
   const double elapsed = person.looked_at < 0.0 ? 0.0 : time - person.looked_at;
   person.velocity = elapsed > 0.0 ? Vec2((position - person.position) / elapsed) : Vec2::Zero();
   if (person.velocity.norm() > kStanding) person.heading = angle_of(person.velocity);
@@ -98,7 +85,7 @@ void Bystanders::set_guest(const std::string& id, bool guest) {
 }
 
 void Bystanders::seen_from(std::size_t zone, std::span<const Vec2> eyes,
-                           std::vector<SeenPerson>& out) {
+                           std::vector<Bystander*>& out) {
   out.clear();
   const double sight = zones_[zone].parameters.sight;
   const Cells cells(sight + kBeyondSight);
@@ -115,11 +102,7 @@ void Bystanders::seen_from(std::size_t zone, std::span<const Vec2> eyes,
   for (Bystander& person : all_) {
     if (person.guest || !person.near || !is_eyed(person.position)) continue;
     if (distances_[zone].at_least(person.position) > sight) continue;
-    if (!api::Person::getVehicle(person.id).empty()) continue;  // rides
-    if (person.radius == 0.0) measure(person);
-    const double heading = radians_from_sumo(api::Person::getAngle(person.id));
-    out.push_back({person.position, unit(heading) * api::Person::getSpeed(person.id), person.radius,
-                   person.key, heading, person.turns});
+    out.push_back(&person);
   }
 }
 

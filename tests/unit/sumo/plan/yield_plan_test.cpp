@@ -1,5 +1,5 @@
 // Who is in a vehicle's way, and how fast it is told to drive.
-#include "sumo/live/yield_plan.hpp"
+#include "sumo/plan/yield_plan.hpp"
 
 #include <gmock/gmock.h>
 

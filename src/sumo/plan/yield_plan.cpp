@@ -1,4 +1,4 @@
-#include "sumo/live/yield_plan.hpp"
+#include "sumo/plan/yield_plan.hpp"
 
 #include <algorithm>
 

@@ -8,7 +8,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "sumo/live/yielding.hpp"
+#include "sumo/plan/vehicle_order.hpp"
+#include "sumo/plan/yield_plan.hpp"
+#include "zone/zone.hpp"
 
 namespace pedzone {
 
@@ -18,11 +20,12 @@ class StandOffs {
 
   /// Before SUMO's next step of `dt` [s]: lets a vehicle in a zone that has stood for creepAfter
   /// beside one of `people` (all near the zone) creep past, where its way is free of people and
-  /// vehicles. To be called after Yielding::apply; vehicles that this holds are left alone.
-  void apply(Fleet& fleet, std::span<const PersonAhead> people, double dt);
+  /// vehicles. To be called after Yielding::plan; vehicles that this holds are left alone.
+  std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
+                               std::span<const PersonAhead> people, double dt);
 
  private:
-  bool stands_off(const FleetVehicle& vehicle, const Fleet& fleet,
+  bool stands_off(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
                   std::span<const PersonAhead> people) const;
 
   const std::vector<Zone>& zones_;
