@@ -8,8 +8,8 @@
 #include "app/share_bar.hpp"
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
-#include "sumo/fcd_reader.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/files/fcd_reader.hpp"
+#include "sumo/files/scenario.hpp"
 
 namespace pedzone {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "app/guarded.hpp"
 #include "output/complete_file.hpp"
-#include "sumo/people_file.hpp"
+#include "sumo/files/people_file.hpp"
 
 namespace pedzone {
 namespace {

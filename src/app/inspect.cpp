@@ -6,8 +6,8 @@
 
 #include "app/guarded.hpp"
 #include "output/complete_file.hpp"
-#include "sumo/hint_values.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/files/hint_values.hpp"
+#include "sumo/files/scenario.hpp"
 #include "view/zone_report.hpp"
 #include "view/zone_svg.hpp"
 

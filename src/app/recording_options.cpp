@@ -1,7 +1,7 @@
 #include "app/recording_options.hpp"
 
 #include "app/share_bar.hpp"
-#include "sumo/place_reader.hpp"
+#include "sumo/files/place_reader.hpp"
 
 namespace pedzone {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sumo/recording_reader.hpp"
+#include "sumo/files/recording_reader.hpp"
 #include "view/place.hpp"
 
 namespace pedzone {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sumo/run_totals.hpp"
+#include "sumo/live/run_totals.hpp"
 
 namespace pedzone {
 

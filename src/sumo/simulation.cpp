@@ -7,10 +7,13 @@
 
 #include "core/error.hpp"
 #include "model/walking_model.hpp"
-#include "sumo/hint_values.hpp"
-#include "sumo/people_file.hpp"
-#include "sumo/stand_off.hpp"
-#include "sumo/steering.hpp"
+#include "sumo/files/hint_values.hpp"
+#include "sumo/files/path_vehicles.hpp"
+#include "sumo/files/people_file.hpp"
+#include "sumo/live/sumo_vehicle.hpp"
+#include "sumo/plan/stand_off.hpp"
+#include "sumo/plan/steering.hpp"
+#include "sumo/plan/yielding.hpp"
 
 namespace pedzone {
 namespace {
@@ -92,6 +95,12 @@ const std::vector<ZoneSpec>& with_models(const std::vector<ZoneSpec>& specs) {
   return specs;
 }
 
+/// The paths themselves, once their vehicles are known to be there.
+const std::vector<VehiclePath>& known_vehicles(const SimulationOptions& options) {
+  require_vehicles(options.scenario, options.vehicle_paths);
+  return options.vehicle_paths;
+}
+
 }  // namespace
 
 struct Simulation::Parts {
@@ -99,9 +108,10 @@ struct Simulation::Parts {
       : network(read_scenario_network(options.scenario)),
         zones(build_zones(network, with_models(options.zones))),
         paths(read_paths(options)),
-        steering(options.scenario, options.vehicle_paths),
+        steering(known_vehicles(options)),
         made_people(options, network, zones),
         session(made_people.scenario(), options_for(options)),
+        vehicles(network),
         fleet(network, zones),
         yielding(zones),
         stand_offs(zones),
@@ -141,7 +151,9 @@ struct Simulation::Parts {
   Steering steering;
   MadePeople made_people;
   Session session;
+  VehicleReader vehicles;
   Fleet fleet;
+  SafeSpeeds safe_speeds = sumo_vehicle::safe_speeds();
   Yielding yielding;
   StandOffs stand_offs;
   std::uint64_t seed;
@@ -158,7 +170,7 @@ struct Simulation::Parts {
 
 /// Takes in SUMO's present state and shows it.
 void Simulation::Parts::read(double dt) {
-  fleet.read(dt);
+  fleet.update(vehicles.read(fleet), dt);
   steering.foresee(fleet, session.time(), dt);
   takeover.read(session.time(), fleet);
   totals.observe(fleet, takeover);
@@ -170,13 +182,14 @@ void Simulation::Parts::read(double dt) {
 void Simulation::Parts::walk_and_yield(double dt) {
   read(dt);
   takeover.people(people);
-  yielding.apply(fleet, people, dt);
+  sumo_vehicle::send(yielding.plan(fleet.vehicles(), people, safe_speeds, dt));
   takeover.add_bystanders(people);
-  stand_offs.apply(fleet, people, dt);
+  sumo_vehicle::send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
   takeover.write(session.time(), dt, fleet);
-  steering.apply(session.time());
+  if (steering.over()) return;
+  sumo_vehicle::send(steering.plan(session.time(), sumo_vehicle::ids(), sumo_vehicle::length));
 }
 
 Simulation::Simulation(const SimulationOptions& options)
@@ -191,7 +204,8 @@ void Simulation::step() {
     parts_->session.step();
     parts_->stepped = true;
     parts_->sumo_seconds += seconds_since(before);
-    parts_->totals.count_persons();
+    parts_->totals.count_persons(parts_->session.departed_persons(),
+                                 parts_->session.arrived_persons());
   });
 }
 
@@ -242,7 +256,8 @@ std::vector<Insight> Simulation::insights() {
 }
 
 RunSummary Simulation::summary() const {
-  RunSummary summary = parts_->totals.summary(parts_->takeover, parts_->yielding.yielded().size());
+  RunSummary summary = parts_->totals.summary(parts_->takeover, parts_->yielding.yielded().size(),
+                                              sumo_person::ids().size());
   summary.time.simulated_s = time();
   summary.time.wall_s = seconds_since(parts_->started);
   summary.time.sumo_s = parts_->sumo_seconds;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "sumo/run_totals.hpp"
-#include "sumo/scene.hpp"
-#include "sumo/session.hpp"
+#include "sumo/live/run_totals.hpp"
+#include "sumo/live/scene.hpp"
+#include "sumo/live/session.hpp"
 #include "zone/vehicle_path.hpp"
 
 namespace pedzone {

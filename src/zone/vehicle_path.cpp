@@ -88,6 +88,10 @@ Polyline VehiclePath::way(double time, double behind, double ahead) const {
   return way;
 }
 
+InputError VehiclePath::error(const std::string& problem, const std::string& allowed) const {
+  return InputError(problem, {file, line, "<vehiclePath> attribute vehicle", vehicle_, allowed});
+}
+
 std::vector<VehiclePath> read_vehicle_paths(const std::string& zone_file) {
   const XmlFile file(zone_file, {"zones"});
   std::vector<VehiclePath> paths;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/vec.hpp"
 
 namespace pedzone {
@@ -34,6 +35,9 @@ class VehiclePath {
   /// [m] the part from `behind` [m] >= 0 before the front to `ahead` [m] >= 0 after it, no farther
   /// than the last row.
   Polyline way(double time, double behind, double ahead) const;
+
+  /// What is wrong with its vehicle.
+  InputError error(const std::string& problem, const std::string& allowed) const;
 
   /// Where it stands, for messages.
   std::string file;

@@ -19,7 +19,7 @@
 
 #include "core/error.hpp"
 #include "output/trajectory_writer.hpp"
-#include "sumo/session.hpp"
+#include "sumo/live/session.hpp"
 #include "sumo/simulation.hpp"
 
 namespace {

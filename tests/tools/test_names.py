@@ -71,58 +71,69 @@ class Names(unittest.TestCase):
         self.assertEqual(double, {})
 
 
-# Folders inside a layer, in the order of who may include whom; "": the layer's own files.
-FOLDERS = {"crowd": ("state", "sense", "behaviour", "motion", "")}
-
-
-def includes(path):
-    """The project's files that a source file includes, as paths inside src."""
-    return re.findall(r'^#include "(\w+/[\w./]+)"', path.read_text(encoding="utf-8"), re.MULTILINE)
-
-
-def folder(path):
-    """(layer, folder inside it) of a path inside src."""
-    parts = Path(path).parts
-    return parts[0], parts[1] if len(parts) > 2 else ""
+# Folders inside a layer that is one library, in the order of who may include whom.
+FOLDERS = {"crowd": ["crowd/state", "crowd/sense", "crowd/behaviour", "crowd/motion"]}
 
 
 class Layers(unittest.TestCase):
-    def test_no_include_runs_back_up_inside_a_layer(self):
-        for path in sources("src"):
-            own = folder(path.relative_to(PROJECT / "src"))
-            order = FOLDERS.get(own[0])
-            for include in includes(path) if order else []:
-                layer, other = folder(include)
-                if layer == own[0]:
-                    self.assertLessEqual(order.index(other), order.index(own[1]), f"{path}: {include}")
+    def layers(self):
+        """Folders below src, lowest first. What has no folder inside a layer is on top of those that have."""
+        def listed(folder, pattern):
+            text = (PROJECT / "src" / folder / "CMakeLists.txt").read_text(encoding="utf-8")
+            return re.findall(pattern, text)
+        order = []
+        for layer in listed("", r"foreach\(layer ([\w ]+)\)")[0].split():
+            if layer == "sumo":
+                order += ["sumo/" + inner for inner in listed("sumo", r"add_subdirectory\((\w+)\)")]
+            order += FOLDERS.get(layer, []) + [layer]
+        return order
 
-    def test_no_includes_go_round_in_a_circle(self):
-        graph = {str(path.relative_to(PROJECT / "src")): includes(path) for path in sources("src")}
-        self.assertGreater(len(graph), 300)
-        done, way = set(), []
-
-        def visit(file):
-            self.assertNotIn(file, way, "a circle of includes")
-            if file in done:
-                return
-            way.append(file)
-            for other in graph.get(file, []):
-                visit(other)
-            done.add(way.pop())
-
-        for file in graph:
-            visit(file)
+    def layer_of(self, file, layers):
+        folders = file.split("/")[:-1]
+        inner = "/".join(folders[:2])
+        return layers.index(inner if inner in layers else folders[0])
 
     def test_no_include_runs_back_up(self):
-        cmake = (PROJECT / "src" / "CMakeLists.txt").read_text(encoding="utf-8")
-        layers = re.search(r"foreach\(layer ([\w ]+)\)", cmake).group(1).split()
+        layers = self.layers()
         self.assertGreater(len(layers), 10)
+        self.assertEqual([layer for layer in layers if layer.startswith("sumo/")],
+                         ["sumo/files", "sumo/plan", "sumo/live"])
         for path in sources("src"):
-            own = path.relative_to(PROJECT / "src").parts[0]
+            own = self.layer_of(str(path.relative_to(PROJECT / "src")), layers)
             text = path.read_text(encoding="utf-8")
-            for include in re.findall(r'^#include "(\w+)/', text, re.MULTILINE):
-                if include in layers:
-                    self.assertLessEqual(layers.index(include), layers.index(own), str(path))
+            for include in re.findall(r'^#include "(\w+/[^"]+)"', text, re.MULTILINE):
+                if include.split("/")[0] in layers:
+                    self.assertLessEqual(self.layer_of(include, layers), own, f"{path}: {include}")
+
+    def test_only_thin_files_call_sumo(self):
+        """All else plans over plain values, so that another client of SUMO changes these alone."""
+        thin = {f"sumo/live/{name}.cpp" for name in ("session", "sumo_person", "sumo_vehicle")}
+        callers = set()
+        for path in sources("src"):
+            file, text = str(path.relative_to(PROJECT / "src")), path.read_text(encoding="utf-8")
+            if re.search(r'#include ("sumo/live/api.hpp"|<libsumo/)', text):
+                callers.add(file)
+        self.assertEqual(callers, thin | {"sumo/live/api.hpp"})
+
+    def test_includes_run_in_no_circle(self):
+        includes = {}
+        for path in sources("src"):
+            text = path.read_text(encoding="utf-8")
+            includes[str(path.relative_to(PROJECT / "src"))] = re.findall(
+                r'^#include "(\w+/[^"]+)"', text, re.MULTILINE)
+        done, open_ = set(), []
+
+        def visit(file):
+            self.assertNotIn(file, open_, "a circle")
+            if file in done:
+                return
+            open_.append(file)
+            for include in includes.get(file, []):
+                visit(include)
+            open_.pop()
+            done.add(file)
+        for file in includes:
+            visit(file)
 
 
 if __name__ == "__main__":

@@ -16,8 +16,8 @@
 #include "study/measure/vehicle_stops.hpp"
 #include "study/measure/zone_stays.hpp"
 #include "study/measure/zone_walks.hpp"
-#include "sumo/fcd_reader.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/files/fcd_reader.hpp"
+#include "sumo/files/scenario.hpp"
 
 namespace pedzone::study {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "sumo/scenario.hpp"
+#include "sumo/files/scenario.hpp"
 
 namespace pedzone::study {
 

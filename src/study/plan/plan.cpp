@@ -10,7 +10,7 @@
 
 #include "study/plan/checksum.hpp"
 #include "study/plan/setting.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/files/scenario.hpp"
 
 namespace pedzone::study {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "study/plan/study_file.hpp"
 #include "study/plan/sumo_options.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/files/scenario.hpp"
 
 namespace pedzone::study {
 

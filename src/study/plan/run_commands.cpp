@@ -10,9 +10,9 @@
 #include "study/plan/plan.hpp"
 #include "study/plan/setting.hpp"
 #include "study/plan/sumo_options.hpp"
-#include "sumo/file_list.hpp"
-#include "sumo/people_file.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/files/file_list.hpp"
+#include "sumo/files/people_file.hpp"
+#include "sumo/files/scenario.hpp"
 #include "world/model_names.hpp"
 #include "zone/zone.hpp"
 

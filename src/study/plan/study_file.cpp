@@ -10,7 +10,7 @@
 #include "study/plan/factors.hpp"
 #include "study/plan/seed_list.hpp"
 #include "study/plan/sumo_options.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/files/scenario.hpp"
 #include "world/model_names.hpp"
 #include "zone/zone_file.hpp"
 

@@ -8,7 +8,7 @@
 #include "core/xml.hpp"
 #include "study/plan/study_file.hpp"
 #include "study/plan/sumo_answer.hpp"
-#include "sumo/file_list.hpp"
+#include "sumo/files/file_list.hpp"
 
 namespace pedzone::study {
 namespace {

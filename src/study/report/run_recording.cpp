@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sumo/place_reader.hpp"
+#include "sumo/files/place_reader.hpp"
 
 namespace pedzone::study {
 namespace {

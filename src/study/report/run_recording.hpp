@@ -5,7 +5,7 @@
 #include <string>
 
 #include "study/plan/plan.hpp"
-#include "sumo/recording_reader.hpp"
+#include "sumo/files/recording_reader.hpp"
 #include "view/place.hpp"
 
 namespace pedzone::study {

@@ -14,8 +14,8 @@
 #include "study/measure/run_measures.hpp"
 #include "study/run/process.hpp"
 #include "study/run/shell_word.hpp"
-#include "sumo/place_reader.hpp"
-#include "sumo/sumo_home.hpp"
+#include "sumo/files/place_reader.hpp"
+#include "sumo/files/sumo_home.hpp"
 
 namespace pedzone::study {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "demand/route_file.hpp"
 #include "scene.hpp"
-#include "sumo/net_reader.hpp"
+#include "sumo/files/net_reader.hpp"
 
 namespace pedzone::test {
 

@@ -9,8 +9,8 @@
 #include "core/xml.hpp"
 #include "core/xml_stream.hpp"
 #include "study_scene.hpp"
-#include "sumo/people_file.hpp"
-#include "sumo/sumo_home.hpp"
+#include "sumo/files/people_file.hpp"
+#include "sumo/files/sumo_home.hpp"
 
 namespace pedzone::study {
 namespace {

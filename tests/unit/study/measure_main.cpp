@@ -7,7 +7,7 @@
 
 #include "study/measure/free_speed_measure.hpp"
 #include "study/measure/run_measures.hpp"
-#include "sumo/scenario.hpp"
+#include "sumo/files/scenario.hpp"
 
 namespace pedzone::study {
 namespace {

@@ -5,7 +5,7 @@
 #include "core/xml.hpp"
 #include "study/plan/setting.hpp"
 #include "study_scene.hpp"
-#include "sumo/sumo_home.hpp"
+#include "sumo/files/sumo_home.hpp"
 #include "zone/vehicle_path.hpp"
 
 namespace pedzone::study {

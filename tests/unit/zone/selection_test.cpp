@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "scene.hpp"
-#include "sumo/net_reader.hpp"
+#include "sumo/files/net_reader.hpp"
 #include "zone/links.hpp"
 
 namespace pedzone::test {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "scene.hpp"
-#include "sumo/net_reader.hpp"
+#include "sumo/files/net_reader.hpp"
 #include "zone/shapes.hpp"
 #include "zone/zone_distance.hpp"
 

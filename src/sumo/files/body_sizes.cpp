@@ -1,0 +1,96 @@
+#include "sumo/files/body_sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/vec.hpp"
+#include "core/xml_stream.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr NumberRange kSizes{0.01, 1000.0};  // [m] what a body may measure
+
+struct ClassSize {
+  std::string_view name;  ///< vClass
+  BodySize size;
+};
+/// What SUMO 1.15 gives to types of a vClass that leave their size open (read from
+/// libsumo::VehicleType); all others are as large as a passenger car.
+constexpr ClassSize kClassSizes[] = {
+    {"pedestrian", {0.215, 0.478}}, {"bicycle", {1.6, 0.65}},
+    {"moped", {2.1, 0.78}},         {"motorcycle", {2.2, 0.9}},
+    {"truck", {7.1, 2.4}},          {"trailer", {16.5, 2.55}},
+    {"bus", {12.0, 2.5}},           {"coach", {14.0, 2.6}},
+    {"delivery", {6.5, 2.16}},      {"emergency", {6.5, 2.16}},
+    {"tram", {22.0, 2.4}},          {"rail_urban", {109.5, 3.0}},
+    {"rail", {135.0, 2.84}},        {"rail_electric", {200.0, 2.95}},
+    {"rail_fast", {200.0, 2.95}},   {"ship", {17.0, 4.0}},
+};
+constexpr BodySize kPassenger{5.0, 1.8};
+
+BodySize class_size(std::string_view name) {
+  const auto found = std::find_if(std::begin(kClassSizes), std::end(kClassSizes),
+                                  [&](const ClassSize& known) { return known.name == name; });
+  return found == std::end(kClassSizes) ? kPassenger : found->size;
+}
+
+}  // namespace
+
+double disc_radius(const BodySize& size) {
+  const double disc = std::sqrt(std::max(0.0, size.width * size.length) / kPi);
+  return std::clamp(std::max(0.5 * size.width, disc), 0.1, 1.0);
+}
+
+BodySizes::BodySizes() {
+  types_ = {{"DEFAULT_VEHTYPE", kPassenger},
+            {"DEFAULT_TAXITYPE", kPassenger},
+            {"DEFAULT_PEDTYPE", class_size("pedestrian")},
+            {"DEFAULT_BIKETYPE", class_size("bicycle")},
+            {"DEFAULT_CONTAINERTYPE", {6.1, 2.4}}};
+}
+
+void BodySizes::read(const std::string& file) {
+  std::string distribution;  // that encloses the present element
+  int distribution_depth = -1;
+  visit_elements(file, "", [&](const XmlElement& element) {
+    if (element.depth() <= distribution_depth) distribution.clear();
+    const std::string_view name = element.name();
+    if (name == "vTypeDistribution") {
+      distribution = element.required("id");
+      distribution_depth = element.depth();
+      const auto members = split_words(element.value("vTypes").value_or(""));
+      if (!members.empty()) first_of_.try_emplace(distribution, members.front());
+    } else if (name == "vType") {
+      const std::string id(element.required("id"));
+      BodySize size = class_size(element.value("vClass").value_or("passenger"));
+      if (element.value("length")) size.length = element.number("length", kSizes);
+      if (element.value("width")) size.width = element.number("width", kSizes);
+      types_[id] = size;
+      if (!distribution.empty()) first_of_.try_emplace(distribution, id);
+    } else if (name == "person" || name == "personFlow") {
+      const auto type = element.value("type");
+      if (type) persons_[std::string(element.required("id"))] = *type;
+    }
+  });
+}
+
+std::optional<BodySize> BodySizes::of_type(std::string_view type) const {
+  std::string name(type);
+  if (const auto members = first_of_.find(name); members != first_of_.end()) name = members->second;
+  auto found = types_.find(name);
+  if (found == types_.end()) found = types_.find(name.substr(0, name.rfind('@')));
+  if (found == types_.end()) return std::nullopt;
+  return found->second;
+}
+
+BodySize BodySizes::of_person(std::string_view person) const {
+  auto found = persons_.find(std::string(person));
+  // SUMO numbers the persons of a flow: flow.0, flow.1 ...
+  if (found == persons_.end())
+    found = persons_.find(std::string(person.substr(0, person.rfind('.'))));
+  const auto size = found == persons_.end() ? std::nullopt : of_type(found->second);
+  return size.value_or(types_.at("DEFAULT_PEDTYPE"));
+}
+
+}  // namespace pedzone

@@ -1,0 +1,235 @@
+#include "sumo/files/net_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <unordered_set>
+
+#include "core/xml.hpp"
+#include "sumo/files/poi_reader.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr NumberRange kSpeedRange{0.0, 1000.0};         // [m/s]
+constexpr NumberRange kWidthRange{0.0, 1000.0};         // [m]
+constexpr NumberRange kLengthRange{0.0, 1.0e6};         // [m]
+constexpr NumberRange kCoordinateRange{-1.0e8, 1.0e8};  // [m] what geometry/overlay.hpp can hold
+constexpr NumberRange kLaneNumberRange{0.0, 1000.0};
+constexpr const char* kPersonClass = "pedestrian";
+
+// SUMO's classes of vehicles that share roads; the others are persons, rails, water and air
+// (SUMO documentation, "Vehicle permissions / abstract vehicle classes").
+constexpr std::array<std::string_view, 21> kRoadClasses{
+    "private", "emergency", "authority", "army",     "vip",       "passenger", "hov",
+    "taxi",    "bus",       "coach",     "delivery", "truck",     "trailer",   "motorcycle",
+    "moped",   "bicycle",   "scooter",   "evehicle", "container", "custom1",   "custom2"};
+constexpr std::array<std::string_view, 13> kOffRoadClasses{
+    "pedestrian", "wheelchair", "tram",      "rail_urban", "rail",     "rail_electric", "rail_fast",
+    "light_rail", "subway",     "cable_car", "ship",       "aircraft", "drone"};
+
+bool among(const auto& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void read_permissions(const pugi::xml_node& node, Lane& lane) {
+  const auto allowed = split_words(node.attribute("allow").value());
+  if (!allowed.empty()) {
+    const bool all = among(allowed, "all");
+    lane.persons = all || among(allowed, kPersonClass);
+    lane.vehicles = all || std::any_of(allowed.begin(), allowed.end(), [](const auto& name) {
+                      return !among(kOffRoadClasses, name);
+                    });
+    return;
+  }
+  const auto forbidden = split_words(node.attribute("disallow").value());
+  const bool all = among(forbidden, "all");
+  lane.persons = !all && !among(forbidden, kPersonClass);
+  lane.vehicles = !all && std::any_of(kRoadClasses.begin(), kRoadClasses.end(),
+                                      [&](auto name) { return !among(forbidden, name); });
+  lane.persons_only_by_default = lane.persons;
+}
+
+/// Points "x,y" or "x,y,z" separated by spaces. Heights go to `z` when any point has one; SUMO
+/// leaves out those that are 0.
+Polyline read_shape(const XmlFile& file, const pugi::xml_node& node, std::vector<double>* z) {
+  Polyline shape;
+  std::vector<double> heights;
+  bool has_heights = false;
+  for (const std::string& word : split_words(node.attribute("shape").value())) {
+    const auto parts = split_words(word, ',');
+    std::array<double, 3> number{};
+    bool good = parts.size() == 2 || parts.size() == 3;
+    for (std::size_t i = 0; good && i < parts.size(); ++i) {
+      good = parse_number(parts[i], number[i]) && number[i] >= kCoordinateRange.least &&
+             number[i] <= kCoordinateRange.most;
+    }
+    if (!good) {
+      throw file.error("is not a point", node, "shape", word,
+                       "points \"x,y\" or \"x,y,z\" in metres, at most 1e8, separated by spaces");
+    }
+    shape.emplace_back(number[0], number[1]);
+    heights.push_back(number[2]);
+    has_heights |= parts.size() == 3;
+  }
+  if (z && has_heights) *z = std::move(heights);
+  return shape;
+}
+
+EdgeFunction read_function(const pugi::xml_node& node) {
+  const std::string_view name = node.attribute("function").value();
+  if (name == "internal") return EdgeFunction::kInternal;
+  if (name == "crossing") return EdgeFunction::kCrossing;
+  if (name == "walkingarea") return EdgeFunction::kWalkingArea;
+  return EdgeFunction::kNormal;
+}
+
+/// Fills a Network from the parsed file, kind of element by kind of element.
+class NetworkReader {
+ public:
+  NetworkReader(const XmlFile& file, Network& network) : file_(file), network_(network) {}
+
+  void read() {
+    const pugi::xml_node root = file_.root();
+    for (const pugi::xml_node& node : root.children("edge")) read_edge(node);
+    for (const pugi::xml_node& node : root.children("junction")) read_junction(node);
+    for (const pugi::xml_node& node : root.children("connection")) read_connection(node);
+  }
+
+ private:
+  void read_edge(const pugi::xml_node& node) {
+    const int index = static_cast<int>(network_.edges.size());
+    Edge edge;
+    edge.id = file_.required(node, "id");
+    edge.type = node.attribute("type").value();
+    edge.function = read_function(node);
+    edge.from = node.attribute("from").value();
+    edge.to = node.attribute("to").value();
+    edge.crossed = split_words(node.attribute("crossingEdges").value());
+    edge.line = file_.line(node);
+    for (const pugi::xml_node& child : node.children("lane")) {
+      edge.lanes.push_back(read_lane(child, index, edge.function));
+    }
+    if (edge.lanes.empty()) throw file_.error("has no <lane>", node);
+    if (!network_.edge_index.emplace(edge.id, index).second) {
+      throw file_.error("is used twice", node, "id", edge.id);
+    }
+    network_.edges.push_back(std::move(edge));
+  }
+
+  int read_lane(const pugi::xml_node& node, int edge, EdgeFunction function) {
+    const int index = static_cast<int>(network_.lanes.size());
+    Lane lane;
+    lane.id = file_.required(node, "id");
+    lane.edge = edge;
+    lane.outline = function == EdgeFunction::kWalkingArea;
+    lane.speed = file_.number(node, "speed", kSpeedRange);
+    lane.length = file_.number(node, "length", kLengthRange);
+    lane.width = file_.number(node, "width", kWidthRange, lane.width);
+    read_permissions(node, lane);
+    file_.required(node, "shape");
+    lane.shape = read_shape(file_, node, &lane.z);
+    if (lane.shape.size() < 2 && !lane.outline) {
+      throw file_.error("is no line", node, "shape", node.attribute("shape").value(),
+                        "two points or more");
+    }
+    if (!network_.lane_index.emplace(lane.id, index).second) {
+      throw file_.error("is used twice", node, "id", lane.id);
+    }
+    network_.lanes.push_back(std::move(lane));
+    return index;
+  }
+
+  void read_junction(const pugi::xml_node& node) {
+    Junction junction;
+    junction.id = file_.required(node, "id");
+    junction.type = node.attribute("type").value();
+    if (junction.type == "internal") return;  // a waiting place inside another junction
+    junction.shape = read_shape(file_, node, nullptr);
+    network_.junction_index.emplace(junction.id, static_cast<int>(network_.junctions.size()));
+    network_.junctions.push_back(std::move(junction));
+  }
+
+  void read_connection(const pugi::xml_node& node) {
+    Connection connection;
+    connection.from = lane_of(node, "from", "fromLane");
+    connection.to = lane_of(node, "to", "toLane");
+    if (const auto via = network_.lane_index.find(node.attribute("via").value());
+        via != network_.lane_index.end()) {
+      connection.via = via->second;
+    }
+    if (!node.attribute("tl").empty()) {
+      for (const int lane : {connection.from, connection.to}) {
+        Edge& edge = network_.edges[network_.lanes[lane].edge];
+        if (edge.function == EdgeFunction::kCrossing) edge.signalled = true;
+      }
+    }
+    network_.connections.push_back(connection);
+  }
+
+  int lane_of(const pugi::xml_node& node, const char* edge_attribute,
+              const char* number_attribute) const {
+    const std::string id = file_.required(node, edge_attribute);
+    const auto edge = network_.edge_index.find(id);
+    if (edge == network_.edge_index.end()) {
+      throw file_.error("is no edge of the network", node, edge_attribute, id);
+    }
+    const auto& lanes = network_.edges[edge->second].lanes;
+    const double number = file_.number(node, number_attribute, kLaneNumberRange);
+    if (number != static_cast<int>(number) || number >= static_cast<double>(lanes.size())) {
+      throw file_.error("is no lane of edge '" + id + "'", node, number_attribute,
+                        node.attribute(number_attribute).value(),
+                        "whole numbers below " + std::to_string(lanes.size()));
+    }
+    return lanes[static_cast<std::size_t>(number)];
+  }
+
+  const XmlFile& file_;
+  Network& network_;
+};
+
+void read_polygons(const XmlFile& file, Network& network) {
+  const auto warn = [&](const pugi::xml_node& node, const std::string& problem) {
+    network.warnings.push_back(file.file() + ":" + std::to_string(file.line(node)) + ": polygon '" +
+                               node.attribute("id").value() + "' " + problem + ": left out");
+  };
+  std::unordered_set<std::string> known;
+  for (const MapPolygon& polygon : network.polygons) known.insert(polygon.id);
+  for (const pugi::xml_node& node : file.root().children("poly")) {
+    MapPolygon polygon;
+    polygon.id = file.required(node, "id");
+    polygon.type = node.attribute("type").value();
+    if (node.attribute("geo").as_bool()) {
+      warn(node, "has geographical coordinates");
+      continue;
+    }
+    if (!known.insert(polygon.id).second) {
+      warn(node, "has the id of another polygon");
+      continue;
+    }
+    polygon.shape = read_shape(file, node, nullptr);
+    if (polygon.shape.size() > 1 && polygon.shape.front() == polygon.shape.back()) {
+      polygon.shape.pop_back();
+    }
+    network.polygons.push_back(std::move(polygon));
+  }
+}
+
+}  // namespace
+
+Network read_network(const std::string& net_file) {
+  const XmlFile file(net_file, {"net"});
+  Network network;
+  network.file = net_file;
+  NetworkReader(file, network).read();
+  if (network.edges.empty()) throw file.error("has no <edge>", file.root());
+  return network;
+}
+
+void read_shapes(const std::string& additional_file, Network& network) {
+  const XmlFile file(additional_file);
+  read_polygons(file, network);
+  read_waypoints(file, network);
+}
+
+}  // namespace pedzone

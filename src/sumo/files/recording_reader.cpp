@@ -1,0 +1,235 @@
+#include "sumo/files/recording_reader.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/csv_stream.hpp"
+#include "core/text.hpp"
+#include "sumo/files/fcd_reader.hpp"
+
+namespace pedzone {
+namespace {
+
+// What pedzone's TrajectoryWriter writes.
+const std::vector<std::string> kHeader{"time", "id",      "x",      "y",       "vx",
+                                       "vy",   "heading", "motion", "activity"};
+enum Column { kTime, kId, kX, kY, kVx, kVy, kHeading, kMotion, kActivity };
+constexpr NumberRange kTimes{-1e9, 1e9};         // [s]
+constexpr NumberRange kPlaces{-1e9, 1e9};        // [m]
+constexpr NumberRange kSpeeds{-1000.0, 1000.0};  // [m/s]
+constexpr NumberRange kAngles{-10.0, 10.0};      // [rad] more than any that is written
+
+enum class Kind { kFcd, kTrajectories };
+
+/// By the first character that is no space.
+Kind kind_of(const std::string& file) {
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> input(gzopen(file.c_str(), "rb"), gzclose);
+  if (!input || std::filesystem::is_directory(file)) {
+    throw InputError("cannot be opened", {.file = file});
+  }
+  for (int c = 0; (c = gzgetc(input.get())) >= 0;) {
+    if (c == '<') return Kind::kFcd;
+    if (!std::isspace(c) && c != 0xEF && c != 0xBB && c != 0xBF) return Kind::kTrajectories;
+  }
+  int code = Z_OK;
+  const char* reason = gzerror(input.get(), &code);
+  if (code != Z_OK && code != Z_STREAM_END) {
+    throw InputError(std::string("cannot be read (") + reason + ")", {.file = file});
+  }
+  throw InputError("is empty",
+                   {.file = file, .allowed = "SUMO's fcd-output or pedzone's trajectories"});
+}
+
+Motion motion_of(const CsvRow& row) {
+  for (const Motion motion : {Motion::kWalking, Motion::kWaiting, Motion::kStanding}) {
+    if (row[kMotion] == name_of(motion)) return motion;
+  }
+  throw row.error("is no motion", kMotion, "walking, waiting, standing");
+}
+
+Activity activity_of(const CsvRow& row) {
+  if (const ActivityInfo* info = find_activity(row[kActivity])) return info->activity;
+  throw row.error("is no activity", kActivity, comma_list(activity_list(), &ActivityInfo::id));
+}
+
+/// Ends the reading of a file whose rest is not shown: it may be long.
+struct AfterEnd {};
+
+/// Tracks by id, and the times of the steps they are in.
+class Collector {
+ public:
+  Collector(const RecordingSource& source, const RecordingCast& cast)
+      : source_(source), cast_(cast), wanted_(source.persons.begin(), source.persons.end()) {}
+
+  void read_fcd(const std::string& file, bool persons_too, const ReadProgress& progress);
+  void read_trajectories(const ReadProgress& progress);
+  Recording take() { return std::move(recording_); }
+
+ private:
+  std::uint32_t step_at(double time) {
+    if (recording_.times.empty() || recording_.times.back() < time) {
+      recording_.times.push_back(time);
+    }
+    return static_cast<std::uint32_t>(recording_.times.size() - 1);
+  }
+  bool shown(double time) const { return time >= source_.begin && time <= source_.end; }
+  bool wanted(std::string_view id) const {
+    return wanted_.empty() || wanted_.contains(std::string(id));
+  }
+  RecordedPerson& person(std::string_view id);
+  RecordedVehicle& vehicle(const VehicleSample& sample, const FcdReader& reader);
+
+  const RecordingSource& source_;
+  const RecordingCast& cast_;
+  std::unordered_set<std::string> wanted_;
+  std::unordered_map<std::string, std::size_t> persons_, vehicles_;
+  Recording recording_;
+};
+
+RecordedPerson& Collector::person(std::string_view id) {
+  const auto [known, added] = persons_.try_emplace(std::string(id), recording_.persons.size());
+  if (added) {
+    const BodySize size = cast_.sizes.of_person(id);
+    const PersonTraits traits = cast_.traits.of_person(id);
+    recording_.persons.push_back({std::string(id),
+                                  traits.profile,
+                                  traits.group,
+                                  size.length,
+                                  size.width,
+                                  disc_radius(size),
+                                  {}});
+  }
+  return recording_.persons[known->second];
+}
+
+RecordedVehicle& Collector::vehicle(const VehicleSample& sample, const FcdReader& reader) {
+  const auto [known, added] =
+      vehicles_.try_emplace(std::string(sample.id), recording_.vehicles.size());
+  if (added) {
+    recording_.vehicles.push_back(
+        {std::string(sample.id), reader.type_of(sample.id), sample.length, sample.width, {}});
+  }
+  return recording_.vehicles[known->second];
+}
+
+void Collector::read_fcd(const std::string& file, bool persons_too,
+                         const ReadProgress& progress) try {
+  const std::unordered_set<std::string> none;
+  FcdReader reader(cast_.sizes, none);
+  reader.read(
+      file,
+      [&](double time, std::span<const PersonSample> persons,
+          std::span<const VehicleSample> vehicles) {
+        if (time > source_.end) throw AfterEnd();
+        if (!shown(time) || (persons.empty() && vehicles.empty())) return;
+        const std::uint32_t step = step_at(time);
+        for (const PersonSample& sample : persons) {
+          if (!persons_too || !sample.rides_in.empty() || !wanted(sample.id)) continue;
+          person(sample.id).moments.push_back({step, static_cast<float>(sample.heading),
+                                               static_cast<float>(sample.velocity.norm()),
+                                               std::nullopt, Activity::kNone, sample.position});
+        }
+        for (const VehicleSample& sample : vehicles) {
+          vehicle(sample, reader)
+              .moments.push_back({step, static_cast<float>(sample.heading),
+                                  static_cast<float>(sample.velocity.norm()), sample.centre});
+        }
+      },
+      progress);
+} catch (const AfterEnd&) {
+}
+
+void Collector::read_trajectories(const ReadProgress& progress) {
+  double last = -std::numeric_limits<double>::infinity();
+  visit_rows(
+      source_.file, kHeader,
+      [&](const CsvRow& row) {
+        const double time = row.number(kTime, kTimes);
+        if (time < last) throw row.error("is earlier than the row before", kTime);
+        last = time;
+        const Vec2 place(row.number(kX, kPlaces), row.number(kY, kPlaces));
+        const Vec2 velocity(row.number(kVx, kSpeeds), row.number(kVy, kSpeeds));
+        const PersonMoment moment{0,
+                                  static_cast<float>(row.number(kHeading, kAngles)),
+                                  static_cast<float>(velocity.norm()),
+                                  motion_of(row),
+                                  activity_of(row),
+                                  place};
+        if (!shown(time) || !wanted(row[kId])) return;
+        auto& moments = person(row[kId]).moments;
+        const std::uint32_t step = step_at(time);
+        if (!moments.empty() && moments.back().step == step) {
+          throw row.error("is there twice in this time step", kId);
+        }
+        moments.push_back(moment);
+        moments.back().step = step;
+      },
+      progress);
+}
+
+void require_persons(const Recording& recording, const RecordingSource& source) {
+  for (const std::string& id : source.persons) {
+    if (std::ranges::find(recording.persons, id, &RecordedPerson::id) == recording.persons.end()) {
+      throw InputError("is nobody in the recording",
+                       {source.file, 0, "option --persons", id,
+                        "ids of persons who are on foot there between --begin and --end"});
+    }
+  }
+  if (recording.persons.empty()) {
+    throw InputError("has no person in the time shown",
+                     {.file = source.file, .allowed = "a recording of persons on foot"});
+  }
+}
+
+/// Puts the vehicles of another recording of the same run into this one.
+void take_vehicles(Recording& recording, Recording&& other) {
+  std::vector<double> times;
+  std::ranges::set_union(recording.times, other.times, std::back_inserter(times));
+  const auto renumber = [&times](const std::vector<double>& old, auto& tracks) {
+    for (auto& track : tracks) {
+      for (auto& moment : track.moments) {
+        const auto place = std::ranges::lower_bound(times, old[moment.step]);
+        moment.step = static_cast<std::uint32_t>(place - times.begin());
+      }
+    }
+  };
+  renumber(recording.times, recording.persons);
+  renumber(other.times, other.vehicles);
+  recording.vehicles = std::move(other.vehicles);
+  recording.times = std::move(times);
+}
+
+}  // namespace
+
+Recording read_recording(const RecordingSource& source, const RecordingCast& cast,
+                         const ReadProgress& progress) {
+  const Kind kind = kind_of(source.file);
+  if (kind == Kind::kFcd && !source.fcd.empty()) {
+    throw InputError("has vehicles of its own",
+                     {source.file, 0, "option --fcd", source.fcd,
+                      "--fcd beside pedzone's trajectories, which have none"});
+  }
+  Collector collector(source, cast);
+  if (kind == Kind::kFcd) {
+    collector.read_fcd(source.file, true, progress);
+  } else {
+    collector.read_trajectories(progress);
+  }
+  Recording recording = collector.take();
+  require_persons(recording, source);
+  if (!source.fcd.empty()) {
+    Collector vehicles(source, cast);
+    vehicles.read_fcd(source.fcd, false, progress);
+    take_vehicles(recording, vehicles.take());
+  }
+  return recording;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,58 @@
+#include "sumo/live/run_totals.hpp"
+
+#include <algorithm>
+
+namespace pedzone {
+namespace {
+
+constexpr double kContact = 0.01;  // [m] bodies overlap by more than this: contact
+constexpr double kRange = 20.0;    // [m] numerical: pairs farther apart are not measured
+
+}  // namespace
+
+void RunTotals::count_persons(long departed, long arrived) {
+  departed_ += departed;
+  arrived_ += arrived;
+}
+
+void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
+  person_steps_ += static_cast<long>(takeover.guests().size());
+  for (const FleetVehicle& vehicle : fleet.vehicles()) {
+    const double loss = vehicle.time_loss;
+    const auto [entry, is_new] = delays_.try_emplace(vehicle.id, Delay{loss, loss});
+    entry->second.last = loss;
+    const Body body = body_of(vehicle);
+    for (const Guest& guest : takeover.guests()) {
+      if ((guest.position - body.centre).norm() > kRange) continue;
+      const double clearance = body.distance(guest.position) - guest.radius;
+      min_clearance_ = std::min(min_clearance_, clearance);
+      if (clearance < -kContact) contacts_.emplace(guest.id, vehicle.id);
+    }
+  }
+}
+
+RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding,
+                              std::size_t walking) const {
+  RunSummary summary;
+  const WalkTotals& walks = takeover.totals();
+  const double persons = static_cast<double>(std::max(1L, walks.controlled));
+  summary.persons.seen = departed_;
+  summary.persons.controlled = walks.controlled;
+  summary.persons.arrived = arrived_;
+  summary.persons.walking = static_cast<long>(walking);
+  summary.persons.lost = departed_ - arrived_ - summary.persons.walking;
+  summary.jams = takeover.jams();
+  if (walks.time > 0.0) summary.persons.mean_speed = walks.distance / walks.time;
+  summary.persons.mean_delay_s = (walks.time - walks.free_time) / persons;
+  summary.persons.mean_waiting_s = walks.waiting / persons;
+  summary.vehicles.seen = static_cast<long>(delays_.size());
+  summary.vehicles.yielding = static_cast<long>(yielding);
+  summary.vehicles.contacts = static_cast<long>(contacts_.size());
+  summary.vehicles.min_clearance_m = min_clearance_;
+  for (const auto& [id, delay] : delays_) summary.vehicles.mean_delay_s += delay.last - delay.first;
+  if (!delays_.empty()) summary.vehicles.mean_delay_s /= static_cast<double>(delays_.size());
+  summary.time.person_steps = person_steps_;
+  return summary;
+}
+
+}  // namespace pedzone

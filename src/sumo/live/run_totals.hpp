@@ -1,0 +1,56 @@
+// What a run adds up to: the figures of the summary.
+#pragma once
+
+#include <limits>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "sumo/live/takeover.hpp"
+
+namespace pedzone {
+
+/// The summary of a run, as printed and as written by `--summary`.
+struct RunSummary {
+  struct {
+    long seen = 0, controlled = 0, arrived = 0, walking = 0, lost = 0;
+    double mean_speed = 0.0;      ///< [m/s] inside the zone
+    double mean_delay_s = 0.0;    ///< [s] per person, over its free walk of the same distance
+    double mean_waiting_s = 0.0;  ///< [s] per person
+  } persons;
+  struct {
+    long seen = 0, yielding = 0, contacts = 0;
+    double min_clearance_m = std::numeric_limits<double>::infinity();
+    double mean_delay_s = 0.0;  ///< [s] SUMO's timeLoss gathered near the zones
+  } vehicles;
+  std::vector<JamRecord> jams;  ///< in time
+  struct {
+    double simulated_s = 0.0, wall_s = 0.0, sumo_s = 0.0, pedzone_s = 0.0;
+    double us_per_person_step = 0.0;
+    long person_steps = 0;
+  } time;
+};
+
+/// Watches persons and vehicles step by step.
+class RunTotals {
+ public:
+  /// How many departed and arrived in SUMO's last step.
+  void count_persons(long departed, long arrived);
+  /// Distances between guests and vehicles now; delays of vehicles.
+  void observe(const Fleet& fleet, const Takeover& takeover);
+
+  /// Figures so far. `yielding`: vehicles that ever gave way; `walking`: persons in SUMO now.
+  RunSummary summary(const Takeover& takeover, std::size_t yielding, std::size_t walking) const;
+
+ private:
+  struct Delay {
+    double first = 0.0, last = 0.0;  ///< [s] SUMO's timeLoss when first and last seen
+  };
+  long departed_ = 0, arrived_ = 0, person_steps_ = 0;
+  double min_clearance_ = std::numeric_limits<double>::infinity();
+  std::set<std::pair<std::string, std::string>> contacts_;
+  std::unordered_map<std::string, Delay> delays_;
+};
+
+}  // namespace pedzone

@@ -1,0 +1,62 @@
+#include "sumo/live/scene.hpp"
+
+#include <algorithm>
+
+#include "core/random.hpp"
+#include "sumo/live/sumo_person.hpp"
+
+namespace pedzone {
+
+Scene SceneReader::read(double time) {
+  persons_.clear();
+  vehicles_.clear();
+  for (const FleetVehicle& vehicle : fleet_.vehicles()) {
+    vehicles_.push_back({vehicle.id, vehicle.centre(), vehicle.heading, vehicle.velocity,
+                         vehicle.traits.length, vehicle.traits.width});
+  }
+  for (const Guest& guest : takeover_.guests()) {
+    const PersonView view = crowds_[guest.zone]->view(guest.handle);
+    persons_.push_back({guest.id, view.position, view.velocity, view.heading, guest.radius, {}});
+  }
+  add_bystanders();
+  return {time, persons_, vehicles_,
+          [this](std::size_t person, std::size_t vehicle) { return aware(person, vehicle); }};
+}
+
+/// Reading people from SUMO is dear: what is known of them has to do, and only who is exactly at a
+/// vehicle's front, as SUMO places those who ride, is asked for.
+void SceneReader::add_bystanders() {
+  fronts_.clear();
+  for (const FleetVehicle& vehicle : fleet_.vehicles()) {
+    fronts_.emplace_back(vehicle.front.x(), vehicle.front.y());
+  }
+  std::sort(fronts_.begin(), fronts_.end());
+  std::vector<Bystander>& all = takeover_.bystanders().all();
+  ridden_.clear();
+  ridden_.reserve(all.size());  // samples point into it
+  for (Bystander& person : all) {
+    if (person.guest || !person.near) continue;
+    const std::pair place(person.position.x(), person.position.y());
+    const bool at_front = std::binary_search(fronts_.begin(), fronts_.end(), place);
+    if (at_front) ridden_.push_back(sumo_person::vehicle(person.id));
+    if (person.radius == 0.0) person.radius = disc_radius(sumo_person::size(person.id));
+    persons_.push_back({person.id, person.position, person.velocity, person.heading, person.radius,
+                        at_front ? std::string_view(ridden_.back()) : ""});
+  }
+}
+
+std::optional<bool> SceneReader::aware(std::size_t person, std::size_t vehicle) const {
+  if (person >= takeover_.guests().size()) return std::nullopt;
+  const Guest& guest = takeover_.guests()[person];
+  const VehicleSample& sample = vehicles_[vehicle];
+  VehicleState state;
+  state.centre = sample.centre;
+  state.heading = sample.heading;
+  state.velocity = sample.velocity;
+  state.length = sample.length;
+  state.width = sample.width;
+  state.key = person_key(sample.id);
+  return crowds_[guest.zone]->aware_of(guest.handle, state);
+}
+
+}  // namespace pedzone

@@ -1,0 +1,43 @@
+// Everybody in and near the zones as one step of SUMO left them: what conflicts are measured on.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "conflict/tracker.hpp"
+#include "sumo/live/takeover.hpp"
+
+namespace pedzone {
+
+/// Valid while it is observed.
+struct Scene {
+  double time = 0.0;  ///< [s] by which SUMO's own outputs name the step
+  /// Those whom pedzone walks, then those near a zone whom SUMO walks, riders included.
+  std::span<const PersonSample> persons;
+  std::span<const VehicleSample> vehicles;  ///< within 60 m of a zone
+  AwareOf aware;                            ///< not known of those whom SUMO walks
+};
+
+class SceneReader {
+ public:
+  SceneReader(const Fleet& fleet, Takeover& takeover,
+              const std::vector<std::unique_ptr<Crowd>>& crowds)
+      : fleet_(fleet), takeover_(takeover), crowds_(crowds) {}
+
+  /// After fleet and takeover have read SUMO's state of the step named `time` [s].
+  Scene read(double time);
+
+ private:
+  void add_bystanders();
+  std::optional<bool> aware(std::size_t person, std::size_t vehicle) const;
+
+  const Fleet& fleet_;
+  Takeover& takeover_;
+  const std::vector<std::unique_ptr<Crowd>>& crowds_;
+  std::vector<PersonSample> persons_;
+  std::vector<VehicleSample> vehicles_;
+  std::vector<std::pair<double, double>> fronts_;  ///< [m] x, y of vehicles' reference points
+  std::vector<std::string> ridden_;                ///< vehicles of those who ride
+};
+
+}  // namespace pedzone

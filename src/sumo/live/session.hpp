@@ -1,0 +1,35 @@
+// One running SUMO: start, step, close, with its exceptions translated.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sumo/files/scenario.hpp"
+
+namespace pedzone {
+
+class Session {
+ public:
+  /// Starts SUMO in this process. Finds SUMO's data itself where SUMO_HOME is not set.
+  /// Throws SumoError with what SUMO said.
+  Session(const Scenario& scenario, const std::vector<std::string>& more_options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void step();                 ///< throws SumoError
+  void close();                ///< flushes SUMO's outputs; throws SumoError
+  double time() const;         ///< [s]
+  double step_length() const;  ///< [s]
+  double end_time() const;     ///< [s]; negative: until nobody is left
+  bool nobody_left() const;
+  long departed_persons() const;  ///< in the last step
+  long arrived_persons() const;   ///< in the last step
+  /// An option's value as SUMO has it.
+  std::string option(const std::string& name) const;
+
+ private:
+  bool open_ = false;
+};
+
+}  // namespace pedzone

@@ -1,0 +1,88 @@
+#include "sumo/live/sumo_person.hpp"
+
+#include "sumo/files/frames.hpp"
+#include "sumo/live/api.hpp"
+
+namespace pedzone::sumo_person {
+namespace {
+
+constexpr int kKeepRouteFree = 2;  // moveToXY: may leave the network
+constexpr double kNoMatch = -1.0;  // moveToXY matchThreshold: no lane is ever matched
+
+}  // namespace
+
+std::vector<std::string> ids() { return api::Person::getIDList(); }
+
+Vec2 position(const std::string& id) {
+  const auto at = api::Person::getPosition(id);
+  return {at.x, at.y};
+}
+
+double heading(const std::string& id) { return radians_from_sumo(api::Person::getAngle(id)); }
+
+double speed(const std::string& id) { return api::Person::getSpeed(id); }
+
+BodySize size(const std::string& id) {
+  return {api::Person::getLength(id), api::Person::getWidth(id)};
+}
+
+std::string edge(const std::string& id) { return api::Person::getRoadID(id); }
+
+std::string lane(const std::string& id) { return api::Person::getLaneID(id); }
+
+std::string vehicle(const std::string& id) { return api::Person::getVehicle(id); }
+
+int stages_left(const std::string& id) { return api::Person::getRemainingStages(id); }
+
+std::vector<std::string> edges(const std::string& id) { return api::Person::getEdges(id); }
+
+std::optional<WalkerSeen> walker(const std::string& id) {
+  const auto stage = api::Person::getStage(id);
+  if (stage.type != libsumo::STAGE_WALKING) return std::nullopt;
+  WalkerSeen seen;
+  seen.id = id;
+  seen.edges = edges(id);
+  seen.stages_left = stages_left(id);
+  seen.arrival_position = stage.arrivalPos;
+  seen.position = position(id);
+  seen.heading = heading(id);
+  seen.speed = speed(id);
+  seen.top_speed = api::Person::getMaxSpeed(id);
+  seen.radius = disc_radius(size(id));
+  return seen;
+}
+
+std::string type(const std::string& id) { return api::Person::getTypeID(id); }
+
+std::string parameter(const std::string& id, const std::string& key) {
+  const std::string own = api::Person::getParameter(id, key);
+  return own.empty() ? api::VehicleType::getParameter(type(id), key) : own;
+}
+
+Colour colour(const std::string& id) {
+  const auto found = api::Person::getColor(id);
+  return {found.r, found.g, found.b, found.a};
+}
+
+void set_colour(const std::string& id, const Colour& colour) {
+  api::Person::setColor(id,
+                        libsumo::TraCIColor(colour.red, colour.green, colour.blue, colour.alpha));
+}
+
+void show(const std::string& id, const Vec2& position, double heading) {
+  api::Person::moveToXY(id, "", position.x(), position.y(), sumo_from_radians(heading),
+                        kKeepRouteFree, kNoMatch);
+}
+
+void release(const std::string& id, const ReleasePlan& plan) {
+  if (plan.remove_stage) api::Person::removeStage(id, 0);
+  for (const LaneMove& move : plan.moves) {
+    if (move.lateral) {
+      api::Person::moveTo(id, move.lane, move.position, *move.lateral);
+    } else {
+      api::Person::moveTo(id, move.lane, move.position);
+    }
+  }
+}
+
+}  // namespace pedzone::sumo_person

@@ -1,0 +1,221 @@
+#include "sumo/live/takeover.hpp"
+
+#include <algorithm>
+
+#include "sumo/live/person_hints.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kPlanInterval = 0.5;  // [s] numerical
+
+}  // namespace
+
+Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
+                   std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
+                   const std::vector<WaypointPath>& paths, double dawdling)
+    : network_(network),
+      zones_(zones),
+      crowds_(crowds),
+      profiles_(profiles),
+      paths_(paths),
+      striping_share_(striping_share(dawdling)),
+      zone_of_edge_(zones_of_edges(network, zones)),
+      bystanders_(zones),
+      seen_(zones.size()) {}
+
+void Takeover::read(double time, const Fleet& fleet) {
+  look_at_bystanders(time);
+  for (const std::string& id : bystanders_.gone()) guests_[guest_index_.at(id)].gone = true;
+  drop_gone();
+  check_guests(time, fleet);
+  for (const Bystander& person : bystanders_.all()) {
+    if (person.near && !person.guest) consider(person.id, nullptr, fleet);
+  }
+  show_bystanders(fleet);
+}
+
+void Takeover::look_at_bystanders(double time) {
+  bystanders_.update(sumo_person::ids());
+  for (Bystander& person : bystanders_.all()) {
+    if (Bystanders::is_due(person, time)) {
+      bystanders_.look(person, time, sumo_person::position(person.id));
+    }
+  }
+}
+
+/// Lets the crowds see who else is near.
+void Takeover::show_bystanders(const Fleet& fleet) {
+  eyes_.clear();
+  for (const Guest& guest : guests_) eyes_.push_back(guest.position);
+  for (const FleetVehicle& vehicle : fleet.vehicles()) {
+    eyes_.insert(eyes_.end(), {vehicle.front, vehicle.centre()});
+  }
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    seen_[z].clear();
+    bystanders_.seen_from(z, eyes_, in_sight_);
+    for (Bystander* person : in_sight_) {
+      if (!sumo_person::vehicle(person->id).empty()) continue;  // rides
+      if (person->radius == 0.0) measure(*person, sumo_person::size(person->id));
+      const double heading = sumo_person::heading(person->id);
+      seen_[z].push_back({person->position, unit(heading) * sumo_person::speed(person->id),
+                          person->radius, person->key, heading, person->turns});
+    }
+    crowds_[z]->see(seen_[z]);
+  }
+}
+
+bool Takeover::has_plan(const Guest& guest) {
+  return plan_number(sumo_person::stages_left(guest.id), sumo_person::edges(guest.id)) ==
+         guest.plan;
+}
+
+/// A program that embeds us may have given a person another plan: it is then taken over anew,
+/// from where it stands, if the new plan still leads through the zone. Reading plans is dear: each
+/// is read twice a second and before it is acted upon, and when the number of stages has changed.
+void Takeover::check_guests(double time, const Fleet& fleet) {
+  std::vector<std::pair<std::string, Vec2>> replanned;
+  for (Guest& guest : guests_) {
+    const int left = sumo_person::stages_left(guest.id);
+    if (time < guest.check_at && left == guest.stages_left) continue;
+    guest.check_at = time + kPlanInterval;
+    guest.stages_left = left;
+    if (has_plan(guest)) continue;
+    guest.gone = true;
+    replanned.emplace_back(guest.id, guest.position);
+  }
+  drop_gone();
+  for (const auto& [id, position] : replanned) {
+    past_[id] = {};
+    past_[id].was_controlled = true;
+    consider(id, &position, fleet);
+  }
+}
+
+void Takeover::consider(const std::string& id, const Vec2* known_position, const Fleet& fleet) {
+  const auto found = network_.edge_index.find(sumo_person::edge(id));
+  if (found == network_.edge_index.end()) return;
+  const int edge = found->second;
+  const int zone = zone_of_edge_[edge];
+  if (zone < 0) return;
+  PersonPast& past = past_[id];
+  if (past.refused_edge == edge) return;
+  auto walker = sumo_person::walker(id);
+  if (!walker) return;
+  if (known_position != nullptr) walker->position = *known_position;
+  const auto plan =
+      plan_takeover(network_, zones_[zone], edge, *walker, known_position != nullptr, fleet, past);
+  if (!plan || !add_guest(*walker, zone, *plan, fleet)) return;
+  if (!past.was_controlled) ++totals_.controlled;
+  past.was_controlled = true;
+}
+
+/// False, and nothing has changed, where there is no room beside a vehicle.
+bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan,
+                         const Fleet& fleet) {
+  Guest guest;
+  guest.id = walker.id;
+  guest.zone = zone;
+  guest.stretch = plan.stretch;
+  guest.plan = plan.plan;
+  guest.radius = walker.radius;
+  guest.preferred_speed = striping_share_ * walker.top_speed;
+  const PersonHints hints = read_hints(walker.id, {profiles_, paths_});
+  guest.handle = crowds_[zone]->add(
+      new_person(walker, plan, hints, static_cast<std::size_t>(zone), guest.preferred_speed));
+  guest.position = crowds_[zone]->view(guest.handle).position;
+  if (plan.place_freely && fleet.touches(guest.position, guest.radius)) {
+    crowds_[zone]->remove(guest.handle);
+    return false;
+  }
+  bystanders_.set_guest(walker.id, true);
+  guest_index_[walker.id] = guests_.size();
+  guests_.push_back(std::move(guest));
+  return true;
+}
+
+/// Whether a person goes back to SUMO in this step. One whose plan has changed is looked at first.
+bool Takeover::may_hand_over(Guest& guest, const PersonView& view, double dt,
+                             const Fleet& fleet) const {
+  if (!view.arrived) return false;
+  if (!has_plan(guest)) guest.check_at = 0.0;
+  return guest.check_at > 0.0 && may_release(view.position, guest.radius, fleet, dt, guest.held);
+}
+
+/// Gives a person back to SUMO where the crowd has brought it.
+void Takeover::hand_over(const Guest& guest, const PersonView& view, double dt) const {
+  const Walked walked{guest.position, view.position, guest.radius, guest.preferred_speed};
+  sumo_person::release(
+      guest.id, plan_release(network_, guest.stretch, walked, sumo_person::lane(guest.id), dt));
+}
+
+void Takeover::count(const Guest& guest, const PersonView& view, double dt) {
+  const double walked = (view.position - guest.position).norm();
+  totals_.distance += walked;
+  totals_.time += dt;
+  if (guest.preferred_speed > 0.0) totals_.free_time += walked / guest.preferred_speed;
+  if (view.motion != Motion::kWalking) totals_.waiting += dt;
+}
+
+/// The crowds know handles only.
+void Takeover::list_jams(double time) {
+  for (std::size_t z = 0; z < crowds_.size(); ++z) {
+    for (const JamNotice& jam : crowds_[z]->jams()) {
+      const auto found = std::ranges::find_if(guests_, [&](const Guest& guest) {
+        return guest.zone == static_cast<int>(z) && guest.handle == jam.handle;
+      });
+      if (found != guests_.end()) {
+        jams_.push_back({time, found->id, zones_[z].id, jam.position});
+      }
+    }
+  }
+}
+
+void Takeover::write(double time, double dt, const Fleet& fleet) {
+  list_jams(time);
+  for (Guest& guest : guests_) {
+    const PersonView view = crowds_[guest.zone]->view(guest.handle);
+    count(guest, view, dt);
+    if (may_hand_over(guest, view, dt, fleet)) {
+      hand_over(guest, view, dt);
+      guest.gone = true;
+      past_[guest.id].last = guest.stretch.last;
+    } else {
+      sumo_person::show(guest.id, view.position, view.heading);
+    }
+    guest.colour.show(guest.id, guest.gone ? Activity::kNone : view.activity);
+    guest.position = view.position;
+  }
+  drop_gone();
+}
+
+void Takeover::drop_gone() {
+  const auto gone = [](const Guest& guest) { return guest.gone; };
+  if (std::none_of(guests_.begin(), guests_.end(), gone)) return;
+  for (const Guest& guest : guests_) {
+    if (!guest.gone) continue;
+    crowds_[guest.zone]->remove(guest.handle);
+    bystanders_.set_guest(guest.id, false);
+  }
+  std::erase_if(guests_, gone);
+  guest_index_.clear();
+  for (std::size_t i = 0; i < guests_.size(); ++i) guest_index_[guests_[i].id] = i;
+}
+
+void Takeover::people(std::vector<PersonAhead>& out) const {
+  out.clear();
+  for (const Guest& guest : guests_) {
+    const PersonView view = crowds_[guest.zone]->view(guest.handle);
+    out.push_back({view.position, view.velocity, guest.radius});
+  }
+}
+
+void Takeover::add_bystanders(std::vector<PersonAhead>& out) const {
+  for (const auto& near_zone : seen_) {
+    for (const SeenPerson& person : near_zone) {
+      out.push_back({person.position, person.velocity, person.radius});
+    }
+  }
+}
+
+}  // namespace pedzone

@@ -1,0 +1,114 @@
+// Takeover and release: persons of SUMO become pedzone's while they walk in a zone.
+//
+// The recipe is the only one of many measured that neither aborts SUMO 1.15 nor strands anybody:
+//   take over   on an ordinary edge of the zone, in a walking stage: moveToXY with no edge and
+//               matchThreshold -1 in every step, so that SUMO's lane model skips the person;
+//   leave       in the hand-over step no moveToXY, but moveTo the last lane. If SUMO still has the
+//               person on that very lane, first a hop over another lane, since a move to the same
+//               lane does not enter the lane's list again;
+//   arrive      the same at the arrival position; a route of one edge with one lane has no lane
+//               to hop over: its stage is removed where it ends.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "sumo/live/person_colour.hpp"
+#include "sumo/plan/bystanders.hpp"
+#include "sumo/plan/takeover_plan.hpp"
+#include "sumo/plan/yield_plan.hpp"
+
+namespace pedzone {
+
+/// A person that pedzone walks at present.
+struct Guest {
+  std::string id;
+  int zone = 0;  ///< index into the zones
+  Crowd::Handle handle = 0;
+  ZoneStretch stretch;
+  int stages_left = 0;
+  std::size_t plan = 0;          ///< number of SUMO's plan for it
+  Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
+  double radius = 0.24;          ///< [m]
+  double preferred_speed = 0.0;  ///< [m/s]
+  double check_at = 0.0;         ///< [s] when its plan is looked at again
+  double held = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
+  PersonColour colour;
+  bool gone = false;  ///< no longer ours: dropped at the end of the phase
+};
+
+/// Sums over all persons, for the summary.
+struct WalkTotals {
+  long controlled = 0;     ///< persons taken over at least once
+  double distance = 0.0;   ///< [m] walked while controlled
+  double time = 0.0;       ///< [s] while controlled
+  double free_time = 0.0;  ///< [s] that distance at the preferred speed
+  double waiting = 0.0;    ///< [s] waiting for vehicles or standing
+};
+
+/// Somebody who was stuck among people and squeezed through.
+struct JamRecord {
+  double time = 0.0;  ///< [s] when it began to
+  std::string person, zone;
+  Vec2 position = Vec2::Zero();  ///< [m]
+};
+
+class Takeover {
+ public:
+  /// `dawdling`: SUMO's option pedestrian.striping.dawdling. The rest must outlive it.
+  Takeover(const Network& network, const std::vector<Zone>& zones,
+           std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
+           const std::vector<WaypointPath>& paths, double dawdling);
+
+  /// After a step of SUMO, at `time` [s]: forgets persons that are gone, notices new plans, takes
+  /// over who has entered a zone, and lets the crowds see who else is near.
+  void read(double time, const Fleet& fleet);
+
+  /// After the crowds have walked for `dt` [s] from `time` [s] on: writes everybody's place, hands
+  /// over who is at the end of its stretch, lists who jams.
+  void write(double time, double dt, const Fleet& fleet);
+
+  const std::vector<Guest>& guests() const { return guests_; }
+  const WalkTotals& totals() const { return totals_; }
+  /// Of all steps so far, in time.
+  const std::vector<JamRecord>& jams() const { return jams_; }
+  Bystanders& bystanders() { return bystanders_; }
+  /// The guests as vehicles see them.
+  void people(std::vector<PersonAhead>& out) const;
+  /// Adds those near a zone whom SUMO walks.
+  void add_bystanders(std::vector<PersonAhead>& out) const;
+
+ private:
+  static bool has_plan(const Guest& guest);
+  void check_guests(double time, const Fleet& fleet);
+  void look_at_bystanders(double time);
+  void show_bystanders(const Fleet& fleet);
+  void consider(const std::string& id, const Vec2* known_position, const Fleet& fleet);
+  bool add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan, const Fleet& fleet);
+  bool may_hand_over(Guest& guest, const PersonView& view, double dt, const Fleet& fleet) const;
+  void hand_over(const Guest& guest, const PersonView& view, double dt) const;
+  void count(const Guest& guest, const PersonView& view, double dt);
+  void drop_gone();
+  void list_jams(double time);
+
+  const Network& network_;
+  const std::vector<Zone>& zones_;
+  std::vector<std::unique_ptr<Crowd>>& crowds_;
+  const Profiles& profiles_;
+  const std::vector<WaypointPath>& paths_;
+  double striping_share_;          ///< of top speed, see takeover_plan.hpp
+  std::vector<int> zone_of_edge_;  ///< -1: SUMO's
+  Bystanders bystanders_;
+  std::vector<Guest> guests_;  ///< in order of takeover
+  std::unordered_map<std::string, std::size_t> guest_index_;
+  std::unordered_map<std::string, PersonPast> past_;
+  std::vector<Vec2> eyes_;                     ///< [m] who looks at bystanders
+  std::vector<Bystander*> in_sight_;           ///< of them
+  std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
+  WalkTotals totals_;
+  std::vector<JamRecord> jams_;
+};
+
+}  // namespace pedzone

@@ -1,0 +1,131 @@
+#include "sumo/plan/fleet.hpp"
+
+#include <algorithm>
+
+#include "core/random.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
+constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
+constexpr double kStandingSpeed = 0.5;  // [m/s] numerical: slower vehicles wait
+constexpr double kMoved = 0.01;  // [m] numerical: less than this in a step gives no direction
+
+/// What is carried over from a vehicle's last step, of `dt` [s].
+void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
+  vehicle.held_up = old.held_up;
+  vehicle.creeping = old.creeping;
+  vehicle.slowed = old.slowed;
+  vehicle.commanded = old.commanded;
+  const Vec2 moved = vehicle.centre() - old.centre();
+  if (dt > 0.0 && moved.norm() > kMoved) vehicle.velocity = moved.normalized() * vehicle.speed;
+}
+
+/// [m/s] it will drive at most in the next step of `dt` [s].
+double next_speed(const FleetVehicle& vehicle, double dt) {
+  double next = std::min(vehicle.speed + vehicle.traits.accel * dt,
+                         std::max(vehicle.allowed_speed, vehicle.speed));
+  if (vehicle.stopped) next = 0.0;
+  if (vehicle.commanded >= 0.0) next = std::min(next, vehicle.commanded);
+  return next;
+}
+
+VehicleState state_of(const FleetVehicle& vehicle, double dt) {
+  VehicleState state;
+  state.centre = vehicle.centre();
+  state.heading = vehicle.heading;
+  state.length = vehicle.traits.length;
+  state.width = vehicle.traits.width;
+  state.claim = vehicle.claim;
+  state.way = vehicle.way;
+  const bool ahead = vehicle.velocity.dot(unit(vehicle.heading)) >= -1e-9;
+  if (vehicle.traits.external || !ahead || vehicle.way.size() < 3 || dt <= 0.0) {
+    state.velocity = vehicle.velocity;
+    state.yaw_rate = vehicle.yaw_rate;
+  } else {
+    const Body body = body_after(vehicle, next_speed(vehicle, dt) * dt);
+    state.velocity = (body.centre - state.centre) / dt;
+    state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
+  }
+  state.key = person_key(vehicle.id);
+  state.electric = vehicle.traits.electric;
+  state.horn = vehicle.horn;
+  state.invites = vehicle.invites;
+  return state;
+}
+
+}  // namespace
+
+Fleet::Fleet(const Network& network, const std::vector<Zone>& zones) : ways_(network, zones) {
+  for (const Zone& zone : zones) {
+    grip_ = std::min(grip_, zone.weather->deceleration);
+    Vec2 low(1e18, 1e18), high(-1e18, -1e18);
+    for (const Polygon& polygon : zone.walkable) {
+      for (const Vec2& point : polygon.outer) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+      }
+    }
+    boxes_.emplace_back(low - Vec2(kNear, kNear), high + Vec2(kNear, kNear));
+  }
+}
+
+bool Fleet::near_zone(const Vec2& point) const {
+  return std::any_of(boxes_.begin(), boxes_.end(), [&](const auto& box) {
+    return (point.array() >= box.first.array()).all() &&
+           (point.array() <= box.second.array()).all();
+  });
+}
+
+void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
+  std::swap(vehicles_, previous_);
+  vehicles_.clear();
+  previous_index_.clear();
+  for (std::size_t i = 0; i < previous_.size(); ++i) previous_index_[previous_[i].id] = i;
+  for (VehicleSeen& told : seen) {
+    FleetVehicle vehicle;
+    static_cast<VehicleSeen&>(vehicle) = std::move(told);
+    vehicle.velocity = unit(vehicle.heading) * vehicle.speed;
+    const auto before = previous_index_.find(vehicle.id);
+    if (before != previous_index_.end()) carry_over(previous_[before->second], dt, vehicle);
+    const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
+    ways_.look(vehicle, braking + kLookAhead);
+    vehicles_.push_back(std::move(vehicle));
+  }
+}
+
+void Fleet::states(double dt, std::vector<VehicleState>& out) const {
+  out.clear();
+  for (const FleetVehicle& vehicle : vehicles_) out.push_back(state_of(vehicle, dt));
+}
+
+bool Fleet::touches(const Vec2& point, double radius) const {
+  return std::any_of(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
+    return body_of(vehicle).distance(point) < radius;
+  });
+}
+
+bool Fleet::approaches(const Vec2& point, double margin, double horizon) const {
+  constexpr double kStep = 1.0;  // [m] numerical: sampling of the swept area
+  for (const FleetVehicle& vehicle : vehicles_) {
+    if (vehicle.speed < kStandingSpeed) continue;
+    const double reach = vehicle.speed * horizon;
+    if ((point - vehicle.front).norm() > reach + vehicle.traits.length + margin) continue;
+    for (double travelled = 0.0; travelled <= reach; travelled += kStep) {
+      if (body_after(vehicle, travelled).distance(point) < margin) return true;
+    }
+  }
+  return false;
+}
+
+const FleetVehicle* Fleet::waiting_beside(const Vec2& point, double margin) const {
+  const auto found =
+      std::find_if(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
+        return vehicle.speed < kStandingSpeed && !vehicle.stopped &&
+               body_of(vehicle).distance(point) < margin;
+      });
+  return found == vehicles_.end() ? nullptr : &*found;
+}
+
+}  // namespace pedzone

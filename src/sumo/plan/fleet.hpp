@@ -1,0 +1,47 @@
+// The vehicles in or near the zones: what is made of what SUMO tells of them in each step.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "sumo/plan/way_ahead.hpp"
+#include "world/snapshot.hpp"
+
+namespace pedzone {
+
+class Fleet {
+ public:
+  Fleet(const Network& network, const std::vector<Zone>& zones);
+
+  /// Whether a vehicle with its front at `point` [m] belongs to it.
+  bool near_zone(const Vec2& point) const;
+  /// (0, 1] the share of their deceleration that the weather leaves to vehicles.
+  double grip() const { return grip_; }
+
+  /// Takes in the vehicles near a zone, in SUMO's order, after a step of `dt` [s]. How long people
+  /// have held one up, and what it was told, carries over.
+  void update(std::vector<VehicleSeen> seen, double dt);
+
+  std::vector<FleetVehicle>& vehicles() { return vehicles_; }
+  const std::vector<FleetVehicle>& vehicles() const { return vehicles_; }
+
+  /// The same as the crowd sees them, moving as they will in the next `dt` [s].
+  void states(double dt, std::vector<VehicleState>& out) const;
+
+  /// Whether a body of `radius` [m] at a point overlaps a vehicle.
+  bool touches(const Vec2& point, double radius) const;
+  /// Whether a moving vehicle will sweep within `margin` [m] of a point in the next `horizon` [s].
+  bool approaches(const Vec2& point, double margin, double horizon) const;
+  /// A vehicle within `margin` [m] that waits in traffic, not at a stop of its own; null: none.
+  const FleetVehicle* waiting_beside(const Vec2& point, double margin) const;
+
+ private:
+  WayAhead ways_;
+  double grip_ = 1.0;
+  std::vector<std::pair<Vec2, Vec2>> boxes_;  ///< zones' bounds, grown
+  std::vector<FleetVehicle> vehicles_, previous_;
+  std::unordered_map<std::string, std::size_t> previous_index_;
+};
+
+}  // namespace pedzone

@@ -1,0 +1,62 @@
+#include "sumo/plan/release_plan.hpp"
+
+#include <algorithm>
+
+#include "zone/lane_geometry.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kVehicleLook = 5.0;  // [s] assumed: no release before a vehicle this near ...
+constexpr double kVehicleSide = 0.5;  // [m] ... whose swept area comes this near
+constexpr double kPatience = 10.0;    // [s] assumed
+constexpr double kReachBeyond = 0.5;  // [m] numerical: more than a step's walk
+
+/// [m] on the lane. Where the walk goes on, SUMO walks the person for this step: it starts from
+/// where it was at the step's beginning.
+double release_position(const Lane& lane, const ZoneStretch& stretch, const Walked& walked,
+                        double dt) {
+  if (stretch.release != Release::kLeave) return stretch.position;
+  const double at = project_on_lane(lane, walked.from).offset;
+  const double reach = walked.preferred_speed * dt + kReachBeyond;
+  const double position = stretch.forward
+                              ? std::clamp(at, stretch.position - reach, stretch.position)
+                              : std::clamp(at, stretch.position, stretch.position + reach);
+  return std::clamp(position, 0.0, lane.length);
+}
+
+}  // namespace
+
+ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, const Walked& walked,
+                         const std::string& present_lane, double dt) {
+  ReleasePlan plan;
+  if (stretch.release == Release::kRemoveStage) {
+    plan.remove_stage = true;
+    return plan;
+  }
+  const Lane& lane = network.lanes[stretch.lane];
+  const Lane& hop = network.lanes[stretch.hop_lane];
+  if (stretch.release == Release::kStepOver) {
+    // By way of the edge before, or SUMO takes the next one for the begin of a walk.
+    if (present_lane == hop.id) plan.moves.push_back({lane.id, 0.5 * lane.length, {}});
+    plan.moves.push_back({hop.id, 0.5 * hop.length, {}});
+  } else if (present_lane == lane.id) {
+    plan.moves.push_back({hop.id, 0.5 * hop.length, {}});
+  }
+  const double side = std::max(0.0, 0.5 * lane.width - walked.radius);
+  const double lateral = project_on_lane(lane, walked.to).lateral;
+  plan.moves.push_back(
+      {lane.id, release_position(lane, stretch, walked, dt), std::clamp(lateral, -side, side)});
+  return plan;
+}
+
+bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& held) {
+  const double room = radius + kVehicleSide;
+  if (fleet.approaches(place, room, kVehicleLook)) return false;
+  const FleetVehicle* beside = fleet.waiting_beside(place, room);
+  if (beside == nullptr || held >= kPatience) return true;
+  if (beside->commanded >= 0.0) held += dt;
+  return false;
+}
+
+}  // namespace pedzone

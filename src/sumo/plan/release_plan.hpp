@@ -1,0 +1,45 @@
+// Who is given back to SUMO, when and where: plans over plain values.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sumo/plan/fleet.hpp"
+#include "sumo/plan/zone_route.hpp"
+
+namespace pedzone {
+
+/// One call of moveTo.
+struct LaneMove {
+  std::string lane;
+  double position = 0.0;          ///< [m] on the lane
+  std::optional<double> lateral;  ///< [m] to the left of its middle; unset: as SUMO chooses
+
+  bool operator==(const LaneMove&) const = default;
+};
+
+/// The calls that give a person back.
+struct ReleasePlan {
+  bool remove_stage = false;    ///< this alone
+  std::vector<LaneMove> moves;  ///< in this order, with no step between them
+};
+
+/// A person at the end of its stretch, as the crowd has walked it in this step.
+struct Walked {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();  ///< [m] before and after the step
+  double radius = 0.24;                         ///< [m]
+  double preferred_speed = 0.0;                 ///< [m/s]
+};
+
+/// How a person is given back after a step of `dt` [s]. `present_lane`: id of the lane that SUMO
+/// has it on.
+ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, const Walked& walked,
+                         const std::string& present_lane, double dt);
+
+/// Whether a person may be given back at `place` [m]. SUMO walks people into vehicles: not beside
+/// one that moves or will. For one that waits for people a person does not wait for ever, since
+/// that may be the one it waits for: `held` [s] counts how long it has.
+bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& held);
+
+}  // namespace pedzone

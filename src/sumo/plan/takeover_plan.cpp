@@ -1,0 +1,124 @@
+#include "sumo/plan/takeover_plan.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/random.hpp"
+#include "zone/lane_geometry.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kWorthWhile = 1.5;  // [m] numerical: a shorter way to the portal stays SUMO's
+constexpr double kStray = 1.0;       // [m] numerical: SUMO's place may lie so far outside the area
+
+/// The route index of `edge` after `last`; -1 when it is not there or there more than once, for
+/// then SUMO does not tell which passage this is.
+int only_index(const std::vector<int>& route, int edge, int last) {
+  int index = -1;
+  for (int i = last + 1; i < static_cast<int>(route.size()); ++i) {
+    if (route[i] != edge) continue;
+    if (index >= 0) return -1;
+    index = i;
+  }
+  return index;
+}
+
+/// Lane distance [m] that is left to the end of the stretch on its last edge.
+double left_on_last(const Network& network, const ZoneStretch& stretch, const Vec2& position) {
+  const double at = project_on_lane(network.lanes[stretch.lane], position).offset;
+  if (stretch.release != Release::kLeave) return std::abs(stretch.position - at);
+  return stretch.forward ? stretch.position - at : at - stretch.position;
+}
+
+bool worth_while(const Network& network, const ZoneStretch& stretch, int index,
+                 const Vec2& position) {
+  return stretch.last != index || left_on_last(network, stretch, position) >= kWorthWhile;
+}
+
+/// The walk of a person on route[index]; nothing where pedzone cannot take it over.
+std::optional<TakeoverPlan> plan_walk(const Network& network, const Zone& zone,
+                                      const std::vector<int>& route, int index,
+                                      const WalkerSeen& walker) {
+  const auto stretch = plan_stretch(network, zone, route, index, walker.arrival_position);
+  if (!stretch) return std::nullopt;
+  const Vec2 inside = zone.walls.nearest_inside(walker.position, 0.0);
+  if ((inside - walker.position).norm() > kStray) return std::nullopt;
+  const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
+  if (!zone.ways.way(inside, goal)) return std::nullopt;
+  return TakeoverPlan{*stretch, inside};
+}
+
+/// The middle of a destination's width, so narrow that a body there is within the street.
+Destination with_room(const Destination& portal, double radius) {
+  const Vec2 along = portal.b - portal.a;
+  const double share = std::min(0.5, radius / std::max(along.norm(), 1e-9));
+  return {portal.a + share * along, portal.b - share * along};
+}
+
+}  // namespace
+
+std::size_t plan_number(int stages_left, const std::vector<std::string>& edges) {
+  std::size_t hash = static_cast<std::size_t>(stages_left);
+  for (const std::string& edge : edges) {
+    hash = hash * 1099511628211ULL ^ std::hash<std::string>{}(edge);
+  }
+  return hash;
+}
+
+std::vector<int> zones_of_edges(const Network& network, const std::vector<Zone>& zones) {
+  std::vector<int> found(network.edges.size(), -1);
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    for (const int edge : zones[z].edges) found[edge] = static_cast<int>(z);
+  }
+  return found;
+}
+
+std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zone, int edge,
+                                          const WalkerSeen& walker, bool walked_until_now,
+                                          const Fleet& fleet, PersonPast& past) {
+  const std::size_t number = plan_number(walker.stages_left, walker.edges);
+  if (past.plan != number) {
+    past.plan = number;
+    past.last = -1;
+  }
+  past.refused_edge = edge;  // unless all goes well below
+  const std::vector<int> route = edge_indices(network, walker.edges);
+  const int index = only_index(route, edge, past.last);
+  if (index < 0) return std::nullopt;
+  auto plan = plan_walk(network, zone, route, index, walker);
+  if (!plan) return std::nullopt;
+  if (!walked_until_now && !worth_while(network, plan->stretch, index, walker.position)) {
+    return std::nullopt;
+  }
+  past.refused_edge = -1;
+  plan->plan = number;
+  // SUMO walks people through vehicles. Whom it brings here inside one is put beside it. (Whom the
+  // crowd walked until now is where the crowd put it.)
+  const bool departs = index == 0 && walker.speed == 0.0;
+  plan->place_freely = !walked_until_now && (departs || fleet.touches(plan->start, walker.radius));
+  return plan;
+}
+
+double striping_share(double dawdling) { return 1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0); }
+
+NewPerson new_person(const WalkerSeen& walker, const TakeoverPlan& plan, const PersonHints& hints,
+                     std::size_t zone, double preferred_speed) {
+  NewPerson person;
+  person.key = person_key(walker.id);
+  person.profile = hints.profile;
+  person.aware = hints.aware;
+  person.group = hints.group;
+  person.rates = hints.rates;
+  if (hints.path != nullptr) person.path = hints.path->waypoints(zone);
+  person.position = plan.start;
+  person.heading = walker.heading;
+  person.velocity = unit(walker.heading) * std::min(std::max(0.0, walker.speed), preferred_speed);
+  person.radius = walker.radius;
+  person.preferred_speed = preferred_speed;
+  person.destination = with_room(plan.stretch.destination, walker.radius);
+  person.place_freely = plan.place_freely;
+  return person;
+}
+
+}  // namespace pedzone

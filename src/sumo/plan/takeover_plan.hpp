@@ -1,0 +1,68 @@
+// Who is taken over, and from where: plans over plain values. takeover.hpp says why persons are
+// taken over as they are.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sumo/files/hint_values.hpp"
+#include "sumo/plan/fleet.hpp"
+#include "sumo/plan/zone_route.hpp"
+
+namespace pedzone {
+
+/// What SUMO tells of a person on a walk.
+struct WalkerSeen {
+  std::string id;
+  std::vector<std::string> edges;  ///< of its present walk
+  int stages_left = 0;
+  double arrival_position = 0.0;  ///< [m] on the last edge
+  Vec2 position = Vec2::Zero();   ///< [m]
+  double heading = 0.0;           ///< [rad]
+  double speed = 0.0;             ///< [m/s]
+  double top_speed = 0.0;         ///< [m/s]
+  double radius = 0.24;           ///< [m] of its body as a disc
+};
+
+/// What is remembered of a person that pedzone does not walk.
+struct PersonPast {
+  std::size_t plan = 0;         ///< the plan this belongs to
+  int last = -1;                ///< route index of the edge it was released on
+  int refused_edge = -1;        ///< edge on which it was found that it cannot be taken over
+  bool was_controlled = false;  ///< pedzone has walked it before
+};
+
+/// The walk of a person that is taken over.
+struct TakeoverPlan {
+  ZoneStretch stretch;
+  Vec2 start = Vec2::Zero();  ///< [m] inside the walls
+  std::size_t plan = 0;       ///< number of SUMO's plan for it
+  bool place_freely = false;  ///< it departs here, or SUMO has brought it into a vehicle: it may be
+                              ///< moved to the nearest free place
+};
+
+/// A number for SUMO's plan of a person: another one for another plan.
+std::size_t plan_number(int stages_left, const std::vector<std::string>& edges);
+
+/// The zone of each edge of the network; -1: SUMO's.
+std::vector<int> zones_of_edges(const Network& network, const std::vector<Zone>& zones);
+
+/// Plans the walk of a person on `edge` of a zone. Nothing where it cannot be taken over or is as
+/// good as through the zone; `past` then remembers to ask no more on this edge.
+/// `walked_until_now`: pedzone has walked the person up to here and its plan has changed. It is
+/// then taken over however short the rest is, since SUMO would walk on from where it was before.
+std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zone, int edge,
+                                          const WalkerSeen& walker, bool walked_until_now,
+                                          const Fleet& fleet, PersonPast& past);
+
+/// The share of its top speed at which SUMO's striping model lets a person walk freely. It takes a
+/// random share of up to `dawdling` off in every step; ours walk as fast as that on average, or a
+/// comparison would measure free speed.
+double striping_share(double dawdling);
+
+/// The person as the crowd gets it, in zone number `zone`.
+NewPerson new_person(const WalkerSeen& walker, const TakeoverPlan& plan, const PersonHints& hints,
+                     std::size_t zone, double preferred_speed);
+
+}  // namespace pedzone

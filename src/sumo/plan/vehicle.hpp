@@ -1,0 +1,68 @@
+// A vehicle in or near a zone, as plain values.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "geometry/polyline.hpp"
+
+namespace pedzone {
+
+/// What does not change during a vehicle's life.
+struct VehicleTraits {
+  double length = 5.0, width = 1.8;                        ///< [m]
+  double decel = 4.5, emergency_decel = 9.0, accel = 2.6;  ///< [m/s²] > 0
+  bool yields = true;     ///< vType or vehicle parameter pedzone.yield
+  bool external = false;  ///< parameter pedzone.external: perceived, never touched
+  bool electric = false;  ///< parameter pedzone.electric: no engine is heard
+};
+
+/// What SUMO tells of a vehicle at present.
+struct VehicleSeen {
+  std::string id;
+  VehicleTraits traits;
+  Vec2 front = Vec2::Zero();   ///< [m] middle of the front bumper
+  double heading = 0.0;        ///< [rad]
+  double speed = 0.0;          ///< [m/s] ≥ 0
+  double allowed_speed = 0.0;  ///< [m/s] what it may drive here
+  double time_loss = 0.0;      ///< [s] SUMO's timeLoss so far
+  bool stopped = false;        ///< at a stop of its own (also parking)
+  bool horn = false;           ///< parameter pedzone.horn of it or its vType is true at present
+  bool invites = false;        ///< pedzone.signal is after-you at present
+  int lane = -1;               ///< index into Network::lanes; -1: on none of them
+  double lateral = 0.0;        ///< [m] on its lane, positive to the left
+  std::span<const int> route;  ///< indices into Network::edges; -1: not in the network
+  int route_index = 0;         ///< of the edge of its route that it reached last
+};
+
+/// A vehicle near a zone.
+struct FleetVehicle : VehicleSeen {
+  Vec2 velocity = Vec2::Zero();  ///< [m/s] from its last two places: reversing and side-slip too
+  double yaw_rate = 0.0;         ///< [rad/s] of a steered one (steering.hpp)
+  Polyline way;                  ///< [m] from its rear along its own next lanes
+  int zone = 0;                  ///< index of the zone it is in or comes to first
+  double commanded = -1.0;       ///< [m/s] speed set by us for the next step; -1: SUMO's own
+  double held_up = 0.0;          ///< [s] how long people have held it up
+  double slowed = 0.0;           ///< [s] people have made it slower without a break
+  double claim = 0.0;            ///< [m] see VehicleState
+  bool creeping = false;
+
+  Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
+};
+
+/// The part of the plane that a vehicle's rectangle covers.
+struct Body {
+  Vec2 centre;
+  Vec2 axis;                       ///< unit vector, forward
+  double half_length, half_width;  ///< [m]
+  /// Distance [m] from a point to the rectangle; negative inside (depth to the nearest side).
+  double distance(const Vec2& point) const;
+};
+
+Body body_of(const FleetVehicle& vehicle);
+
+/// The body after the front has gone `travelled` [m] along the way: from rear to front bumper as a
+/// chord of the way, so that corners are cut as SUMO draws them.
+Body body_after(const FleetVehicle& vehicle, double travelled);
+
+}  // namespace pedzone

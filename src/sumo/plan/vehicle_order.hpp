@@ -1,0 +1,40 @@
+// What SUMO is told of a vehicle: plain values, sent by live/sumo_vehicle.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/vec.hpp"
+
+namespace pedzone {
+
+/// What SUMO itself minds when a vehicle is told a speed (bits of SUMO's speed mode).
+enum class SpeedMode {
+  kDefault = 31,    ///< all
+  kEmergency = 27,  ///< all but the bound of comfortable braking
+  kPass = 63,       ///< all but who is inside the junction already
+};
+
+/// One call: a speed [m/s] for the next step (negative: the vehicle is SUMO's again), or a mode.
+struct SpeedOrder {
+  std::string vehicle;
+  std::variant<double, SpeedMode> what;
+
+  bool operator==(const SpeedOrder&) const = default;
+};
+
+constexpr double kOwnSpeed = -1.0;  ///< gives a vehicle's speed back to SUMO
+
+/// Where a steered vehicle is put; without a place it leaves the simulation.
+struct SteerOrder {
+  struct Place {
+    Vec2 front;      ///< [m]
+    double heading;  ///< [rad]
+  };
+  std::string vehicle;
+  std::optional<Place> place;
+};
+
+}  // namespace pedzone

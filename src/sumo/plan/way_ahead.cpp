@@ -1,0 +1,86 @@
+#include "sumo/plan/way_ahead.hpp"
+
+#include <algorithm>
+
+namespace pedzone {
+namespace {
+
+/// Adds the part of a lane's line from `offset` [m] on, `lateral` [m] to its left and at most
+/// `left` [m] long, which it then shortens.
+void append_from(const Polyline& line, double offset, double lateral, double& left, Polyline& out) {
+  double passed = 0.0;
+  for (std::size_t i = 1; i < line.size() && left > 0.0; ++i) {
+    const Vec2 piece = line[i] - line[i - 1];
+    const double length = piece.norm();
+    if (length <= 0.0) continue;
+    if (passed + length > offset) {
+      const double begin = std::max(0.0, offset - passed);
+      const double taken = std::min(left, length - begin);
+      out.push_back(line[i - 1] + piece * ((begin + taken) / length) +
+                    left_of(piece / length) * lateral);
+      left -= taken;
+    }
+    passed += length;
+  }
+}
+
+}  // namespace
+
+WayAhead::WayAhead(const Network& network, const std::vector<Zone>& zones)
+    : network_(network),
+      zone_of_lane_(network.lanes.size(), -1),
+      connections_from_(network.lanes.size()) {
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    for (const int lane : zones[z].lanes) zone_of_lane_[lane] = static_cast<int>(z);
+  }
+  for (std::size_t i = 0; i < network.connections.size(); ++i) {
+    connections_from_[network.connections[i].from].push_back(static_cast<int>(i));
+  }
+}
+
+/// The lane after `lane` on the way along `route`, of which route[index] is the edge last reached;
+/// -1 at the end. A lane that does not lead on stands for a lane change: its neighbour's way.
+int WayAhead::next_lane(int lane, std::span<const int> route, int& index) const {
+  if (index + 1 >= static_cast<int>(route.size())) return -1;
+  const int goal = route[index + 1];
+  const auto leading = [&](int from) {
+    for (const int i : connections_from_[from]) {
+      const Connection& connection = network_.connections[i];
+      if (network_.lanes[connection.to].edge != goal) continue;
+      if (connection.via >= 0) return connection.via;
+      ++index;
+      return connection.to;
+    }
+    return -1;
+  };
+  const int direct = leading(lane);
+  if (direct >= 0) return direct;
+  for (const int other : network_.edges[network_.lanes[lane].edge].lanes) {
+    const int around = other == lane ? -1 : leading(other);
+    if (around >= 0) return around;
+  }
+  return -1;
+}
+
+void WayAhead::look(FleetVehicle& vehicle, double distance) const {
+  Polyline& way = vehicle.way;
+  way = {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
+  if (vehicle.lane < 0) {
+    way.push_back(vehicle.front + unit(vehicle.heading) * distance);
+    return;
+  }
+  int lane = vehicle.lane;
+  int index = vehicle.route_index;
+  int zone = -1;
+  double offset = project_on(network_.lanes[lane].shape, vehicle.front).offset;
+  double left = distance;
+  while (lane >= 0 && left > 0.0) {
+    append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, way);
+    if (zone < 0) zone = zone_of_lane_[lane];
+    offset = 0.0;
+    lane = next_lane(lane, vehicle.route, index);
+  }
+  vehicle.zone = std::max(0, zone);
+}
+
+}  // namespace pedzone

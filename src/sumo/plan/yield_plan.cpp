@@ -1,0 +1,118 @@
+#include "sumo/plan/yield_plan.hpp"
+
+#include <algorithm>
+
+namespace pedzone {
+namespace {
+
+constexpr double kMoment = 1.0;        // [s] assumed: a driver expects people to walk on so long
+constexpr double kSample = 0.25;       // [m] numerical: sampling of the swept area
+constexpr double kStanding = 0.1;      // [m/s] SUMO's own threshold for waiting
+constexpr double kCleared = 2.0;       // [m/s] numerical: faster than this a jam is over
+constexpr double kCourtesy = 2.0;      // [s] assumed: people ask no room of themselves for so long
+constexpr double kClaim = 8.0;         // [m] recorded onset of avoidance, median
+constexpr double kCreepMargin = 0.05;  // [m] numerical: a creeping vehicle passes people close
+
+/// Whether the body comes within `margin` of a person when its front has gone `travelled`.
+bool touches(const FleetVehicle& vehicle, double travelled, const Vec2& person, double reach) {
+  return body_after(vehicle, travelled).distance(person) < reach;
+}
+
+/// How far the front may go before the body touches a disc of `reach` [m] round a point; nothing
+/// when it does not within `distance`.
+std::optional<double> contact_distance(const FleetVehicle& vehicle, const Vec2& point, double reach,
+                                       double distance) {
+  const double length = vehicle.traits.length;
+  const LineProjection at = project_on(vehicle.way, point);
+  // A corner-cutting body leaves its front's way by less than this.
+  const double sideways = 0.5 * vehicle.traits.width + reach + 1.0;
+  if (std::abs(at.lateral) > sideways) return std::nullopt;
+  double begin = std::max(0.0, at.offset - length - reach - kSample);
+  if (begin > distance) return std::nullopt;
+  const double end = std::min(distance, at.offset + reach);
+  for (double travelled = begin; travelled <= end + kSample; travelled += kSample) {
+    if (touches(vehicle, travelled, point, reach)) return std::max(0.0, travelled - kSample);
+  }
+  return std::nullopt;
+}
+
+/// [m/s] before that one.
+double safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
+                  const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
+  const double keep = vehicle.creeping ? parameters.creep_gap : parameters.yield_gap;
+  const double gap = std::max(0.0, ahead.distance - keep);
+  double safe = ahead.speed > kStanding ? safe_speeds.follow(vehicle, gap, ahead.speed)
+                                        : safe_speeds.stop(vehicle, gap);
+  if (vehicle.creeping) {
+    // What is left to the person must be left after the step, too.
+    safe = std::min({std::max(safe, ahead.distance > keep ? parameters.creep_speed : 0.0),
+                     parameters.creep_speed, gap / std::max(dt, 1e-3)});
+  }
+  return std::max(0.0, safe);
+}
+
+}  // namespace
+
+std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
+                                        std::span<const PersonAhead> people, double margin,
+                                        double distance) {
+  if (vehicle.way.size() < 3) return std::nullopt;
+  const Body body = body_of(vehicle);
+  std::optional<Obstruction> first;
+  const double range = distance + vehicle.traits.length + 2.0;
+  for (const PersonAhead& person : people) {
+    if ((person.position - vehicle.front).norm() > range) continue;
+    const Vec2 soon = person.position + person.velocity * kMoment;
+    // Only who is in the way or about to step into it: a person that stands beside is passed.
+    auto contact = contact_distance(vehicle, person.position, person.radius + margin, distance);
+    const auto later = contact_distance(vehicle, soon, person.radius + margin, distance);
+    if (!contact && later && (soon - person.position).norm() > kSample) contact = later;
+    if (!contact) continue;
+    const double clearance = body.distance(person.position) - person.radius;
+    // Beside the body already and not before it: driving on does not bring them closer.
+    const Vec2 to = person.position - vehicle.front;
+    if (to.dot(unit(vehicle.heading)) < 0.0 && clearance > 0.0 &&
+        !touches(vehicle, *contact + 2.0 * kSample, person.position, person.radius)) {
+      continue;
+    }
+    const double allowed = std::max(0.0, *contact);
+    if (first && first->distance <= allowed) continue;
+    const LineProjection at = project_on(vehicle.way, person.position);
+    first = Obstruction{allowed, person.velocity.dot(point_on(vehicle.way, at.offset).direction)};
+  }
+  return first;
+}
+
+std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                                     const Parameters& parameters, const SafeSpeeds& safe_speeds,
+                                     double dt) {
+  vehicle.claim = 0.0;
+  const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
+  const auto ahead =
+      first_in_way(vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin,
+                   braking + vehicle.speed + parameters.yield_horizon);
+  if (!ahead) {
+    vehicle.creeping = false;
+    vehicle.held_up = vehicle.slowed = 0.0;
+    return std::nullopt;
+  }
+  const bool held = vehicle.commanded >= 0.0;
+  if (held && vehicle.speed < kStanding) vehicle.held_up += dt;
+  if (vehicle.speed > kCleared) vehicle.held_up = 0.0;
+  vehicle.creeping = vehicle.held_up >= parameters.creep_after;
+  const double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
+  if (safe >= vehicle.allowed_speed) {
+    vehicle.slowed = 0.0;
+    return std::nullopt;
+  }
+  vehicle.slowed += dt;
+  if (vehicle.slowed > kCourtesy) vehicle.claim = kClaim;
+  const double comfortable = std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
+  if (safe < comfortable &&
+      vehicle.speed * vehicle.speed > 2.0 * vehicle.traits.decel * ahead->distance) {
+    return YieldOrder{std::max(0.0, vehicle.speed - vehicle.traits.emergency_decel * dt), true};
+  }
+  return YieldOrder{safe, false};
+}
+
+}  // namespace pedzone

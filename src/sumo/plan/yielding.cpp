@@ -1,0 +1,45 @@
+#include "sumo/plan/yielding.hpp"
+
+namespace pedzone {
+
+void Yielding::command(FleetVehicle& vehicle, const YieldOrder& order,
+                       std::vector<SpeedOrder>& out) {
+  if (order.emergency && in_emergency_.insert(vehicle.id).second) {
+    out.push_back({vehicle.id, SpeedMode::kEmergency});
+  } else if (!order.emergency && in_emergency_.erase(vehicle.id) > 0) {
+    out.push_back({vehicle.id, SpeedMode::kDefault});
+  }
+  out.push_back({vehicle.id, order.speed});
+  vehicle.commanded = order.speed;
+  held_.insert(vehicle.id);
+  yielded_.insert(vehicle.id);
+}
+
+void Yielding::give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out) {
+  vehicle.commanded = kOwnSpeed;
+  if (held_.erase(vehicle.id) == 0) return;
+  out.push_back({vehicle.id, kOwnSpeed});
+  if (in_emergency_.erase(vehicle.id) > 0) out.push_back({vehicle.id, SpeedMode::kDefault});
+}
+
+std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
+                                       std::span<const PersonAhead> people,
+                                       const SafeSpeeds& safe_speeds, double dt) {
+  std::vector<SpeedOrder> orders;
+  for (FleetVehicle& vehicle : vehicles) {
+    if (!vehicle.traits.yields || vehicle.traits.external || vehicle.stopped) {
+      if (!vehicle.traits.external) give_back(vehicle, orders);
+      continue;
+    }
+    const auto order =
+        plan_yield(vehicle, people, zones_[vehicle.zone].parameters, safe_speeds, dt);
+    if (order) {
+      command(vehicle, *order, orders);
+    } else {
+      give_back(vehicle, orders);
+    }
+  }
+  return orders;
+}
+
+}  // namespace pedzone

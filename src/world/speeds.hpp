@@ -1,0 +1,18 @@
+// How slow is standing. One speed for each question that is asked.
+#pragma once
+
+namespace pedzone {
+
+/// [m/s] slower, a person or a vehicle stands, for whoever measures or tells it: SUMO's own
+/// threshold for halting.
+inline constexpr double kHaltingSpeed = 0.1;
+
+/// [m/s] slower, something is taken to stay where it is, by those who foresee contacts with it: a
+/// parked vehicle, somebody who stands. Assumed: half of kHaltingSpeed.
+inline constexpr float kStaticSpeed = 0.05F;
+
+/// [m/s] faster, a vehicle drives: reason to keep out of its way, to take a child's hand, to run
+/// in front of it. Assumed: crawling is not driving.
+inline constexpr double kDrivingSpeed = 0.3;
+
+}  // namespace pedzone

@@ -1,0 +1,17 @@
+#include "zone/lane_geometry.hpp"
+
+namespace pedzone {
+
+LinePoint point_on_lane(const Lane& lane, double position) {
+  const double scale = lane.length > 0.0 ? length_of(lane.shape) / lane.length : 1.0;
+  return point_on(lane.shape, position * scale);
+}
+
+LineProjection project_on_lane(const Lane& lane, const Vec2& point) {
+  LineProjection projection = project_on(lane.shape, point);
+  const double shape_length = length_of(lane.shape);
+  if (shape_length > 0.0) projection.offset *= lane.length / shape_length;
+  return projection;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,240 @@
+// The vehicles near a zone, their ways, and what people see of them.
+#include "sumo/plan/fleet.hpp"
+
+#include <gmock/gmock.h>
+
+#include <tuple>
+
+#include "four_edges.hpp"
+
+namespace pedzone {
+namespace {
+
+class FleetTest : public testing::Test, protected test::FourEdges {
+ protected:
+  /// A car on a lane of e1, at x [m], on its way e0 – e3.
+  VehicleSeen car(double x, double speed) const {
+    VehicleSeen vehicle = test::seen_vehicle("car", {x, 0.0}, speed);
+    vehicle.lane = lane_of(e1);
+    vehicle.route = route_;
+    vehicle.route_index = 1;
+    return vehicle;
+  }
+
+  /// The only vehicle, after a step of `dt` [s] in which it was first at `before`.
+  FleetVehicle moved(const VehicleSeen& before, const VehicleSeen& now, double dt) const {
+    const std::vector<Zone> all = zones();
+    Fleet fleet(network, all);
+    fleet.update({before}, dt);
+    fleet.update({now}, dt);
+    return fleet.vehicles().at(0);
+  }
+
+  FleetVehicle one(const VehicleSeen& seen) const {
+    Fleet fleet(network, zones());
+    fleet.update({seen}, 0.1);
+    return fleet.vehicles().at(0);
+  }
+
+  VehicleState state(const FleetVehicle& vehicle, double dt) const {
+    Fleet fleet(network, zones());
+    fleet.vehicles() = {vehicle};
+    std::vector<VehicleState> states;
+    fleet.states(dt, states);
+    return states.at(0);
+  }
+
+  std::vector<int> route_{e0, e1, e2, e3};
+};
+
+TEST_F(FleetTest, has_the_vehicles_within_sixty_metres_of_a_zone) {
+  const Fleet fleet(network, zones());
+  EXPECT_TRUE(fleet.near_zone({50.0 - 59.9, 0.0}));
+  EXPECT_FALSE(fleet.near_zone({50.0 - 60.1, 0.0}));
+  EXPECT_TRUE(fleet.near_zone({100.0, 2.0 + 59.9}));
+  EXPECT_FALSE(fleet.near_zone({100.0, 2.0 + 60.1}));
+}
+
+TEST_F(FleetTest, remembers_what_people_did_to_a_vehicle_while_it_is_near) {
+  Fleet fleet(network, zones());
+  fleet.update({car(60.0, 2.0)}, 0.1);
+  FleetVehicle& vehicle = fleet.vehicles()[0];
+  EXPECT_LT(vehicle.commanded, 0.0);
+  vehicle.commanded = 1.5;
+  vehicle.held_up = 7.0;
+  vehicle.slowed = 3.0;
+  vehicle.creeping = true;
+  vehicle.claim = 8.0;
+  fleet.update({test::seen_vehicle("other", {70.0, 0.0}, 2.0), car(60.2, 2.0)}, 0.1);
+  const FleetVehicle &other = fleet.vehicles()[0], &same = fleet.vehicles()[1];
+  EXPECT_EQ(other.held_up, 0.0);
+  EXPECT_FALSE(other.creeping);
+  EXPECT_EQ(std::tuple(same.commanded, same.held_up, same.slowed, same.creeping),
+            std::tuple(1.5, 7.0, 3.0, true));
+  EXPECT_EQ(same.claim, 0.0) << "is asked for anew in each step";
+  fleet.update({}, 0.1);
+  fleet.update({car(60.4, 2.0)}, 0.1);
+  EXPECT_EQ(fleet.vehicles()[0].held_up, 0.0);
+}
+
+TEST_F(FleetTest, sees_from_two_places_that_a_vehicle_reverses) {
+  const FleetVehicle back = moved(car(60.0, 2.0), car(59.8, 2.0), 0.1);
+  EXPECT_TRUE(back.velocity.isApprox(Vec2(-2.0, 0.0)));
+  const FleetVehicle aside = moved(
+      car(60.0, 2.0),
+      [&] {
+        VehicleSeen now = car(60.0, 2.0);
+        now.front.y() = 0.2;
+        return now;
+      }(),
+      0.1);
+  EXPECT_TRUE(aside.velocity.isApprox(Vec2(0.0, 2.0)));
+}
+
+TEST_F(FleetTest, takes_the_heading_for_the_way_of_one_that_hardly_moves) {
+  EXPECT_TRUE(moved(car(60.0, 0.05), car(59.995, 0.05), 0.1).velocity.isApprox(Vec2(0.05, 0.0)));
+  EXPECT_TRUE(one(car(60.0, 2.0)).velocity.isApprox(Vec2(2.0, 0.0)));
+}
+
+TEST_F(FleetTest, way_is_as_long_as_braking_takes_and_30_m) {
+  for (const double speed : {0.0, 3.0, 9.0}) {
+    const FleetVehicle vehicle = one(car(60.0, speed));
+    EXPECT_TRUE(vehicle.way.front().isApprox(Vec2(56.0, 0.0))) << "from its rear";
+    // 4.5 m/s² is how it likes to brake.
+    EXPECT_NEAR(vehicle.way.back().x(), 60.0 + speed * speed / (2.0 * 4.5) + 30.0, 1e-9);
+  }
+}
+
+TEST_F(FleetTest, way_ends_with_the_route) {
+  route_ = {e0, e1};
+  EXPECT_NEAR(one(car(90.0, 0.0)).way.back().x(), 100.0, 1e-9);
+}
+
+TEST_F(FleetTest, way_keeps_to_the_side_on_which_the_vehicle_drives) {
+  VehicleSeen left = car(60.0, 0.0);
+  left.lateral = 0.5;
+  EXPECT_NEAR(one(left).way.back().y(), 0.5, 1e-12);
+}
+
+TEST_F(FleetTest, way_follows_the_route_round_a_corner) {
+  const int north = add_edge("north", "C", "N", 100, 150);
+  network.lanes[lane_of(north)].shape = {{100.0, 0.0}, {100.0, 50.0}};
+  connect(lane_of(e1), lane_of(north));
+  route_ = {e1, north};
+  VehicleSeen turning = car(90.0, 0.0);
+  turning.route_index = 0;
+  EXPECT_TRUE(one(turning).way.back().isApprox(Vec2(100.0, 20.0)));
+}
+
+TEST_F(FleetTest, way_of_a_lane_that_does_not_lead_on_is_its_neighbours) {
+  const int wide = add_edge("wide", "X", "D", 60, 100, 2);
+  connect(network.edges[wide].lanes[0], lane_of(e2));
+  route_ = {wide, e2};
+  VehicleSeen changing = car(90.0, 0.0);
+  changing.lane = network.edges[wide].lanes[1];
+  changing.route_index = 0;
+  changing.front.y() = 4.0;
+  EXPECT_TRUE(one(changing).way.back().isApprox(Vec2(120.0, 0.0)));
+}
+
+TEST_F(FleetTest, way_of_one_that_is_on_no_lane_goes_straight_on) {
+  VehicleSeen lost = car(60.0, 0.0);
+  lost.lane = -1;
+  lost.heading = 0.5 * kPi;
+  EXPECT_TRUE(one(lost).way.back().isApprox(Vec2(60.0, 30.0)));
+}
+
+TEST_F(FleetTest, minds_the_first_zone_on_a_vehicles_way) {
+  Zone first = zone, second = zone;
+  first.lanes = {lane_of(e2)};
+  second.lanes = {lane_of(e1)};
+  const std::vector<Zone> both{first, second};
+  Fleet fleet(network, both);
+  VehicleSeen far = car(10.0, 0.0);  // on e0: its way ends before the zones
+  far.lane = lane_of(e0);
+  far.route_index = 0;
+  fleet.update({car(90.0, 0.0), far}, 0.1);
+  EXPECT_EQ(fleet.vehicles()[0].zone, 1);
+  EXPECT_EQ(fleet.vehicles()[1].zone, 0);
+}
+
+TEST_F(FleetTest, shows_people_how_fast_a_vehicle_will_be_in_the_step) {
+  FleetVehicle vehicle = one(car(60.0, 5.0));
+  vehicle.traits.accel = 2.0;
+  EXPECT_NEAR(state(vehicle, 0.5).velocity.x(), 6.0, 1e-9) << "it may accelerate";
+  vehicle.allowed_speed = 5.4;
+  EXPECT_NEAR(state(vehicle, 0.5).velocity.x(), 5.4, 1e-9) << "up to what is allowed";
+  vehicle.allowed_speed = 3.0;
+  EXPECT_NEAR(state(vehicle, 0.5).velocity.x(), 5.0, 1e-9) << "it need not brake for that at once";
+  vehicle.commanded = 1.0;
+  EXPECT_NEAR(state(vehicle, 0.5).velocity.x(), 1.0, 1e-9) << "as it was told";
+  vehicle.stopped = true;
+  EXPECT_NEAR(state(vehicle, 0.5).velocity.x(), 0.0, 1e-9) << "at its stop";
+}
+
+TEST_F(FleetTest, shows_people_where_a_vehicle_turns) {
+  FleetVehicle vehicle = one(car(60.0, 5.0));
+  vehicle.way = {{56.0, 0.0}, {60.0, 0.0}, {60.0, 30.0}};
+  EXPECT_GT(state(vehicle, 0.5).yaw_rate, 0.1) << "to the left is positive";
+  vehicle.way.back().y() = -30.0;
+  EXPECT_LT(state(vehicle, 0.5).yaw_rate, -0.1);
+}
+
+TEST_F(FleetTest, shows_people_one_that_reverses_or_is_steered_by_others_as_it_moves_now) {
+  FleetVehicle vehicle = one(car(60.0, 5.0));
+  vehicle.velocity = {-5.0, 0.0};
+  EXPECT_TRUE(state(vehicle, 0.5).velocity.isApprox(Vec2(-5.0, 0.0)));
+  vehicle.velocity = {0.0, 3.0};
+  vehicle.yaw_rate = 0.7;
+  vehicle.traits.external = true;
+  EXPECT_TRUE(state(vehicle, 0.5).velocity.isApprox(Vec2(0.0, 3.0)));
+  EXPECT_EQ(state(vehicle, 0.5).yaw_rate, 0.7);
+}
+
+TEST_F(FleetTest, touches_whom_a_body_overlaps) {
+  Fleet fleet(network, zones());
+  fleet.update({car(60.0, 0.0)}, 0.1);
+  EXPECT_TRUE(fleet.touches({58.0, 1.2}, 0.24));
+  EXPECT_FALSE(fleet.touches({58.0, 1.3}, 0.24));
+  EXPECT_TRUE(fleet.touches({55.8, 0.0}, 0.24)) << "behind its rear";
+}
+
+TEST_F(FleetTest, approaches_a_place_by_seconds_and_not_by_metres) {
+  for (const auto& [speed, ahead, comes] :
+       {std::tuple{4.0, 19.0, true}, {4.0, 23.0, false}, {2.0, 9.0, true}, {2.0, 13.0, false}}) {
+    Fleet fleet(network, zones());
+    fleet.update({car(60.0, speed)}, 0.1);
+    EXPECT_EQ(fleet.approaches({60.0 + ahead, 0.0}, 0.5, 5.0), comes) << speed << ' ' << ahead;
+    EXPECT_FALSE(fleet.approaches({60.0 - ahead, 0.0}, 0.5, 5.0)) << "behind it";
+  }
+}
+
+TEST_F(FleetTest, one_that_waits_does_not_approach) {
+  Fleet fleet(network, zones());
+  fleet.update({car(60.0, 0.3)}, 0.1);
+  EXPECT_FALSE(fleet.approaches({60.5, 0.0}, 0.6, 5.0));
+  EXPECT_NE(fleet.waiting_beside({60.5, 0.0}, 0.6), nullptr);
+  EXPECT_EQ(fleet.waiting_beside({60.7, 0.0}, 0.6), nullptr) << "too far away";
+  fleet.vehicles()[0].speed = 0.6;
+  EXPECT_EQ(fleet.waiting_beside({60.5, 0.0}, 0.6), nullptr) << "it moves";
+  EXPECT_TRUE(fleet.approaches({60.5, 0.0}, 0.6, 5.0));
+}
+
+TEST_F(FleetTest, one_that_is_parked_does_not_wait) {
+  Fleet fleet(network, zones());
+  VehicleSeen parked = car(60.0, 0.0);
+  parked.stopped = true;
+  fleet.update({parked}, 0.1);
+  EXPECT_EQ(fleet.waiting_beside({60.5, 0.0}, 0.6), nullptr);
+}
+
+TEST_F(FleetTest, has_the_grip_of_the_worst_weather) {
+  EXPECT_EQ(Fleet(network, zones()).grip(), 1.0);
+  Zone icy = zone;
+  icy.weather = find_weather("ice");
+  EXPECT_EQ(Fleet(network, {zone, icy}).grip(), icy.weather->deceleration);
+  EXPECT_LT(icy.weather->deceleration, 1.0);
+}
+
+}  // namespace
+}  // namespace pedzone

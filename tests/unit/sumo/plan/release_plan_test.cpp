@@ -1,0 +1,145 @@
+// Who is given back to SUMO, when, and by which calls.
+#include "sumo/plan/release_plan.hpp"
+
+#include <gmock/gmock.h>
+
+#include "four_edges.hpp"
+
+namespace pedzone {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr double kPortal = 50.0 - kPortalInset;  // [m] on the lane of an edge walked forward
+
+class ReleasePlanTest : public testing::Test, protected test::FourEdges {
+ protected:
+  ReleasePlanTest() {
+    stretch_.lane = lane_of(e2);
+    stretch_.hop_lane = lane_of(e3);
+    stretch_.position = kPortal;
+  }
+
+  ReleasePlan release(const std::string& present = "e1_0") const {
+    return plan_release(network, stretch_, walked_, present, 0.5);
+  }
+
+  ZoneStretch stretch_;
+  Walked walked_{{148.5, 0.5}, {149.1, 1.0}, 0.25, 1.2};
+};
+
+TEST_F(ReleasePlanTest, moves_the_person_onto_the_last_lane_where_the_step_began) {
+  // SUMO walks it for this step itself.
+  EXPECT_THAT(release().moves, ElementsAre(LaneMove{"e2_0", 48.5, 1.0}));
+  EXPECT_FALSE(release().remove_stage);
+}
+
+TEST_F(ReleasePlanTest, hops_over_another_lane_where_sumo_has_it_on_that_very_lane) {
+  EXPECT_THAT(release("e2_0").moves,
+              ElementsAre(LaneMove{"e3_0", 25.0, {}}, LaneMove{"e2_0", 48.5, 1.0}));
+}
+
+TEST_F(ReleasePlanTest, person_jumps_no_farther_than_a_step_and_half_a_metre) {
+  walked_.from.x() = 120.0;
+  EXPECT_NEAR(release().moves.at(0).position, kPortal - (1.2 * 0.5 + 0.5), 1e-9);
+  walked_.from.x() = 160.0;
+  EXPECT_NEAR(release().moves.at(0).position, kPortal, 1e-9) << "nor beyond the portal";
+  stretch_.forward = false;
+  stretch_.position = kPortalInset;
+  walked_.from.x() = 130.0;
+  EXPECT_NEAR(release().moves.at(0).position, kPortalInset + (1.2 * 0.5 + 0.5), 1e-9);
+  walked_.from.x() = 90.0;
+  EXPECT_NEAR(release().moves.at(0).position, kPortalInset, 1e-9);
+}
+
+TEST_F(ReleasePlanTest, keeps_the_side_and_the_body_on_the_lane) {
+  walked_.to.y() = -1.0;
+  EXPECT_NEAR(*release().moves.at(0).lateral, -1.0, 1e-9);
+  walked_.to.y() = 9.0;
+  EXPECT_NEAR(*release().moves.at(0).lateral, 2.0 - 0.25, 1e-9);
+  walked_.radius = 3.0;
+  EXPECT_NEAR(*release().moves.at(0).lateral, 0.0, 1e-9) << "wider than the lane";
+}
+
+TEST_F(ReleasePlanTest, person_that_arrives_is_put_at_its_arrival_position) {
+  stretch_.release = Release::kArrive;
+  stretch_.hop_lane = lane_of(e1);
+  stretch_.position = 20.0;
+  EXPECT_THAT(release("e2_0").moves,
+              ElementsAre(LaneMove{"e1_0", 25.0, {}}, LaneMove{"e2_0", 20.0, 1.0}));
+}
+
+TEST_F(ReleasePlanTest, walk_on_one_edge_with_one_lane_is_removed) {
+  stretch_.release = Release::kRemoveStage;
+  stretch_.hop_lane = -1;
+  EXPECT_TRUE(release("e2_0").remove_stage);
+  EXPECT_THAT(release("e2_0").moves, IsEmpty());
+}
+
+TEST_F(ReleasePlanTest, steps_over_a_junction_by_way_of_the_edge_before) {
+  stretch_.release = Release::kStepOver;
+  stretch_.lane = lane_of(e3);
+  stretch_.hop_lane = lane_of(e1);
+  stretch_.position = kPortalInset;
+  walked_.to.x() = 150.2;
+  EXPECT_THAT(release("e2_0").moves,
+              ElementsAre(LaneMove{"e1_0", 25.0, {}}, LaneMove{"e3_0", kPortalInset, 1.0}));
+  EXPECT_THAT(release("e1_0").moves,
+              ElementsAre(LaneMove{"e3_0", 25.0, {}}, LaneMove{"e1_0", 25.0, {}},
+                          LaneMove{"e3_0", kPortalInset, 1.0}));
+}
+
+class MayRelease : public testing::Test, protected test::FourEdges {
+ protected:
+  bool ask(double dt = 0.1) { return may_release(kPlace, kRadius, fleet_, dt, held_); }
+
+  /// The only vehicle: its front `before` [m] before the place.
+  FleetVehicle& vehicle(double before, double speed) {
+    VehicleSeen seen = test::seen_vehicle("van", kPlace - Vec2(before, 0.0), speed);
+    seen.lane = lane_of(e2);
+    seen.route = route_;
+    fleet_.update({seen}, 0.1);
+    return fleet_.vehicles()[0];
+  }
+
+  static constexpr double kRadius = 0.25;  // [m]
+  const Vec2 kPlace{149.0, 0.0};
+  const std::vector<int> route_{e2, e3};
+  const std::vector<Zone> zones_{zone};
+  Fleet fleet_{network, zones_};
+  double held_ = 0.0;  ///< [s]
+};
+
+TEST_F(MayRelease, where_no_vehicle_is) { EXPECT_TRUE(ask()); }
+
+TEST_F(MayRelease, not_before_a_vehicle_that_comes_in_five_seconds) {
+  vehicle(9.0, 2.0);
+  EXPECT_FALSE(ask());
+  vehicle(13.0, 2.0);
+  EXPECT_TRUE(ask());
+  vehicle(13.0, 4.0);
+  EXPECT_FALSE(ask());
+  EXPECT_EQ(held_, 0.0) << "patience is for those that wait";
+}
+
+TEST_F(MayRelease, after_ten_seconds_beside_one_that_waits_for_people) {
+  for (const double dt : {0.1, 0.5, 1.0}) {
+    held_ = 0.0;
+    vehicle(0.5, 0.0).commanded = 0.0;
+    double time = 0.0;
+    while (!ask(dt) && time < 100.0) time += dt;
+    EXPECT_NEAR(time, 10.0, dt + 1e-6) << dt;
+  }
+}
+
+TEST_F(MayRelease, not_beside_one_that_waits_for_something_else) {
+  vehicle(0.5, 0.0);
+  for (int step = 0; step < 1000; ++step) EXPECT_FALSE(ask());
+  EXPECT_EQ(held_, 0.0);
+  vehicle(0.5 + kRadius + 0.1, 0.0);
+  EXPECT_TRUE(ask()) << "farther than half a metre from the body";
+}
+
+}  // namespace
+}  // namespace pedzone

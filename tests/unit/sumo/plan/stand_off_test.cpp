@@ -1,0 +1,129 @@
+// Vehicles that wait at a zone's border for people whom SUMO walks, who wait for them.
+#include "sumo/plan/stand_off.hpp"
+
+#include <gmock/gmock.h>
+
+#include "four_edges.hpp"
+
+namespace pedzone {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class StandOffTest : public testing::Test, protected test::FourEdges {
+ protected:
+  StandOffTest() { vehicles_ = {standing("van", 80.0)}; }
+
+  static FleetVehicle standing(const std::string& id, double x) {
+    FleetVehicle vehicle;
+    static_cast<VehicleSeen&>(vehicle) = test::seen_vehicle(id, {x, 0.0}, 0.0);
+    vehicle.way = {{x - 4.0, 0.0}, {x, 0.0}, {x + 30.0, 0.0}};
+    return vehicle;
+  }
+
+  std::vector<SpeedOrder> step(double dt) { return stand_offs_->plan(vehicles_, people_, dt); }
+  /// The first orders, after so many [s] at most; none where there are none until then.
+  std::vector<SpeedOrder> wait(double most, double dt = 0.1) {
+    std::vector<SpeedOrder> orders;
+    for (time_ = 0.0; orders.empty() && time_ < most;) {
+      orders = step(dt);
+      time_ += dt;
+    }
+    return orders;
+  }
+
+  const std::vector<Zone> zones_{zone};
+  const double creep_after_ = zone.parameters.creep_after, creep_ = zone.parameters.creep_speed;
+  std::optional<StandOffs> stand_offs_{std::in_place, zones_};
+  std::vector<FleetVehicle> vehicles_;
+  std::vector<PersonAhead> people_{{{79.0, 2.0}, {0.0, 0.0}, 0.24}};  // 1 m beside the van
+  double time_ = 0.0;                                                 ///< [s]
+};
+
+TEST_F(StandOffTest, vehicle_creeps_past_people_after_seconds_and_not_after_steps) {
+  for (const double dt : {0.1, 0.5, 1.0}) {
+    stand_offs_.emplace(zones_);
+    vehicles_[0].commanded = kOwnSpeed;
+    EXPECT_THAT(wait(100.0, dt),
+                ElementsAre(SpeedOrder{"van", SpeedMode::kPass}, SpeedOrder{"van", creep_}));
+    EXPECT_NEAR(time_, creep_after_, dt + 1e-6) << dt;
+    EXPECT_EQ(vehicles_[0].commanded, creep_);
+  }
+}
+
+TEST_F(StandOffTest, ends_when_nobody_is_beside_any_more) {
+  wait(100.0);
+  vehicles_[0].commanded = kOwnSpeed;  // as Yielding leaves it
+  vehicles_[0].speed = creep_;
+  EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", creep_})) << "goes on while it passes";
+  vehicles_[0].commanded = kOwnSpeed;
+  people_.clear();
+  EXPECT_THAT(step(0.1),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+  EXPECT_THAT(step(0.1), IsEmpty());
+}
+
+TEST_F(StandOffTest, leaves_the_speed_to_yielding_once_that_holds_the_vehicle) {
+  wait(100.0);
+  vehicles_[0].commanded = 0.3;
+  EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}));
+  EXPECT_EQ(vehicles_[0].commanded, 0.3);
+}
+
+TEST_F(StandOffTest, is_none_while_yielding_holds_the_vehicle) {
+  vehicles_[0].commanded = 0.0;
+  EXPECT_THAT(wait(100.0), IsEmpty());
+}
+
+TEST_F(StandOffTest, is_none_at_a_stop_of_its_own) {
+  vehicles_[0].stopped = true;
+  EXPECT_THAT(wait(100.0), IsEmpty());
+}
+
+TEST_F(StandOffTest, is_none_of_vehicles_that_do_not_yield_or_are_others) {
+  vehicles_[0].traits.yields = false;
+  EXPECT_THAT(wait(100.0), IsEmpty());
+  vehicles_[0].traits = {};
+  vehicles_[0].traits.external = true;
+  EXPECT_THAT(wait(100.0), IsEmpty());
+}
+
+TEST_F(StandOffTest, needs_somebody_within_three_metres) {
+  people_[0].position = {79.0, 1.0 + 3.1};
+  EXPECT_THAT(wait(100.0), IsEmpty());
+  people_[0].position = {79.0, 1.0 + 2.9};
+  EXPECT_THAT(wait(100.0), testing::SizeIs(2));
+}
+
+TEST_F(StandOffTest, is_none_with_people_in_the_way) {
+  people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
+  EXPECT_THAT(wait(100.0), IsEmpty());
+  people_.back().position.x() = 80.0 + 5.0 + 2.0;  // farther than the 5 m that must be free
+  EXPECT_THAT(wait(100.0), testing::SizeIs(2));
+}
+
+TEST_F(StandOffTest, is_none_with_a_vehicle_in_the_way) {
+  vehicles_.push_back(standing("lorry", 80.0 + 4.0 + 4.9));
+  vehicles_.back().traits.yields = false;
+  EXPECT_THAT(wait(100.0), IsEmpty());
+  vehicles_.back().front.x() = 80.0 + 4.0 + 7.0;
+  EXPECT_THAT(wait(100.0), testing::SizeIs(2));
+}
+
+TEST_F(StandOffTest, is_none_outside_the_zone) {
+  vehicles_[0] = standing("van", 48.0);  // its middle is at 46, the zone begins at 50
+  people_[0].position.x() = 47.0;
+  EXPECT_THAT(wait(100.0), IsEmpty());
+}
+
+TEST_F(StandOffTest, counts_anew_when_the_vehicle_has_moved) {
+  wait(creep_after_ - 1.0);
+  vehicles_[0].speed = 0.2;
+  EXPECT_THAT(step(0.1), IsEmpty());
+  vehicles_[0].speed = 0.0;
+  EXPECT_THAT(wait(creep_after_ - 1.0), IsEmpty());
+}
+
+}  // namespace
+}  // namespace pedzone

@@ -1,0 +1,177 @@
+// Who is taken over, from where, and how the crowd gets it.
+#include "sumo/plan/takeover_plan.hpp"
+
+#include <gmock/gmock.h>
+
+#include "core/random.hpp"
+#include "four_edges.hpp"
+
+namespace pedzone {
+namespace {
+
+class TakeoverPlanTest : public testing::Test, protected test::FourEdges {
+ protected:
+  TakeoverPlanTest() {
+    walker_.id = "ann";
+    walker_.edges = {"e0", "e1", "e2", "e3"};
+    walker_.stages_left = 1;
+    walker_.position = {51.0, 0.0};
+    walker_.speed = 1.2;
+    walker_.top_speed = 1.5;
+  }
+
+  std::optional<TakeoverPlan> plan(int edge, bool walked_until_now = false) {
+    return plan_takeover(network, zone, edge, walker_, walked_until_now, fleet_, past_);
+  }
+
+  const std::vector<Zone> zones_{zone};
+  Fleet fleet_{network, zones_};
+  WalkerSeen walker_;
+  PersonPast past_;
+};
+
+TEST_F(TakeoverPlanTest, person_is_taken_over_on_the_zones_first_edge) {
+  const auto found = plan(e1);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->stretch.last, 2);
+  EXPECT_TRUE(found->start.isApprox(walker_.position));
+  EXPECT_FALSE(found->place_freely);
+  EXPECT_EQ(found->plan, plan_number(1, walker_.edges));
+  EXPECT_EQ(past_.refused_edge, -1);
+}
+
+TEST_F(TakeoverPlanTest, person_beside_the_area_begins_inside_it_or_is_left_to_sumo) {
+  walker_.position = {60.0, 2.9};
+  const auto found = plan(e1);
+  ASSERT_TRUE(found);
+  EXPECT_LE(found->start.y(), 2.0);
+  walker_.position = {60.0, 3.1};
+  EXPECT_FALSE(plan(e1));
+  EXPECT_EQ(past_.refused_edge, e1) << "not asked again on this edge";
+}
+
+TEST_F(TakeoverPlanTest, person_as_good_as_through_stays_sumos) {
+  const double portal = 150.0 - kPortalInset;
+  walker_.position = {portal - 1.4, 0.0};
+  EXPECT_FALSE(plan(e2));
+  walker_.position = {portal - 1.6, 0.0};
+  EXPECT_TRUE(plan(e2));
+  // The other way round, too.
+  walker_.edges = {"e3", "e2", "e1", "e0"};
+  walker_.position = {50.0 + kPortalInset + 1.4, 0.0};
+  EXPECT_FALSE(plan(e1));
+  walker_.position = {50.0 + kPortalInset + 1.6, 0.0};
+  EXPECT_TRUE(plan(e1));
+}
+
+TEST_F(TakeoverPlanTest, person_whose_plan_has_changed_goes_on_however_short_the_rest) {
+  walker_.position = {149.0, 0.0};
+  EXPECT_FALSE(plan(e2));
+  EXPECT_TRUE(plan(e2, true));
+}
+
+TEST_F(TakeoverPlanTest, person_arriving_in_the_zone_counts_the_way_to_its_arrival) {
+  walker_.edges = {"e0", "e1"};
+  walker_.arrival_position = 20.0;
+  walker_.position = {70.5, 0.0};
+  EXPECT_FALSE(plan(e1));
+  walker_.position = {75.0, 0.0};
+  EXPECT_TRUE(plan(e1)) << "beyond it: it walks back";
+}
+
+TEST_F(TakeoverPlanTest, person_that_comes_twice_by_an_edge_is_left_where_sumo_does_not_tell_when) {
+  walker_.edges = {"e0", "e1", "e2", "e1", "e0"};
+  EXPECT_FALSE(plan(e1));
+  EXPECT_EQ(past_.refused_edge, e1);
+  past_.last = 1;  // released on the first passage: the second is meant
+  past_.plan = plan_number(1, walker_.edges);
+  past_.refused_edge = -1;
+  walker_.position = {90.0, 0.0};
+  EXPECT_FALSE(plan(e1)) << "moveTo would take the first passage";
+  walker_.edges = {"e0", "e1", "e2", "e3"};
+  walker_.position = {51.0, 0.0};
+  EXPECT_TRUE(plan(e1)) << "with another plan what was before does not count";
+  EXPECT_EQ(past_.last, -1);
+}
+
+TEST_F(TakeoverPlanTest, person_released_before_is_not_taken_over_on_the_same_passage) {
+  past_.plan = plan_number(1, walker_.edges);
+  past_.last = 2;
+  walker_.position = {120.0, 0.0};
+  EXPECT_FALSE(plan(e2));
+}
+
+TEST_F(TakeoverPlanTest, nobody_is_taken_over_where_no_way_leads_through) {
+  zone.ways = WayFinder(Region{Polygon{{{50, -2}, {90, -2}, {90, 2}, {50, 2}}, {}},
+                               Polygon{{{110, -2}, {150, -2}, {150, 2}, {110, 2}}, {}}},
+                        kWayClearance);
+  EXPECT_FALSE(plan(e1));
+}
+
+TEST_F(TakeoverPlanTest, person_that_departs_here_may_be_moved_to_a_free_place) {
+  walker_.edges = {"e1", "e2", "e3"};
+  EXPECT_FALSE(plan(e1)->place_freely) << "it walks already";
+  walker_.speed = 0.0;
+  EXPECT_TRUE(plan(e1)->place_freely);
+  EXPECT_FALSE(plan(e1, true)->place_freely);
+  walker_.edges = {"e0", "e1", "e2", "e3"};
+  EXPECT_FALSE(plan(e1)->place_freely) << "it has stopped on its way";
+}
+
+TEST_F(TakeoverPlanTest, person_whom_sumo_walks_into_a_vehicle_is_put_beside_it) {
+  fleet_.update({test::seen_vehicle("van", {53.0, 0.0}, 0.0)}, 0.1);
+  EXPECT_TRUE(plan(e1)->place_freely);
+  EXPECT_FALSE(plan(e1, true)->place_freely) << "the crowd has put it there";
+  walker_.position = {53.3, 0.0};
+  EXPECT_FALSE(plan(e1)->place_freely);
+}
+
+TEST_F(TakeoverPlanTest, plan_is_another_with_other_edges_or_stages) {
+  const std::size_t one = plan_number(1, {"a", "b"});
+  EXPECT_EQ(one, plan_number(1, {"a", "b"}));
+  EXPECT_NE(one, plan_number(2, {"a", "b"}));
+  EXPECT_NE(one, plan_number(1, {"b", "a"}));
+  EXPECT_NE(one, plan_number(1, {"a"}));
+}
+
+TEST_F(TakeoverPlanTest, free_speed_is_that_of_sumos_striping_model) {
+  // It takes a share between 0 and `dawdling` off, all alike likely.
+  EXPECT_EQ(striping_share(0.0), 1.0);
+  EXPECT_NEAR(striping_share(0.2), 0.9, 1e-12);
+  EXPECT_NEAR(striping_share(7.0), 0.5, 1e-12) << "SUMO takes 1 at most";
+}
+
+TEST_F(TakeoverPlanTest, crowd_gets_the_person_as_it_walks) {
+  walker_.heading = 0.5 * kPi;
+  walker_.radius = 0.3;
+  const auto found = plan(e1);
+  const NewPerson person = new_person(walker_, *found, {}, 0, 1.35);
+  EXPECT_EQ(person.key, person_key("ann"));
+  EXPECT_TRUE(person.position.isApprox(found->start));
+  EXPECT_TRUE(person.velocity.isApprox(Vec2(0.0, 1.2)));
+  EXPECT_EQ(person.heading, walker_.heading);
+  EXPECT_EQ(person.radius, 0.3);
+  EXPECT_EQ(person.preferred_speed, 1.35);
+  walker_.speed = 9.0;
+  EXPECT_NEAR(new_person(walker_, *found, {}, 0, 1.35).velocity.norm(), 1.35, 1e-12);
+}
+
+TEST_F(TakeoverPlanTest, portal_leaves_room_for_the_body_at_both_sides) {
+  walker_.radius = 0.3;
+  const auto found = plan(e1);
+  const Destination portal = new_person(walker_, *found, {}, 0, 1.35).destination;
+  EXPECT_NEAR((portal.a - portal.b).norm(), 4.0 - 2.0 * 0.3, 1e-9);
+  walker_.radius = 5.0;  // wider than the street: its middle
+  const Destination middle = new_person(walker_, *found, {}, 0, 1.35).destination;
+  EXPECT_NEAR((middle.a - middle.b).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(middle.a.y(), 0.0, 1e-9);
+}
+
+TEST_F(TakeoverPlanTest, edges_belong_to_the_zone_that_has_them) {
+  Zone other;
+  other.edges = {e3};
+  EXPECT_THAT(zones_of_edges(network, {zone, other}), testing::ElementsAre(-1, 0, 0, 1));
+}
+
+}  // namespace
+}  // namespace pedzone

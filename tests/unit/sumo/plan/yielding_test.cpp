@@ -1,0 +1,94 @@
+// What vehicles are told for people in their way, and when they are given back.
+#include "sumo/plan/yielding.hpp"
+
+#include <gmock/gmock.h>
+
+namespace pedzone {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::vector<PersonAhead> kNear{{{4.0, 0.0}, {0.0, 0.0}, 0.24}};
+
+class YieldingTest : public testing::Test {
+ protected:
+  YieldingTest() {
+    vehicle_.id = "shuttle";
+    vehicle_.traits.length = 4.0;
+    vehicle_.traits.width = 2.0;
+    vehicle_.way = {{-4.0, 0.0}, {0.0, 0.0}, {60.0, 0.0}};
+    vehicle_.speed = 1.0;
+    vehicle_.allowed_speed = 10.0;
+  }
+
+  std::vector<SpeedOrder> plan(const std::vector<PersonAhead>& people) {
+    const SafeSpeeds safe{[this](const FleetVehicle&, double) { return safe_; },
+                          [this](const FleetVehicle&, double, double) { return safe_; }};
+    return yielding_.plan(std::span(&vehicle_, 1), people, safe, 0.1);
+  }
+
+  FleetVehicle vehicle_;
+  double safe_ = 0.9;  ///< [m/s]
+  std::vector<Zone> zones_{1};
+  Yielding yielding_{zones_};
+};
+
+TEST_F(YieldingTest, tells_the_safe_speed_while_somebody_is_in_the_way) {
+  EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", 0.9}));
+  EXPECT_EQ(vehicle_.commanded, 0.9);
+  safe_ = 0.8;
+  EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", 0.8}));
+}
+
+TEST_F(YieldingTest, gives_a_vehicle_back_once_when_its_way_is_free) {
+  EXPECT_THAT(plan({}), IsEmpty()) << "it was never told a speed";
+  plan(kNear);
+  EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed}));
+  EXPECT_EQ(vehicle_.commanded, kOwnSpeed);
+  EXPECT_THAT(plan({}), IsEmpty());
+}
+
+TEST_F(YieldingTest, lets_a_vehicle_brake_harder_only_for_as_long_as_it_must) {
+  vehicle_.speed = 8.0;
+  const double hard = 8.0 - 9.0 * 0.1;  // the traits' emergency deceleration
+  EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", SpeedMode::kEmergency},
+                                       SpeedOrder{"shuttle", hard}));
+  EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", hard})) << "SUMO knows the mode";
+  vehicle_.speed = 1.0;
+  EXPECT_THAT(plan(kNear),
+              ElementsAre(SpeedOrder{"shuttle", SpeedMode::kDefault}, SpeedOrder{"shuttle", 0.9}));
+}
+
+TEST_F(YieldingTest, gives_a_vehicle_that_brakes_hard_back_as_it_was) {
+  vehicle_.speed = 8.0;
+  plan(kNear);
+  EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed},
+                                    SpeedOrder{"shuttle", SpeedMode::kDefault}));
+}
+
+TEST_F(YieldingTest, leaves_vehicles_alone_that_do_not_yield_or_are_others) {
+  vehicle_.traits.yields = false;
+  EXPECT_THAT(plan(kNear), IsEmpty());
+  vehicle_.traits.yields = true;
+  vehicle_.traits.external = true;
+  vehicle_.commanded = 0.4;
+  EXPECT_THAT(plan(kNear), IsEmpty());
+  EXPECT_EQ(vehicle_.commanded, 0.4) << "pedzone never touches it";
+  EXPECT_THAT(yielding_.yielded(), IsEmpty());
+}
+
+TEST_F(YieldingTest, gives_a_vehicle_back_that_stops_at_a_stop_of_its_own) {
+  plan(kNear);
+  vehicle_.stopped = true;
+  EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed}));
+}
+
+TEST_F(YieldingTest, knows_who_ever_gave_way) {
+  plan(kNear);
+  plan({});
+  EXPECT_THAT(yielding_.yielded(), ElementsAre("shuttle"));
+}
+
+}  // namespace
+}  // namespace pedzone
