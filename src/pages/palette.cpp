@@ -1,7 +1,10 @@
 #include "pages/palette.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace pedzone {
@@ -27,17 +30,21 @@ constexpr std::array kSpare{ModelLook{kTeal, ""},       ModelLook{kCrimson, ""},
                             ModelLook{kViolet, ""},     ModelLook{kTeal, "6 3"},
                             ModelLook{kCrimson, "6 3"}, ModelLook{kViolet, "6 3"}};
 
-std::string variables(std::span<const ModelLook> looks, bool dark) {
-  const auto shade = [&](const Colour& colour) {
-    return std::string(dark ? colour.dark : colour.light);
-  };
+std::string variable(std::string_view name, std::string_view value) {
+  return "--" + std::string(name) + ":" + std::string(value) + ";";
+}
+
+std::string model_variables(std::span<const ModelLook> looks, bool dark) {
   std::string css;
-  for (const Colour& colour : kAll)
-    css += "--" + std::string(colour.name) + ":" + shade(colour) + ";";
   for (std::size_t m = 0; m < looks.size(); ++m) {
-    css += "--model-" + std::to_string(m) + ":" + shade(looks[m].colour) + ";";
+    const Colour& colour = looks[m].colour;
+    css += variable("model-" + std::to_string(m), dark ? colour.dark : colour.light);
   }
   return css;
+}
+
+int channel(std::string_view colour, std::size_t c) {
+  return std::stoi(std::string(colour.substr(1 + 2 * c, 2)), nullptr, 16);
 }
 
 }  // namespace
@@ -53,16 +60,36 @@ std::vector<ModelLook> model_looks(std::span<const std::string> models) {
   return looks;
 }
 
+std::string mixed_colour(std::string_view from, std::string_view to, double part) {
+  std::string colour = "#";
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double value = std::lerp(channel(from, c), channel(to, c), part);
+    colour += fmt::format("{:02x}", static_cast<int>(std::lround(value)));
+  }
+  return colour;
+}
+
+std::string palette_variables(bool dark) {
+  std::string css;
+  const auto add = [&](std::span<const Colour> colours) {
+    for (const Colour& one : colours) css += variable(one.name, dark ? one.dark : one.light);
+  };
+  add(kLines);
+  add(kFills);
+  add(kMap);
+  return css;
+}
+
 std::string palette_css(std::span<const std::string> models) {
   const std::vector<ModelLook> looks = model_looks(models);
-  std::string css =
-      ":root{" + variables(looks, false) + "--model-recorded:var(--ink);--dash-recorded:none;";
+  std::string css = ":root{" + palette_variables(false) + model_variables(looks, false) +
+                    variable("model-recorded", "var(--ink)") + variable("dash-recorded", "none");
   for (std::size_t m = 0; m < looks.size(); ++m) {
-    const std::string_view dashes = looks[m].dashes.empty() ? "none" : looks[m].dashes;
-    css += "--dash-" + std::to_string(m) + ":" + std::string(dashes) + ";";
+    css +=
+        variable("dash-" + std::to_string(m), looks[m].dashes.empty() ? "none" : looks[m].dashes);
   }
-  return css + "}\n@media screen and (prefers-color-scheme:dark){:root{" + variables(looks, true) +
-         "}}\n";
+  return css + "}\n@media screen and (prefers-color-scheme:dark){:root{" + palette_variables(true) +
+         model_variables(looks, true) + "}}\n";
 }
 
 }  // namespace pedzone

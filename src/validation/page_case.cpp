@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/palette.hpp"
 #include "validation/page_parts.hpp"
 #include "view/axis.hpp"
 #include "view/label_places.hpp"
@@ -81,20 +82,12 @@ void View::extend_by_meeting(const DrawnCase& drawn, const Polyline& way, Box& b
   for (const Vec2& corner : corners_of(*nearest)) box.extend(turned(corner));
 }
 
-/// Colours of the clock from its first to its last second.
-constexpr std::array<std::array<double, 3>, 3> kClock{
-    {{30, 136, 205}, {204, 121, 167}, {230, 159, 0}}};
-
-/// Its colour at `part` [0, 1] of its run.
+/// Of the clock: its colour at `part` [0, 1] of its run.
 std::string clock_colour(double part) {
-  const double at = std::clamp(part, 0.0, 1.0) * 2.0;
-  const int from = at < 1.0 ? 0 : 1;
-  std::string colour = "#";
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double value = std::lerp(kClock[from][c], kClock[from + 1][c], at - from);
-    colour += fmt::format("{:02x}", static_cast<int>(std::lround(value)));
-  }
-  return colour;
+  using namespace colours;
+  const double at = 2.0 * std::clamp(part, 0.0, 1.0);
+  return at < 1.0 ? mixed_colour(kBlue.light, kPink.light, at)
+                  : mixed_colour(kPink.light, kOrange.light, at - 1.0);
 }
 
 /// A length or place in the picture.
