@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "pages/palette.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -30,6 +32,7 @@ void PathRecorder::observe(const Simulation& simulation) {
 std::string PathRecorder::picture(const Simulation& simulation) const {
   PathLayer people;
   people.name = "paths of people in the zone";
+  people.colour = colours::kBlue.light;
   people.lines = finished_;
   for (const auto& [id, track] : tracks_) people.lines.push_back(track.line);
   // The map has no order of its own; a run's picture is the same every time.

@@ -93,7 +93,7 @@ constexpr const char* kExamples =
     "  sumo -c town.sumocfg --fcd-output sumo.fcd.xml.gz          # SUMO's striping, drawn alike\n"
     "  pedzone plot sumo.fcd.xml.gz --scenario town.sumocfg --begin 60 --end 90 --out sumo.png\n\n"
     "Kinds:\n"
-    "  time       where persons and vehicles are at even moments, coloured by time; zones grey,\n"
+    "  time       where persons and vehicles are at even moments, coloured by time; zones green,\n"
     "             waypoints as stars\n"
     "  path       a line for each person\n"
     "  speed      speed over time\n"

@@ -8,9 +8,8 @@
 
 namespace pedzone {
 
-/// The whole file. It needs no network and no scripts, is well-formed as XML, too, and follows the
-/// reader's choice of a light or dark screen. The last of the result's models is the one that the
-/// page is about. Names from files are escaped.
+/// The whole file, which fetches nothing. The last of the result's models is the one that the page
+/// is about. Names from files are escaped.
 std::string validation_page(const ValidationResult& result, const std::vector<DrawnCase>& worst);
 
 }  // namespace pedzone

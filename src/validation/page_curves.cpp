@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/page_parts.hpp"
 #include "core/statistics.hpp"
+#include "validation/page_parts.hpp"
 #include "view/axis.hpp"
-#include "view/svg.hpp"
 
 namespace pedzone::page {
 namespace {
@@ -19,20 +18,8 @@ constexpr std::array<Measure, 4> kMeasures{{{"smallest clearance", "m", &Measure
                                             {"least speed", "m/s", &Measures::least_speed},
                                             {"mean speed", "m/s", &Measures::mean_speed}}};
 
-constexpr double kWidth = 320.0, kHeight = 200.0;                             // of a picture
-constexpr double kLeft = 54.0, kRight = 310.0, kTop = 10.0, kBottom = 158.0;  // of the curves
 constexpr double kShownPart = 0.98;  // of every curve lies left of the axis's end
-
-/// The models whose curves are drawn: that of the page on top, so last.
-std::vector<std::size_t> drawn_models(const ValidationResult& result) {
-  std::vector<std::size_t> models;
-  for (const std::string_view look : {"straight", "plain", "main"}) {
-    for (std::size_t m = 0; m < result.models.size(); ++m) {
-      if (look_of(result, m) == look) models.push_back(m);
-    }
-  }
-  return models;
-}
+constexpr double kPerUnit = 1e4;     // numerical: digits that no picture can show are left out
 
 /// One measure of persons; those of several seeds one after the other.
 struct Sample {
@@ -59,109 +46,78 @@ Sample sample_of(const ValidationResult& result, std::size_t model, PersonSet se
   return sample;
 }
 
-double x_of(double value, double end) {
-  if (std::isnan(value)) return kRight;
-  return kLeft + std::clamp(value / end, 0.0, 1.0) * (kRight - kLeft);
+/// Where its curve steps up, ascending; what is beyond the axis's end or no number lies there.
+Json steps(std::vector<double> values, double end) {
+  for (double& value : values) {
+    value = std::isnan(value) ? end : std::clamp(value, 0.0, end);
+    value = std::round(value * kPerUnit) / kPerUnit;
+  }
+  std::ranges::sort(values);
+  return values;
 }
 
-double y_of(double share) { return kBottom - share * (kBottom - kTop); }
-
-/// A step up at each person's value.
-std::string curve(std::vector<double> values, double end, std::string_view look) {
-  std::sort(values.begin(), values.end());
-  std::string path;
-  add(path, "<path class=\"line {}\" d=\"M{} {}", look, kLeft, kBottom);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double share = static_cast<double>(i + 1) / static_cast<double>(values.size());
-    add(path, "H{:.1f}V{:.1f}", x_of(values[i], end), y_of(share));
+/// Of an axis for all groups of the set.
+double end_of(const ValidationResult& result, PersonSet set, const Measure& measure) {
+  double most = 0.0;
+  for (const std::size_t m : curve_models(result)) {
+    const Sample sample = sample_of(result, m, set, "all", measure.value);
+    for (const auto* values : {&sample.recorded, &sample.walked}) {
+      const double high = quantile(*values, kShownPart);
+      if (std::isfinite(high)) most = std::max(most, high);
+    }
   }
-  add(path, "H{}\"/>\n", kRight);
-  return path;
+  const double step = round_step(most, 5.0);
+  return step * std::max(1.0, std::ceil(most / step));
 }
 
-std::string axes(const Measure& measure, double end) {
-  std::string svg;
-  const double step = round_step(end, 5.0);
-  for (int i = 0; i * step <= end * (1.0 + 1e-9); ++i) {
-    const double x = x_of(i * step, end);
-    add(svg, "<path class=\"grid-line\" d=\"M{0:.1f} {1}V{2}\"/>", x, kTop, kBottom);
-    add(svg, "<text class=\"tick\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{}\">{:.3g}</text>\n", x,
-        kBottom + 14.0, i * step);
+Json chart(const ValidationResult& result, PersonSet set, const std::string& group,
+           const Measure& measure, double end) {
+  Json recorded = Json::array(), walked = Json::array(), ks = Json::array();
+  for (const std::size_t m : curve_models(result)) {
+    Sample sample = sample_of(result, m, set, group, measure.value);
+    recorded = steps(std::move(sample.recorded), end);
+    walked.push_back(steps(std::move(sample.walked), end));
+    ks.push_back(number(sample.ks, 2));
   }
-  for (const int percent : {0, 25, 50, 75, 100}) {
-    const double y = y_of(percent / 100.0);
-    add(svg, "<path class=\"grid-line\" d=\"M{} {:.1f}H{}\"/>", kLeft, y, kRight);
-    if (percent % 50 != 0) continue;
-    add(svg, "<text class=\"tick\" text-anchor=\"end\" x=\"{}\" y=\"{:.1f}\">{} %</text>\n",
-        kLeft - 5.0, y + 4.0, percent);
-  }
-  add(svg, "<path class=\"axis\" d=\"M{} {}V{}H{}\"/>", kLeft, kTop, kBottom, kRight);
-  add(svg, "<text class=\"title\" text-anchor=\"middle\" x=\"{}\" y=\"{}\">{} [{}]</text>\n",
-      0.5 * (kLeft + kRight), kBottom + 33.0, measure.title, measure.unit);
-  add(svg,
-      "<text class=\"tick\" text-anchor=\"middle\" transform=\"translate(11 {}) rotate(-90)\">"
-      "share of persons</text>\n",
-      0.5 * (kTop + kBottom));
-  return svg;
+  return {{"recorded", recorded}, {"walked", walked}, {"ks", ks}};
 }
 
 }  // namespace
 
-Curves::Curves(const ValidationResult& result, PersonSet set) : result_(result), set_(set) {
+Json curve_measures() {
+  Json measures = Json::array();
   for (const Measure& measure : kMeasures) {
-    double most = 0.0;
-    for (const std::size_t m : drawn_models(result)) {
-      const Sample sample = sample_of(result, m, set, "all", measure.value);
-      for (const auto* values : {&sample.recorded, &sample.walked}) {
-        const double high = quantile(*values, kShownPart);
-        if (std::isfinite(high)) most = std::max(most, high);
-      }
+    measures.push_back({{"title", measure.title}, {"unit", measure.unit}});
+  }
+  return measures;
+}
+
+std::vector<std::size_t> curve_models(const ValidationResult& result) {
+  if (result.models.empty()) return {};
+  std::vector<std::size_t> models;
+  const std::size_t main = result.models.size() - 1;
+  for (const std::string_view name : {"straight to goal", "plain"}) {
+    const auto found = std::find(result.models.begin(), result.models.begin() + main, name);
+    const auto m = static_cast<std::size_t>(found - result.models.begin());
+    if (m < main) models.push_back(m);
+  }
+  models.push_back(main);
+  return models;
+}
+
+Json curve_set(const ValidationResult& result, PersonSet set) {
+  std::array<double, kMeasures.size()> ends{};
+  std::ranges::transform(kMeasures, ends.begin(),
+                         [&](const Measure& measure) { return end_of(result, set, measure); });
+  Json groups = Json::array();
+  for (const std::string& group : shown_groups(result, set)) {
+    Json charts = Json::array();
+    for (std::size_t k = 0; k < kMeasures.size(); ++k) {
+      charts.push_back(chart(result, set, group, kMeasures[k], ends[k]));
     }
-    const double step = round_step(most, 5.0);
-    ends_.push_back(step * std::max(1.0, std::ceil(most / step)));
+    groups.push_back(std::move(charts));
   }
-}
-
-std::string Curves::of_group(const std::string& group) const {
-  const auto rows = rows_of(result_, set_, group);
-  if (rows.empty()) return "";
-  std::string out;
-  add(out, "<h3>{} <small>{} persons in {} clips</small></h3>\n<div class=\"grid\">\n",
-      escaped(group), rows.front()->persons, rows.front()->clips);
-  for (std::size_t k = 0; k < kMeasures.size(); ++k) out += chart(group, k);
-  return out + "</div>\n";
-}
-
-std::string Curves::chart(const std::string& group, std::size_t k) const {
-  const Measure& measure = kMeasures[k];
-  std::string curves, legend;
-  for (const std::size_t m : drawn_models(result_)) {
-    Sample sample = sample_of(result_, m, set_, group, measure.value);
-    const std::string_view look = look_of(result_, m);
-    // The recording's curve lies under those of the models.
-    if (curves.empty()) curves = curve(std::move(sample.recorded), ends_[k], "recorded");
-    curves += curve(std::move(sample.walked), ends_[k], look);
-    legend.insert(0, fmt::format("<span>{} {}</span>\n", named_key(result_.models[m], look),
-                                 number(sample.ks, 2)));
-  }
-  std::string out;
-  add(out, "<figure class=\"chart\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n",
-      kWidth, kHeight, escaped(fmt::format("{}: {}", group, measure.title)));
-  out += axes(measure, ends_[k]) + curves;
-  add(out,
-      "</svg><figcaption class=\"sub\"><span "
-      "class=\"legend\"><span>K-S:</span>\n{}</span></figcaption></figure>\n",
-      legend);
-  return out;
-}
-
-std::string curve_legend(const ValidationResult& result) {
-  std::string out = "<p class=\"legend\">" + named_key("recorded", "recorded");
-  const auto models = drawn_models(result);
-  for (auto m = models.rbegin(); m != models.rend(); ++m) {
-    out += '\n' + named_key(result.models[*m], look_of(result, *m));
-  }
-  return out + "</p>\n";
+  return {{"ends", ends}, {"groups", groups}};
 }
 
 }  // namespace pedzone::page

@@ -1,75 +1,48 @@
-// The page's parts, each as HTML that is well-formed as XML.
+// The page's parts as data: what its template (folder page) and its scripts show.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <iterator>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "pages/page_builder.hpp"
 #include "validation/validation.hpp"
 
 namespace pedzone::page {
 
-/// Appends formatted text.
-template <class... Arguments>
-void add(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
+using Json = PageJson;
 
-/// The style sheet.
-std::string_view style();
-
-/// "main" for the model that the page is about, "plain", "straight", "constant", "other": names of
-/// colours and dashes in the style sheet, as is "recorded".
-std::string_view look_of(const ValidationResult& result, std::size_t model);
-
-/// The same for the model of a row, and "recorded" for the recording.
-std::string_view look_of(const ValidationResult& result, const ValidationRow& row);
-
-/// The name beside a piece of the line that stands for it in pictures.
-std::string named_key(std::string_view name, std::string_view look);
+/// What the page's style knows a row's model by: its index, and "recorded" for the recording.
+Json look_of(const ValidationResult& result, const ValidationRow& row);
 
 /// A value as tables print it; a dash for what is no number.
 std::string number(double value, int digits);
+
+/// Groups of the set in which there is anybody, in the order of the tables.
+std::vector<std::string> shown_groups(const ValidationResult& result, PersonSet set);
 
 /// Rows of the set and group; the recording first.
 std::vector<const ValidationRow*> rows_of(const ValidationResult& result, PersonSet set,
                                           const std::string& group);
 
-/// The key figures of a group as dots with intervals.
-std::string overview(const ValidationResult& result, PersonSet set, const std::string& group);
+/// Columns of all tables with what they mean, and the headings of neighbouring ones.
+Json table_columns();
+Json table_blocks();
+/// All figures of a group, a row for each model.
+Json table_rows(const ValidationResult& result, PersonSet set, const std::string& group);
 
-/// All figures of a group as a table in a container that scrolls sideways.
-std::string table(const ValidationResult& result, PersonSet set, const std::string& group);
+/// For the scripts: the key figures of a group with their intervals.
+Json key_figures(const ValidationResult& result, PersonSet set, const std::string& group);
 
-/// What each figure means, as a list.
-std::string figure_meanings();
-
-/// Cumulative curves of the set's groups, for each measure a picture.
-class Curves {
- public:
-  Curves(const ValidationResult& result, PersonSet set);
-  /// All pictures of one group.
-  std::string of_group(const std::string& group) const;
-
- private:
-  std::string chart(const std::string& group, std::size_t measure) const;
-
-  const ValidationResult& result_;
-  PersonSet set_;
-  std::vector<double> ends_;  ///< of the axes, one for each measure: the same for all groups
-};
-
-/// The legend of the curves.
-std::string curve_legend(const ValidationResult& result);
+/// For the scripts: what cumulative curves are of; the models that have one, the page's last; and
+/// the curves of all groups that are shown.
+Json curve_measures();
+std::vector<std::size_t> curve_models(const ValidationResult& result);
+Json curve_set(const ValidationResult& result, PersonSet set);
 
 /// One person's recorded and walked way, with the vehicle.
-std::string drawn_case(const DrawnCase& drawn);
-
-/// The colours of the clock in those pictures.
-std::string clock_legend();
+Json drawn_case(const DrawnCase& drawn);
+/// The colours of the clock in those pictures, as stops of a gradient.
+Json clock_stops();
 
 }  // namespace pedzone::page

@@ -1,9 +1,13 @@
-// Tables of the page: all figures of a group, and what figures mean.
+// Figures of the page: as tables, and the key ones with their intervals.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "validation/page_parts.hpp"
-#include "view/svg.hpp"
+#include "view/axis.hpp"
 
 namespace pedzone::page {
 namespace {
@@ -23,13 +27,19 @@ static_assert(std::accumulate(kBlocks.begin(), kBlocks.end(), std::size_t{0},
                               [](std::size_t sum, const Block& b) { return sum + b.figures; }) ==
               kFigures);
 
-bool begins_block(std::size_t figure) {
+constexpr std::array kKeyFigures{std::pair{Figure::kClearance, "Smallest clearance, median [m]"},
+                                 std::pair{Figure::kDeviation, "Lateral deviation, median [m]"},
+                                 std::pair{Figure::kSpeed, "Mean speed, mean [m/s]"},
+                                 std::pair{Figure::kLeastSpeed, "Least speed, median [m/s]"}};
+
+/// A column's class: where a block begins there is a line.
+std::string edge_of(std::size_t figure) {
   std::size_t begin = 0;
   for (const Block& block : kBlocks) {
-    if (figure == begin) return true;
+    if (figure == begin) return "first";
     begin += block.figures;
   }
-  return false;
+  return "";
 }
 
 std::string shown(const FigureInfo& info, double value) {
@@ -41,58 +51,83 @@ std::string interval(const FigureInfo& info, const ValidationRow& row, std::size
   return shown(info, row.low[figure]) + "–" + shown(info, row.high[figure]);
 }
 
-std::string table_head() {
-  std::string head = "<thead><tr><th class=\"corner\" rowspan=\"2\"></th>";
-  for (const Block& block : kBlocks) {
-    add(head, "<th class=\"first block\" colspan=\"{}\" scope=\"colgroup\">{}</th>", block.figures,
-        block.title);
+/// A round number that no value and no upper end of an interval exceeds.
+double end_of(const std::vector<const ValidationRow*>& rows, std::size_t figure) {
+  double most = 0.0;
+  for (const ValidationRow* row : rows) {
+    for (const double value : {row->value[figure], row->high[figure]}) {
+      if (std::isfinite(value)) most = std::max(most, value);
+    }
   }
-  head += "</tr>\n<tr>";
-  for (std::size_t f = 0; f < kFigures; ++f) {
-    const FigureInfo& info = figure_list()[f];
-    add(head, "<th{} scope=\"col\" title=\"{}\">{}<small>{}</small></th>",
-        begins_block(f) ? " class=\"first\"" : "", escaped(info.meaning), escaped(info.title),
-        info.unit.empty() ? "0–1" : escaped(info.unit));
-  }
-  return head + "</tr></thead>\n";
-}
-
-std::string table_row(const ValidationRow& row, std::string_view look) {
-  std::string line;
-  add(line, "<tr class=\"row-{}\"><th scope=\"row\">{}</th>", look, named_key(row.model, look));
-  for (std::size_t f = 0; f < kFigures; ++f) {
-    const FigureInfo& info = figure_list()[f];
-    add(line, "<td{}>{}<small>{}</small></td>", begins_block(f) ? " class=\"first\"" : "",
-        shown(info, row.value[f]), interval(info, row, f));
-  }
-  return line + "</tr>\n";
+  const double step = round_step(most, 4.0);
+  return step * std::max(1.0, std::ceil(most / step));
 }
 
 }  // namespace
 
-std::string table(const ValidationResult& result, PersonSet set, const std::string& group) {
-  const auto rows = rows_of(result, set, group);
-  if (rows.empty()) return "";
-  std::string out;
-  add(out, "<h3>{} <small>{} persons in {} clips</small></h3>\n", escaped(group),
-      rows.front()->persons, rows.front()->clips);
-  out += "<div class=\"scroll\" tabindex=\"0\"><table class=\"figures\">\n" + table_head() +
-         "<tbody>\n";
-  for (const ValidationRow* row : rows) out += table_row(*row, look_of(result, *row));
-  return out + "</tbody></table></div>\n";
+Json table_blocks() {
+  Json blocks = Json::array();
+  for (const Block& block : kBlocks) {
+    blocks.push_back({{"title", block.title}, {"figures", block.figures}});
+  }
+  return blocks;
 }
 
-std::string figure_meanings() {
-  std::string out = "<ul class=\"meanings\">\n";
-  std::size_t f = 0;
+Json table_columns() {
+  Json columns = Json::array();
   for (const Block& block : kBlocks) {
-    for (std::size_t end = f + block.figures; f < end; ++f) {
+    for (std::size_t k = 0; k < block.figures; ++k) {
+      const std::size_t f = columns.size();
       const FigureInfo& info = figure_list()[f];
-      add(out, "<li><b>{}: {}</b>{} {}</li>\n", block.title, escaped(info.title),
-          info.unit.empty() ? "" : fmt::format(" [{}]", escaped(info.unit)), escaped(info.meaning));
+      columns.push_back({{"block", block.title},
+                         {"edge", edge_of(f)},
+                         {"title", info.title},
+                         {"unit", info.unit},
+                         {"scale", info.unit.empty() ? "0–1" : info.unit},
+                         {"meaning", info.meaning}});
     }
   }
-  return out + "</ul>\n";
+  return columns;
+}
+
+Json table_rows(const ValidationResult& result, PersonSet set, const std::string& group) {
+  Json rows = Json::array();
+  for (const ValidationRow* row : rows_of(result, set, group)) {
+    Json cells = Json::array();
+    for (std::size_t f = 0; f < kFigures; ++f) {
+      const FigureInfo& info = figure_list()[f];
+      cells.push_back({{"edge", edge_of(f)},
+                       {"value", shown(info, row->value[f])},
+                       {"interval", interval(info, *row, f)}});
+    }
+    const Json look = look_of(result, *row);
+    rows.push_back({{"name", row->model},
+                    {"look", look},
+                    {"kind", look == "recorded"                 ? "recorded"
+                             : look == result.models.size() - 1 ? "main"
+                                                                : "other"},
+                    {"cells", cells}});
+  }
+  return rows;
+}
+
+Json key_figures(const ValidationResult& result, PersonSet set, const std::string& group) {
+  const auto rows = rows_of(result, set, group);
+  Json figures = Json::array();
+  for (const auto& [figure, title] : kKeyFigures) {
+    const auto f = static_cast<std::size_t>(figure);
+    Json values = Json::array();
+    for (const ValidationRow* row : rows) {
+      values.push_back({{"name", row->model},
+                        {"look", look_of(result, *row)},
+                        {"value", row->value[f]},
+                        {"low", row->low[f]},
+                        {"high", row->high[f]},
+                        {"text", number(row->value[f], 2)}});
+    }
+    figures.push_back({{"title", title}, {"end", end_of(rows, f)}, {"rows", values}});
+  }
+  return figures;
 }
 
 }  // namespace pedzone::page

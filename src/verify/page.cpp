@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "pages/page_text.hpp"
+#include "pages/page_builder.hpp"
 #include "verify/drawings.hpp"
 
 namespace pedzone {
@@ -119,7 +119,8 @@ Json page_data(const Verification& verification, const std::string& command) {
   for (const LeftOut& test : left_out_tests()) {
     left_out.push_back({{"id", test.id}, {"why", test.why}});
   }
-  return {{"verdict", fmt::format("{} passes {} of {} tests.", verification.models.front(),
+  return {{"title", "Standard tests of walking"},
+          {"verdict", fmt::format("{} passes {} of {} tests.", verification.models.front(),
                                   passed(verification, 0), all)},
           {"seeds", verification.seeds == 1
                         ? "One run of each."
@@ -179,8 +180,7 @@ Json script_data(const Verification& verification) {
     }
     all.push_back(std::move(drawn));
   }
-  // Grey is what walks blindly, as grey is the reference of a study's report.
-  return {{"models", verification.models}, {"reference", "constant-velocity"}, {"tests", all}};
+  return {{"models", verification.models}, {"tests", all}};
 }
 
 }  // namespace
@@ -194,11 +194,8 @@ std::string limits_text(const FigureSpec& figure) {
 }
 
 std::string verification_page(const Verification& verification, const std::string& command) {
-  return rendered_page(kVerifyPage, page_data(verification, command),
-                       {{"styles", std::string(kVerifyStyles)},
-                        {"scripts", std::string(kVerifyScripts)},
-                        {"licences", std::string(page_licences())},
-                        {"data", script_json(script_data(verification))}});
+  return rendered_page({kVerifyPage, kVerifyStyles, kVerifyScripts},
+                       page_data(verification, command), script_data(verification));
 }
 
 }  // namespace verify

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "pages/palette.hpp"
 #include "view/animation_parts.hpp"
 
 namespace pedzone {
@@ -15,6 +16,11 @@ extern const std::string_view kAnimationPage;  // made from view/animation by th
 namespace animation {
 
 namespace {
+
+/// Puts a text into the place of a mark.
+void put(std::string& page, std::string_view mark, const std::string& text) {
+  page.replace(page.find(mark), mark.size(), text);
+}
 
 constexpr double kFarthest = 2e7;  // [m] half the Earth's circumference; 32 bits hold it in cm
 
@@ -65,9 +71,11 @@ std::string animation_page(const std::vector<AnimatedRun>& runs, const Place* pl
     data += animation::run(run, options.rate);
   }
   data += "]}";
-  constexpr std::string_view kPlace = "@data@";
   std::string page(kAnimationPage);
-  page.replace(page.find(kPlace), kPlace.size(), data);
+  animation::put(page, "@palette@",
+                 ":root{" + palette_variables(false) + "}:root[data-theme=\"dark\"]{" +
+                     palette_variables(true) + "}");
+  animation::put(page, "@data@", data);
   return page;
 }
 

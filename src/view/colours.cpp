@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "pages/palette.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -26,8 +28,8 @@ constexpr std::array<std::array<double, 3>, 15> kViridis{{{68, 1, 84},
                                                           {165, 219, 54},
                                                           {210, 226, 27}}};
 
-constexpr std::array<std::string_view, 6> kLineColours{"#0072b2", "#d55e00", "#009e73",
-                                                       "#cc79a7", "#222222", "#e69f00"};
+constexpr std::array kLineColours{colours::kBlue,   colours::kVermilion, colours::kGreen,
+                                  colours::kPurple, colours::kBlack,     colours::kAmber};
 static_assert(kLineLooks == 2 * kLineColours.size());
 
 }  // namespace
@@ -45,7 +47,7 @@ std::string scale_colour(double part) {
 }
 
 LineLook line_look(std::size_t index) {
-  return {kLineColours[index % kLineColours.size()],
+  return {kLineColours[index % kLineColours.size()].light,
           index / kLineColours.size() % 2 == 0 ? "" : "4 2"};
 }
 

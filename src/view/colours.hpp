@@ -10,7 +10,7 @@ namespace pedzone {
 /// Walt 2015) without its lightest fifteenth, which is lost on white. Lightness rises throughout.
 std::string scale_colour(double part);
 
-/// How line `index` of several looks: the colours of Okabe and Ito 2008 that show on white, and
+/// How line `index` of several looks: colours of the palette that show on white, and
 /// dashes once they have all been used.
 struct LineLook {
   std::string_view colour, dashes;  ///< as SVG writes them, dashes in line widths; may be empty

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/statistics.hpp"
+#include "pages/palette.hpp"
 #include "view/colours.hpp"
 #include "view/line_chart.hpp"
 #include "view/run_map.hpp"
@@ -53,8 +54,9 @@ void add_summary(const Recording& recording, const Value& value, bool with_least
       if (const auto y = value(person, moment)) values[moment.step].push_back(*y);
     }
   }
-  ChartLine median{"median", "#0072b2", "", {}}, least{"least", "#d55e00", "", {}};
-  ChartBand band{"5 to 95 %", "#0072b2", {}};
+  ChartLine median{"median", std::string(colours::kBlue.light), "", {}};
+  ChartLine least{"least", std::string(colours::kVermilion.light), "", {}};
+  ChartBand band{"5 to 95 %", std::string(colours::kBlue.light), {}};
   const double gap = line_gap(recording);
   double last = 0.0;
   for (std::size_t step = 0; step < values.size(); ++step) {

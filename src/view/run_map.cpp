@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pages/palette.hpp"
 #include "view/zone_map.hpp"
 #include "zone/simplify.hpp"
 
@@ -22,18 +23,11 @@ constexpr double kLeastGap = 1.0;   // [s]
 constexpr double kBorder = 0.2;     // [units] width of borders at most
 constexpr double kThinning = 0.02;  // [units] corners of lines are left out so far
 
-constexpr std::string_view kZoneColours[] = {"#e4e4e4", "#dadada"};
-constexpr MapLook kLook{kZoneColours, "#8a8a8a", "#c4c0ba", "#8d8983",
-                        "#f3f3f3",    "#f6f4f0", "#fafafa"};
-constexpr std::string_view kStarColour = "#c8102e";  // red, as in the paper: not on the time scale
-constexpr std::string_view kVehicleColour = "#444444";
+constexpr std::string_view kStarColour = colours::kWaypoint.light;  // not on the time scale
+constexpr std::string_view kVehicleColour = colours::kGrey.light;
 
-/// The look with borders no wider than suits a map of this unit [m].
-MapLook look_for(double unit) {
-  MapLook look = kLook;
-  look.line = std::min(look.line, kBorder * unit);
-  return look;
-}
+/// [m] Width of borders that suits a map of this unit [m].
+double border_width(double unit) { return std::min(kMapLine, kBorder * unit); }
 
 Box box_of_persons(const Recording& recording, const std::vector<Box>& within) {
   Box box;
@@ -113,7 +107,7 @@ Ring star(const Vec2& centre, double radius) {
 
 void draw_ground(SvgPage& page, const Place* place, double unit) {
   if (place == nullptr) return;
-  draw_zone_map(page, place->network, place->zones, look_for(unit));
+  draw_zone_map(page, place->network, place->zones, border_width(unit));
 }
 
 void draw_waypoints(SvgPage& page, const Place* place, double unit) {
@@ -152,15 +146,15 @@ void draw_vehicle_ways(SvgPage& page, const Recording& recording, double unit) {
 std::vector<LegendEntry> ground_legend(const Place* place, const Box& box) {
   if (place == nullptr) return {};
   std::vector<LegendEntry> entries;
-  const MapLook look = look_for(box.sizes().maxCoeff() / 100.0);
+  const double line = border_width(box.sizes().maxCoeff() / 100.0);
   for (std::size_t i = 0; i < place->zones.size(); ++i) {
     if (!box.intersects(box_of(place->zones[i].walkable))) continue;
-    entries.push_back(area_entry("zone " + place->zones[i].id, look.walkable_style(i)));
+    entries.push_back(area_entry("zone " + place->zones[i].id, walkable_style(i, line)));
   }
   const bool obstacle = std::ranges::any_of(place->zones, [&](const Zone& zone) {
     return !zone.obstacles.empty() && box.intersects(box_of(zone.obstacles));
   });
-  if (obstacle) entries.push_back(area_entry("obstacle", look.obstacle_style()));
+  if (obstacle) entries.push_back(area_entry("obstacle", obstacle_style(line)));
   if (any_in(*place, box)) {
     entries.push_back({"waypoint with its radius", [](SvgPage& page, const Box& at) {
                          page.region({{star(at.center(), 0.8 * at.sizes().y()), {}}},

@@ -4,40 +4,43 @@
 
 #include <unordered_set>
 
+#include "pages/palette.hpp"
 #include "view/road_look.hpp"
 
 namespace pedzone {
+
+using namespace colours;
+
 namespace {
 
-void draw_road(SvgPage& page, const Network& network, const Lane& lane, const MapLook& look) {
+void draw_road(SvgPage& page, const Network& network, const Lane& lane) {
   const RoadLook road = look_of(network, lane);
   if (road == RoadLook::kHidden) return;
   if (road == RoadLook::kFootArea) {
-    page.region(repair(lane.shape), fmt::format("fill=\"{}\"", look.footway), lane.id);
+    page.region(repair(lane.shape), fmt::format("fill=\"{}\"", kFootway.light), lane.id);
     return;
   }
-  const std::string_view colour = road == RoadLook::kCrossing  ? look.crossing
-                                  : road == RoadLook::kFootway ? look.footway
-                                                               : look.road;
+  const std::string_view colour = road == RoadLook::kCrossing  ? kCrossing.light
+                                  : road == RoadLook::kFootway ? kFootway.light
+                                                               : kRoad.light;
   page.line(lane.shape, stroke(colour, lane.width), lane.id + " " + network.edges[lane.edge].type);
 }
 
-void draw_roads(SvgPage& page, const Network& network, std::span<const Zone> zones,
-                const MapLook& look) {
+void draw_roads(SvgPage& page, const Network& network, std::span<const Zone> zones) {
   std::unordered_set<int> inside;
   for (const Zone& zone : zones) inside.insert(zone.lanes.begin(), zone.lanes.end());
   page.begin_group("stroke-linejoin=\"round\"");
   for (const Junction& junction : network.junctions) {
     const Region shape = repair(junction.shape);
     if (!page.box().intersects(box_of(shape))) continue;
-    page.region(shape, fmt::format("fill=\"{}\"", look.road), "junction " + junction.id);
+    page.region(shape, fmt::format("fill=\"{}\"", kRoad.light), "junction " + junction.id);
   }
   for (const bool footways : {false, true}) {
     for (int index = 0; index < static_cast<int>(network.lanes.size()); ++index) {
       const Lane& lane = network.lanes[index];
       const bool footway = lane.persons && !lane.vehicles;
       if (inside.contains(index) || footway != footways) continue;
-      if (page.box().intersects(box_of(lane))) draw_road(page, network, lane, look);
+      if (page.box().intersects(box_of(lane))) draw_road(page, network, lane);
     }
   }
   page.end_group();
@@ -49,21 +52,22 @@ std::string stroke(std::string_view colour, double width) {
   return fmt::format("stroke=\"{}\" stroke-width=\"{:.2f}\"", escaped(colour), width);
 }
 
-std::string MapLook::walkable_style(std::size_t zone) const {
-  return fmt::format("fill=\"{}\" ", zones[zone % zones.size()]) + stroke(border, line);
+std::string walkable_style(std::size_t zone, double line) {
+  return fmt::format("fill=\"{}\" ", kZones[zone % kZones.size()].light) +
+         stroke(kZoneEdge.light, line);
 }
 
-std::string MapLook::obstacle_style() const {
-  return fmt::format("fill=\"{}\" ", obstacle) + stroke(obstacle_border, 0.8 * line);
+std::string obstacle_style(double line) {
+  return fmt::format("fill=\"{}\" ", kObstacle.light) + stroke(kObstacleEdge.light, 0.8 * line);
 }
 
 void draw_zone_map(SvgPage& page, const Network& network, std::span<const Zone> zones,
-                   const MapLook& look) {
-  draw_roads(page, network, zones, look);
+                   double line) {
+  draw_roads(page, network, zones);
   for (std::size_t i = 0; i < zones.size(); ++i) {
-    page.region(zones[i].walkable, look.walkable_style(i), "zone " + zones[i].id);
+    page.region(zones[i].walkable, walkable_style(i, line), "zone " + zones[i].id);
   }
-  for (const Zone& zone : zones) page.region(zone.obstacles, look.obstacle_style());
+  for (const Zone& zone : zones) page.region(zone.obstacles, obstacle_style(line));
 }
 
 }  // namespace pedzone

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "view/svg.hpp"
@@ -9,23 +10,17 @@
 
 namespace pedzone {
 
-/// Colours as SVG writes them.
-struct MapLook {
-  std::span<const std::string_view> zones;  ///< taken in turn
-  std::string_view border;                  ///< of what is walkable
-  std::string_view obstacle, obstacle_border;
-  std::string_view road, footway, crossing;  ///< that stay SUMO's
-  double line = 0.25;                        ///< [m] width of borders
+inline constexpr double kMapLine = 0.25;  ///< [m] usual width of borders
 
-  std::string walkable_style(std::size_t zone) const;
-  std::string obstacle_style() const;
-};
+/// What is walkable of a zone, and obstacles, as SVG's attributes. `line` [m]: width of borders.
+std::string walkable_style(std::size_t zone, double line = kMapLine);
+std::string obstacle_style(double line = kMapLine);
 
 /// `colour` and a width [m] as SVG's attributes.
 std::string stroke(std::string_view colour, double width);
 
-/// Draws what lies in the page's box.
+/// Draws what lies in the page's box, in the palette's colours.
 void draw_zone_map(SvgPage& page, const Network& network, std::span<const Zone> zones,
-                   const MapLook& look);
+                   double line = kMapLine);
 
 }  // namespace pedzone

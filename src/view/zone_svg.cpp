@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pages/palette.hpp"
 #include "view/map_panel.hpp"
 #include "view/zone_map.hpp"
 
@@ -12,12 +13,8 @@ namespace {
 
 constexpr double kMargin = 25.0;  // [m] shown round the zones
 
-constexpr std::string_view kZoneColours[] = {"#bfe3b4", "#f7dd9b", "#c9d7f5",
-                                             "#f3c6cf", "#d5c8ec", "#b9e4e0"};
-constexpr MapLook kLook{kZoneColours, "#3f7a2e", "#a89f94", "#857c71",
-                        "#d2d5d9",    "#e9ddc7", "#eef0f2"};
-constexpr const char* kSharedLaneColour = "#b3541e";
-constexpr const char* kFootLaneColour = "#2f6b1f";
+constexpr std::string_view kSharedLaneColour = colours::kVermilion.light;
+constexpr std::string_view kFootLaneColour = colours::kGreen.light;
 
 Box extent(const Network& network, const std::vector<Zone>& zones) {
   Box box;
@@ -34,14 +31,14 @@ std::vector<LegendEntry> legend(const std::vector<Zone>& zones,
   for (std::size_t i = 0; i < zones.size(); ++i) {
     entries.push_back(area_entry(
         fmt::format("walkable, zone \"{}\" ({:.0f} m²)", zones[i].id, area(zones[i].walkable)),
-        kLook.walkable_style(i)));
+        walkable_style(i)));
   }
-  entries.push_back(area_entry("obstacle (building ...)", kLook.obstacle_style()));
+  entries.push_back(area_entry("obstacle (building ...)", obstacle_style()));
   entries.push_back(
       line_entry("lane in a zone, persons and vehicles", stroke(kSharedLaneColour, 0.5)));
   entries.push_back(line_entry("lane in a zone, persons only", stroke(kFootLaneColour, 0.5)));
-  entries.push_back(line_entry("road that stays SUMO's", stroke(kLook.road, 3.0)));
-  entries.push_back(line_entry("footway that stays SUMO's", stroke(kLook.footway, 2.0)));
+  entries.push_back(line_entry("road that stays SUMO's", stroke(colours::kRoad.light, 3.0)));
+  entries.push_back(line_entry("footway that stays SUMO's", stroke(colours::kFootway.light, 2.0)));
   for (const PathLayer& layer : layers) {
     entries.push_back(line_entry(fmt::format("{} ({})", layer.name, layer.lines.size()),
                                  stroke(layer.colour, layer.width)));
@@ -76,7 +73,7 @@ std::string zone_svg(const Network& network, const std::vector<Zone>& zones,
   const Box box = extent(network, zones);
   const MapPanel panel(box.sizes(), legend(zones, layers));
   SvgPage page(box, panel.height());
-  draw_zone_map(page, network, zones, kLook);
+  draw_zone_map(page, network, zones);
   const double lane_width = std::max(0.3, 0.08 * panel.unit());  // to be seen in large pictures too
   for (const Zone& zone : zones) draw_lanes(page, network, zone, lane_width);
   for (const PathLayer& layer : layers) draw_layer(page, layer);

@@ -133,6 +133,14 @@ class Animation(unittest.TestCase):
         both = set(seen[1]) & set(seen[2])
         self.assertTrue([name for name in both if abs(seen[1][name] - seen[2][name]) > 1])
 
+    def test_its_colours_are_the_palettes(self):
+        self.open("one.html")
+        blue, walker, zone = self.browser.run("""
+            const light = getComputedStyle(document.documentElement);
+            return ["--blue", "--walker", "--zone"].map((name) => light.getPropertyValue(name));""")
+        self.assertRegex(zone, "^#[0-9a-f]{6}$")
+        self.assertEqual(walker, blue)
+
     def test_people_are_drawn_where_they_are(self):
         self.open("one.html")
         self.browser.run(SET_TIME, 30.0)

@@ -21,10 +21,7 @@ const distributions = {
 
   layers(data, measure) {
     const y = {field: "model", type: "nominal", sort: data.models, title: null};
-    const color = {
-      field: "model", type: "nominal", legend: null,
-      scale: {domain: data.models,
-              range: data.models.map((_, model) => `var(${palette.variable(data, model)})`)}};
+    const color = vega_chart.color(palette.named(data));
     const x = (field) => ({field, type: "quantitative", title: measure.unit || null,
                            scale: {zero: false}, axis: {tickCount: 5}});
     const layer = (kind, mark, encoding) => ({
@@ -53,26 +50,12 @@ const distributions = {
             facet: {row: {field: "condition", type: "nominal", sort: data.conditions, header}}};
   },
 
-  config: {
-    background: null, font: "system-ui, Liberation Sans, sans-serif",
-    view: {stroke: null},
-    axis: {labelColor: "var(--ink)", titleColor: "var(--faint)", domainColor: "var(--rule)",
-           gridColor: "var(--rule)", tickColor: "var(--rule)", labelFontSize: 12,
-           titleFontSize: 12, titleFontWeight: "normal", labelLimit: 110},
-    header: {labelColor: "var(--ink)", labelFontSize: 12},
-  },
-
   draw(data, measure, element) {
-    const title = document.createElement("h4"), picture = document.createElement("div");
-    title.textContent = measure.label.charAt(0).toUpperCase() + measure.label.slice(1);
-    element.append(title, picture);
+    const title = measure.label.charAt(0).toUpperCase() + measure.label.slice(1);
+    const picture = vega_chart.place(title, element);
     const room = 120; // [pixels] for names of models
     const width = Math.max(120, element.clientWidth - room);
-    const {spec} = vegaLite.compile(distributions.spec(data, measure, width),
-                                    {config: distributions.config});
-    new vega.View(vega.parse(spec, null, {ast: true}),
-                  {expr: vega.expressionInterpreter, renderer: "svg", container: picture,
-                   logLevel: vega.Warn}).run();
+    vega_chart.draw(distributions.spec(data, measure, width), picture);
   },
 
   draw_all(data, element) {

@@ -32,13 +32,13 @@ const lines = {
                   grid: {stroke: rule, width: scale}};
     const bands = [], edges = [], means = [];
     series.forEach((one, i) => {
-      const colour = palette.value(palette.variable(data, one.m)), first = 1 + 2 * i;
+      const colour = palette.value(`--model-${one.m}`), first = 1 + 2 * i;
       bands.push({series: [first + 1, first], fill: colour + "2e"});
       const edge = {stroke: colour + "00", width: 0, points: {show: false}};
       const wide = data.models[one.m] === data.reference; // to be seen below the others
       edges.push(edge, {...edge});
       means.push({stroke: colour, width: (wide ? 5 : 2) * scale, points: {show: false},
-                  dash: i < 6 ? [] : [6 * scale, 4 * scale]});
+                  dash: palette.dashes(one.m).map((length) => length * scale)});
     });
     return {
       width: width * scale, height: 190 * scale, bands,

@@ -9,7 +9,7 @@ function draw_lines() {
   }
 }
 
-palette.show_keys(report.data, document.getElementById("model-keys"));
+palette.show_keys(palette.named(report.data), document.getElementById("model-keys"));
 distributions.draw_all(report.data, document.getElementById("distribution-charts"));
 draw_lines();
 for (const details of document.querySelectorAll("details.condition")) {

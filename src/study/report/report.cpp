@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "pages/page_text.hpp"
+#include "pages/page_builder.hpp"
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
 #include "study/run/shell_word.hpp"
@@ -149,12 +149,8 @@ std::string report_page(const Store& store, const Plan& plan, const Records& rec
   data["played"] = !scenes.empty();
   Json pages = Json::array();
   for (const Scene& one : scenes) pages.push_back(one.page);
-  return rendered_page(kReportPage, data,
-                       {{"styles", std::string(kReportStyles)},
-                        {"scripts", std::string(kReportScripts)},
-                        {"licences", std::string(page_licences())},
-                        {"data", script_json(script_data(input, lines))},
-                        {"scene_pages", script_json(pages)}});
+  return rendered_page({kReportPage, kReportStyles, kReportScripts}, data,
+                       script_data(input, lines), {{"scene_pages", script_json(pages)}});
 }
 
 }  // namespace study

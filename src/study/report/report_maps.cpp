@@ -25,8 +25,6 @@ constexpr double kConflictCell = 4.0;  // [m] one lane and the person beside it
 constexpr double kMostCells = 150.0;   // along a map's side: as many as a map's width can show
 constexpr double kMargin = 8.0;        // [m] round what is shown
 constexpr std::size_t kClasses = 6;    // of colour
-constexpr std::string_view kGround[] = {"#f1f2ef"};
-constexpr MapLook kLook{kGround, "#c3c6c0", "#c4beb6", "#a49d93", "#e2e3e1", "#eae7df", "#eceeee"};
 
 using Cell = std::pair<int, int>;  // column and row
 /// A value for each cell.
@@ -195,7 +193,7 @@ Json legend(const std::vector<double>& bounds) {
 /// The ground as a picture of its own, which all maps of a scenario use.
 std::string ground_svg(const Place* place, const Box& box, const std::string& id) {
   SvgPage page(box, 0.0);
-  if (place != nullptr) draw_zone_map(page, place->network, place->zones, kLook);
+  if (place != nullptr) draw_zone_map(page, place->network, place->zones);
   std::string svg = page.finish("");
   svg.erase(0, svg.find("<svg"));
   return svg.insert(svg.find(' '), fmt::format(R"( id="{}")", id));

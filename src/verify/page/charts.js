@@ -2,9 +2,6 @@
 
 /** A test's curves with what was published beside them, by vega-lite. */
 const charts = {
-  solid: 5, // models; more are dashed, since so many colours are not told apart by everybody
-  dash(index) { return index >= charts.solid ? [6, 3] : [1, 0]; },
-
   model_rows(data, chart) {
     return chart.curves.flatMap((curve, m) => curve.map(
       ([x, y, least, most]) => ({model: data.models[m], x, y, least, most})));
@@ -46,12 +43,8 @@ const charts = {
 
   models(data, chart) {
     const x = charts.axis("x", chart.xTitle), y = charts.axis("y", chart.yTitle);
-    const color = {field: "model", type: "nominal", legend: null,
-                   scale: {domain: data.models,
-                           range: data.models.map((_, m) => `var(${palette.variable(data, m)})`)}};
-    const strokeDash = {field: "model", type: "nominal", legend: null,
-                        scale: {domain: data.models,
-                                range: data.models.map((_, m) => charts.dash(m))}};
+    const named = palette.named(data);
+    const color = vega_chart.color(named), strokeDash = vega_chart.stroke_dash(named);
     const values = charts.model_rows(data, chart);
     return [
       {data: {values}, mark: {type: "line", strokeWidth: 2}, encoding: {x, y, color, strokeDash}},
@@ -63,14 +56,6 @@ const charts = {
     ];
   },
 
-  config: {
-    background: null, font: "system-ui, Liberation Sans, sans-serif",
-    view: {stroke: null},
-    axis: {labelColor: "var(--ink)", titleColor: "var(--faint)", domainColor: "var(--rule)",
-           gridColor: "var(--rule)", tickColor: "var(--rule)", labelFontSize: 12,
-           titleFontSize: 12, titleFontWeight: "normal"},
-  },
-
   /** What is drawn beside the models, in words. */
   key(chart) {
     const names = chart.references.map(
@@ -80,16 +65,10 @@ const charts = {
   },
 
   draw(data, chart, element) {
-    const title = document.createElement("h4"), picture = document.createElement("div");
-    title.textContent = chart.title;
-    element.append(title, picture);
+    const picture = vega_chart.place(chart.title, element);
     const width = Math.max(160, element.clientWidth - 60); // [pixels] but for the axis
-    const spec = {width, height: 240, layer: [...charts.published(chart),
-                                              ...charts.models(data, chart)]};
-    const compiled = vegaLite.compile(spec, {config: charts.config});
-    new vega.View(vega.parse(compiled.spec, null, {ast: true}),
-                  {expr: vega.expressionInterpreter, renderer: "svg", container: picture,
-                   logLevel: vega.Warn}).run();
+    vega_chart.draw({width, height: 240, layer: [...charts.published(chart),
+                                                 ...charts.models(data, chart)]}, picture);
     const note = document.createElement("p");
     note.className = "note";
     note.textContent = charts.key(chart);

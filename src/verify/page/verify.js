@@ -2,8 +2,7 @@
 
 const report = {data: JSON.parse(document.getElementById("data").textContent), ready: false};
 
-palette.colours = 7; // with those of verify.css
-palette.show_keys(report.data, document.getElementById("model-keys"));
+palette.show_keys(palette.named(report.data), document.getElementById("model-keys"));
 for (const element of document.querySelectorAll("[data-test]")) {
   charts.draw_test(report.data, element);
 }

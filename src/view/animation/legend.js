@@ -56,7 +56,7 @@ class Legend {
       ...(has_vehicles ? [["vehicle", (context) => draw_vehicle(context, theme, 20, 13, 0, 32, 15)]]
         : []),
       ...(scenery.zone.length ? [["shared space",
-        (context) => this.box(context, "zone", "wall")]] : []),
+        (context) => this.box(context, "zone", "zone-edge")]] : []),
       ...(scenery.obstacles.length ? [["obstacle",
         (context) => this.box(context, "obstacle", "obstacle-edge")]] : []),
       ...(scenery.roads.length ? [["road", (context) => this.box(context, "road", "road")]] : []),

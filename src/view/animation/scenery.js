@@ -84,15 +84,17 @@ class Scenery {
     fill(this.zone, "zone");
     fill(this.obstacles, "obstacle");
     outline(this.obstacles, "obstacle-edge", 1);
-    outline(this.zone, "wall", 1.5);
+    outline(this.zone, "zone-edge", 1.5);
     for (const waypoint of this.waypoints) this.draw_waypoint(context, theme, waypoint, pixel);
   }
 
   draw_waypoint(context, theme, {x, y, radius}, pixel) {
     context.beginPath();
     context.arc(x, y, radius, 0, 2 * Math.PI);
-    context.fillStyle = theme.colour("waypoint-area");
+    context.fillStyle = theme.colour("waypoint");
+    context.globalAlpha = 0.15;
     context.fill();
+    context.globalAlpha = 1;
     context.setLineDash([5 * pixel, 4 * pixel]);
     context.lineWidth = 1.5 * pixel;
     context.strokeStyle = theme.colour("waypoint");

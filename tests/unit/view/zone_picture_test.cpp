@@ -3,7 +3,9 @@
 
 #include <pugixml.hpp>
 
+#include "pages/palette.hpp"
 #include "scene.hpp"
+#include "view/path_plot.hpp"
 #include "view/svg.hpp"
 #include "view/zone_report.hpp"
 #include "view/zone_svg.hpp"
@@ -56,6 +58,25 @@ TEST_F(Picture, shows_zone_obstacles_and_roads_in_metres_with_north_up) {
   EXPECT_THAT(titled(document, "a<b>&").attribute("d").value(), ::testing::StartsWith(corner));
   EXPECT_TRUE(titled(document, "zone shared-space"));
   EXPECT_TRUE(titled(document, "road_0 highway.residential"));
+}
+
+TEST_F(Picture, gives_a_zone_the_colour_that_it_has_in_plots_of_runs) {
+  const auto fill_of = [](const std::string& text) {
+    pugi::xml_document document;
+    document.load_string(text.c_str());
+    return std::string(titled(document, "zone shared-space").attribute("fill").value());
+  };
+  const Place place{scene_.network(), zones_, {}};
+  EXPECT_EQ(fill_of(zone_svg(scene_.network(), zones_)), colours::kZone.light);
+  EXPECT_EQ(fill_of(path_plot({}, &place, {"", box_of(zones_[0].walkable)})), colours::kZone.light);
+}
+
+TEST_F(Picture, gives_neighbouring_zones_different_colours) {
+  zones_.push_back(zones_.front());
+  zones_.back().id = "other";
+  const pugi::xml_document document = drawn();
+  EXPECT_STRNE(titled(document, "zone shared-space").attribute("fill").value(),
+               titled(document, "zone other").attribute("fill").value());
 }
 
 TEST_F(Picture, has_a_legend_and_a_scale_bar) {

@@ -1,11 +1,14 @@
-#include "pages/page_text.hpp"
+#include "pages/page_builder.hpp"
 
 #include <kainjow/mustache.hpp>
+#include <vector>
+
+#include "pages/palette.hpp"
 
 namespace pedzone {
 
 // Made by the build.
-extern const std::string_view kPageLicences;
+extern const std::string_view kPageLicences, kPageHead, kPageFoot;
 
 namespace {
 
@@ -28,6 +31,10 @@ Mustache mustache(const PageJson& json) {
   return text.empty() ? Mustache{false} : Mustache{text};
 }
 
+Mustache partial(std::string_view text) {
+  return Mustache{kainjow::mustache::partial{[text] { return std::string(text); }}};
+}
+
 }  // namespace
 
 std::string script_json(const PageJson& json) {
@@ -42,14 +49,20 @@ std::string script_json(const PageJson& json) {
   return text;
 }
 
-std::string rendered_page(std::string_view page, const PageJson& data,
+std::string rendered_page(const PageParts& parts, const PageJson& shown, const PageJson& drawn,
                           const std::map<std::string, std::string>& texts) {
-  Mustache all = mustache(data);
+  Mustache all = mustache(shown);
   for (const auto& [name, text] : texts) all.set(name, text);
-  kainjow::mustache::mustache pattern{std::string(page)};
+  for (const auto& [name, text] : parts.partials) all.set(name, partial(text));
+  all.set("head", partial(kPageHead));
+  all.set("foot", partial(kPageFoot));
+  all.set("palette", palette_css(drawn.at("models").get<std::vector<std::string>>()));
+  all.set("styles", std::string(parts.styles));
+  all.set("scripts", std::string(parts.scripts));
+  all.set("licences", std::string(kPageLicences));
+  all.set("data", script_json(drawn));
+  kainjow::mustache::mustache pattern{std::string(parts.pattern)};
   return pattern.render(all);
 }
-
-std::string_view page_licences() { return kPageLicences; }
 
 }  // namespace pedzone
