@@ -7,7 +7,8 @@ void PersonColour::show(const std::string& person, Activity activity) {
   shown_ = activity;
   if (!own_) own_ = sumo_person::colour(person);
   const auto& [red, green, blue] = info_of(activity).colour;
-  sumo_person::set_colour(person, activity == Activity::kNone ? *own_ : Colour{red, green, blue});
+  sumo_person::set_colour(person,
+                          activity == Activity::kNone ? *own_ : TraciColour{red, green, blue});
 }
 
 }  // namespace pedzone

@@ -16,7 +16,7 @@ class PersonColour {
 
  private:
   Activity shown_ = Activity::kNone;
-  std::optional<Colour> own_;
+  std::optional<TraciColour> own_;
 };
 
 }  // namespace pedzone

@@ -59,12 +59,12 @@ std::string parameter(const std::string& id, const std::string& key) {
   return own.empty() ? api::VehicleType::getParameter(type(id), key) : own;
 }
 
-Colour colour(const std::string& id) {
+TraciColour colour(const std::string& id) {
   const auto found = api::Person::getColor(id);
   return {found.r, found.g, found.b, found.a};
 }
 
-void set_colour(const std::string& id, const Colour& colour) {
+void set_colour(const std::string& id, const TraciColour& colour) {
   api::Person::setColor(id,
                         libsumo::TraCIColor(colour.red, colour.green, colour.blue, colour.alpha));
 }

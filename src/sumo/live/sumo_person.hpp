@@ -12,7 +12,7 @@
 namespace pedzone {
 
 /// As SUMO has it.
-struct Colour {
+struct TraciColour {
   int red = 0, green = 0, blue = 0, alpha = 255;  ///< [0, 255]
 };
 
@@ -33,9 +33,9 @@ std::optional<WalkerSeen> walker(const std::string& id);
 /// Its own parameter, else that of its type.
 std::string parameter(const std::string& id, const std::string& key);
 std::string type(const std::string& id);
-Colour colour(const std::string& id);
+TraciColour colour(const std::string& id);
 
-void set_colour(const std::string& id, const Colour& colour);
+void set_colour(const std::string& id, const TraciColour& colour);
 /// From the end of the next step on it is exactly there, on no lane, and no model of SUMO's moves
 /// it. To be called for every step.
 void show(const std::string& id, const Vec2& position, double heading);
