@@ -82,12 +82,14 @@ TEST_F(BystandersTest, looks_again_when_somebody_can_have_come_near) {
 }
 
 TEST_F(BystandersTest, guests_are_not_looked_at_until_they_are_given_back) {
-  stand({{"a", {100.0, 0.0}}}, 0.0);
+  stand({{"a", {100.0, 500.0}}}, 0.0);
+  EXPECT_FALSE(Bystanders::is_due(person("a"), 0.1));
   bystanders_->set_guest("a", true);
   EXPECT_FALSE(Bystanders::is_due(person("a"), 100.0));
   bystanders_->set_guest("a", false);
-  EXPECT_TRUE(Bystanders::is_due(person("a"), 0.0));
-  bystanders_->set_guest("nobody", true);
+  EXPECT_TRUE(Bystanders::is_due(person("a"), 0.1)) << "it may be anywhere by now";
+  bystanders_->set_guest("A", true);
+  EXPECT_TRUE(Bystanders::is_due(person("a"), 0.1)) << "nobody has that id";
 }
 
 TEST_F(BystandersTest, speed_is_distance_over_seconds_and_not_over_steps) {
@@ -119,6 +121,16 @@ TEST_F(BystandersTest, guests_and_who_is_out_of_sight_of_the_zone_are_not_seen) 
   stand({{"guest", {100.0, 0.0}}, {"out", {100.0, 45.0}}}, 0.0);
   bystanders_->set_guest("guest", true);
   EXPECT_THAT(seen_by({{100.0, 1.0}, {100.0, 44.0}}), IsEmpty());
+}
+
+TEST_F(BystandersTest, who_is_near_another_zone_is_not_seen_from_this_one) {
+  Zone other = zone;
+  other.walkable = Region{Polygon{{{300, -2}, {350, -2}, {350, 2}, {300, 2}}, {}}};
+  zones_ = {zone, other};
+  bystanders_.emplace(zones_);
+  stand({{"a", {310.0, 0.0}}}, 0.0);
+  EXPECT_TRUE(person("a").near);
+  EXPECT_THAT(seen_by({{311.0, 0.0}}), IsEmpty());
 }
 
 TEST_F(BystandersTest, who_is_longer_than_wide_does_not_turn_its_shoulders) {

@@ -101,10 +101,12 @@ TEST_F(SteeringTest, shows_people_the_motion_of_the_path_and_not_sumos) {
 }
 
 TEST_F(SteeringTest, changes_nothing_of_a_vehicle_that_is_not_steered_yet) {
-  plan(9.0);
+  steering_ = Steering({corner("av"), {"car", {{100, {90, 0}}, {110, {99, 0}}}}});
+  plan(10.0);
   Fleet fleet = fleet_of(0.1);
-  steering_.foresee(fleet, 9.0, 0.1);
-  EXPECT_FALSE(fleet.vehicles()[0].traits.external);
+  steering_.foresee(fleet, 10.0, 0.1);
+  EXPECT_TRUE(fleet.vehicles()[0].traits.external);
+  EXPECT_FALSE(fleet.vehicles()[1].traits.external);
 }
 
 }  // namespace

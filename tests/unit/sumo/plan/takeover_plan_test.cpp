@@ -80,17 +80,18 @@ TEST_F(TakeoverPlanTest, person_arriving_in_the_zone_counts_the_way_to_its_arriv
 }
 
 TEST_F(TakeoverPlanTest, person_that_comes_twice_by_an_edge_is_left_where_sumo_does_not_tell_when) {
-  walker_.edges = {"e0", "e1", "e2", "e1", "e0"};
-  EXPECT_FALSE(plan(e1));
+  walker_.edges = {"e1", "e0", "e1", "e2", "e3"};
+  EXPECT_FALSE(plan(e1)) << "the first passage or the second?";
   EXPECT_EQ(past_.refused_edge, e1);
-  past_.last = 1;  // released on the first passage: the second is meant
-  past_.plan = plan_number(1, walker_.edges);
-  past_.refused_edge = -1;
-  walker_.position = {90.0, 0.0};
-  EXPECT_FALSE(plan(e1)) << "moveTo would take the first passage";
-  walker_.edges = {"e0", "e1", "e2", "e3"};
-  walker_.position = {51.0, 0.0};
-  EXPECT_TRUE(plan(e1)) << "with another plan what was before does not count";
+  past_.last = 0;  // released on the first: the second is meant
+  ASSERT_TRUE(plan(e1));
+  EXPECT_EQ(plan(e1)->stretch.last, 3);
+}
+
+TEST_F(TakeoverPlanTest, with_another_plan_earlier_releases_do_not_count) {
+  past_.plan = plan_number(2, walker_.edges);
+  past_.last = 2;
+  EXPECT_TRUE(plan(e1));
   EXPECT_EQ(past_.last, -1);
 }
 
