@@ -21,10 +21,10 @@ void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
     const double loss = vehicle.time_loss;
     const auto [entry, is_new] = delays_.try_emplace(vehicle.id, Delay{loss, loss});
     entry->second.last = loss;
-    const Body body = body_of(vehicle);
+    const Rectangle body = body_of(vehicle);
     for (const Guest& guest : takeover.guests()) {
       if ((guest.position - body.centre).norm() > kRange) continue;
-      const double clearance = body.distance(guest.position) - guest.radius;
+      const double clearance = body.signed_distance(guest.position) - guest.radius;
       min_clearance_ = std::min(min_clearance_, clearance);
       if (clearance < -kContact) contacts_.emplace(guest.id, vehicle.id);
     }

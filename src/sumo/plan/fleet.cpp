@@ -44,7 +44,7 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
     state.velocity = vehicle.velocity;
     state.yaw_rate = vehicle.yaw_rate;
   } else {
-    const Body body = body_after(vehicle, next_speed(vehicle, dt) * dt);
+    const Rectangle body = body_after(vehicle, next_speed(vehicle, dt) * dt);
     state.velocity = (body.centre - state.centre) / dt;
     state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
   }
@@ -102,7 +102,7 @@ void Fleet::states(double dt, std::vector<VehicleState>& out) const {
 
 bool Fleet::touches(const Vec2& point, double radius) const {
   return std::any_of(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
-    return body_of(vehicle).distance(point) < radius;
+    return body_of(vehicle).signed_distance(point) < radius;
   });
 }
 
@@ -113,7 +113,7 @@ bool Fleet::approaches(const Vec2& point, double margin, double horizon) const {
     const double reach = vehicle.speed * horizon;
     if ((point - vehicle.front).norm() > reach + vehicle.traits.length + margin) continue;
     for (double travelled = 0.0; travelled <= reach; travelled += kStep) {
-      if (body_after(vehicle, travelled).distance(point) < margin) return true;
+      if (body_after(vehicle, travelled).signed_distance(point) < margin) return true;
     }
   }
   return false;
@@ -123,7 +123,7 @@ const FleetVehicle* Fleet::waiting_beside(const Vec2& point, double margin) cons
   const auto found =
       std::find_if(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
         return vehicle.speed < kStandingSpeed && !vehicle.stopped &&
-               body_of(vehicle).distance(point) < margin;
+               body_of(vehicle).signed_distance(point) < margin;
       });
   return found == vehicles_.end() ? nullptr : &*found;
 }

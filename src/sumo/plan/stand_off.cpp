@@ -12,12 +12,12 @@ constexpr double kSample = 0.5;    // [m] numerical
 constexpr double kGap = 0.3;       // [m] assumed: kept to other vehicles
 constexpr double kMargin = 0.05;   // [m] as a creeping vehicle's
 
-bool meets(const Body& body, const FleetVehicle& other) {
-  const Body its = body_of(other);
-  for (double along = -its.half_length; along <= its.half_length; along += kSample) {
-    if (body.distance(its.centre + its.axis * along) < its.half_width + kGap) return true;
+bool meets(const Rectangle& body, const FleetVehicle& other) {
+  const Rectangle its = body_of(other);
+  for (double along = -its.half.x(); along <= its.half.x(); along += kSample) {
+    if (body.signed_distance(its.centre + its.axis * along) < its.half.y() + kGap) return true;
   }
-  return body.distance(other.front) < its.half_width + kGap;
+  return body.signed_distance(other.front) < its.half.y() + kGap;
 }
 
 bool free_of_vehicles(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles) {
@@ -37,9 +37,9 @@ bool free_of_vehicles(const FleetVehicle& vehicle, std::span<const FleetVehicle>
 bool StandOffs::stands_off(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
                            std::span<const PersonAhead> people) const {
   if (!zones_[vehicle.zone].walls.inside(vehicle.centre())) return false;
-  const Body body = body_of(vehicle);
+  const Rectangle body = body_of(vehicle);
   const bool beside = std::any_of(people.begin(), people.end(), [&](const PersonAhead& person) {
-    return body.distance(person.position) < kBeside;
+    return body.signed_distance(person.position) < kBeside;
   });
   return beside && !first_in_way(vehicle, people, kMargin, kFreeWay) &&
          free_of_vehicles(vehicle, vehicles);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/polyline.hpp"
+#include "geometry/rectangle.hpp"
 
 namespace pedzone {
 
@@ -50,19 +51,11 @@ struct FleetVehicle : VehicleSeen {
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };
 
-/// The part of the plane that a vehicle's rectangle covers.
-struct Body {
-  Vec2 centre;
-  Vec2 axis;                       ///< unit vector, forward
-  double half_length, half_width;  ///< [m]
-  /// Distance [m] from a point to the rectangle; negative inside (depth to the nearest side).
-  double distance(const Vec2& point) const;
-};
-
-Body body_of(const FleetVehicle& vehicle);
+/// The part of the plane that a vehicle covers.
+Rectangle body_of(const FleetVehicle& vehicle);
 
 /// The body after the front has gone `travelled` [m] along the way: from rear to front bumper as a
 /// chord of the way, so that corners are cut as SUMO draws them.
-Body body_after(const FleetVehicle& vehicle, double travelled);
+Rectangle body_after(const FleetVehicle& vehicle, double travelled);
 
 }  // namespace pedzone

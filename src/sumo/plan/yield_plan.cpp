@@ -15,7 +15,7 @@ constexpr double kCreepMargin = 0.05;  // [m] numerical: a creeping vehicle pass
 
 /// Whether the body comes within `margin` of a person when its front has gone `travelled`.
 bool touches(const FleetVehicle& vehicle, double travelled, const Vec2& person, double reach) {
-  return body_after(vehicle, travelled).distance(person) < reach;
+  return body_after(vehicle, travelled).signed_distance(person) < reach;
 }
 
 /// How far the front may go before the body touches a disc of `reach` [m] round a point; nothing
@@ -57,7 +57,7 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
                                         double distance) {
   if (vehicle.way.size() < 3) return std::nullopt;
-  const Body body = body_of(vehicle);
+  const Rectangle body = body_of(vehicle);
   std::optional<Obstruction> first;
   const double range = distance + vehicle.traits.length + 2.0;
   for (const PersonAhead& person : people) {
@@ -68,7 +68,7 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
     const auto later = contact_distance(vehicle, soon, person.radius + margin, distance);
     if (!contact && later && (soon - person.position).norm() > kSample) contact = later;
     if (!contact) continue;
-    const double clearance = body.distance(person.position) - person.radius;
+    const double clearance = body.signed_distance(person.position) - person.radius;
     // Beside the body already and not before it: driving on does not bring them closer.
     const Vec2 to = person.position - vehicle.front;
     if (to.dot(unit(vehicle.heading)) < 0.0 && clearance > 0.0 &&

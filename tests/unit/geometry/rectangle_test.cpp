@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <random>
 
 namespace pedzone {
@@ -40,6 +42,26 @@ TEST(Rectangles, are_as_far_away_as_the_nearest_of_their_points) {
     const Vec2 point = draws.place();
     EXPECT_NEAR(rectangle.distance(point), sampled_distance(rectangle, point), 0.06) << k;
   }
+}
+
+TEST(Rectangles, are_at_a_negative_distance_inside) {
+  const Rectangle box{{0.0, 0.0}, {1.0, 0.0}, {2.0, 1.0}};
+  EXPECT_NEAR(box.signed_distance({0.0, 0.5}), -0.5, 1e-12);
+  EXPECT_NEAR(box.signed_distance({1.8, 0.5}), -0.2, 1e-12);
+  EXPECT_NEAR(box.signed_distance({5.0, 0.0}), 3.0, 1e-12);
+  EXPECT_NEAR(box.signed_distance({5.0, 5.0}), 5.0, 1e-12);
+}
+
+TEST(Rectangles, are_met_by_moving_discs_when_their_rims_touch) {
+  const Vec2 half(2.0, 1.0);
+  EXPECT_NEAR(*first_within(half, {-5.0, 0.0}, {1.0, 0.0}, 0.5, 9.0), 2.5, 1e-12);
+  EXPECT_EQ(first_within(half, {-5.0, 0.0}, {1.0, 0.0}, 0.5, 2.0), std::nullopt) << "too late";
+  EXPECT_EQ(first_within(half, {-5.0, 1.6}, {1.0, 0.0}, 0.5, 9.0), std::nullopt) << "goes past";
+  EXPECT_EQ(*first_within(half, {0.0, 0.0}, {1.0, 0.0}, 0.5, 9.0), 0.0) << "is inside";
+  // Towards a corner along the diagonal: round, not square.
+  const double diagonal = std::sqrt(0.5);
+  EXPECT_NEAR(*first_within(half, {4.0, 3.0}, {-diagonal, -diagonal}, 0.5, 9.0),
+              2.0 / diagonal - 0.5, 1e-12);
 }
 
 TEST(Rectangles, have_a_frame_of_their_own) {

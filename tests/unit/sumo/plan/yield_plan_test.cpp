@@ -81,13 +81,6 @@ TEST(FirstInWay, counts_the_corner_that_the_body_cuts) {
   EXPECT_TRUE(ahead_of(turning, {{6.3, 1.5}, {0, 0}, 0.24}));
 }
 
-TEST(Body, distance_is_negative_inside) {
-  const Body body{{0, 0}, {1, 0}, 2.0, 1.0};
-  EXPECT_NEAR(body.distance({0.0, 0.5}), -0.5, 1e-12);
-  EXPECT_NEAR(body.distance({5.0, 0.0}), 3.0, 1e-12);
-  EXPECT_NEAR(body.distance({5.0, 5.0}), 5.0, 1e-12);
-}
-
 /// A car-following model that brakes evenly: the speed from which it stops within the gap. Notes
 /// what it was asked.
 struct EvenBraking {
