@@ -19,7 +19,7 @@ packages=(
   libssl-dev                        # checksums of what a study ran on
   libkainjow-mustache-dev           # the template of a study's report
   libtbb-dev                        # threads
-  libboost-dev                      # distributions; second opinion on areas
+  libboost-dev                      # distributions; overlay of polygons; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
   python3 python3-shapely python3-numpy                         # independent checks
   libxml2-utils                     # the second opinion on the schema of study files

@@ -14,9 +14,8 @@
 namespace pedzone {
 namespace {
 
-using overlay::Overlay;
-using overlay::Winding;
-using Operand = Overlay::Operand;
+using overlay::Cover;
+using overlay::Operation;
 
 // numerical: how far a chord may stay inside the arc it stands for; halving it doubles the
 // corners and moves the border by less than a coordinate of OSM is exact to.
@@ -31,7 +30,7 @@ std::vector<Vec2> distinct(const std::vector<Vec2>& points, bool closed) {
   std::vector<Vec2> out;
   for (const Vec2& point : points) {
     if (!std::isfinite(point.x()) || !std::isfinite(point.y())) continue;
-    const Vec2 p = overlay::from_grid(overlay::to_grid(point));
+    const Vec2 p = overlay::on_grid(point);
     if (out.empty() || (p - out.back()).norm() > kShortestEdge) out.push_back(p);
   }
   while (closed && out.size() > 1 && (out.front() - out.back()).norm() <= kShortestEdge) {
@@ -48,7 +47,7 @@ double chord_angle(double radius) {
 /// Collects the pieces that lie within `radius` on one side of directed edges.
 class Band {
  public:
-  Band(Overlay& out, double radius, Corners corners)
+  Band(Cover& out, double radius, Corners corners)
       : out_(out), radius_(radius), corners_(corners) {}
 
   /// Adds the pieces to the right of a line or ring (to the left: negative `side`).
@@ -61,14 +60,14 @@ class Band {
       if (rims[i].size() < 2) continue;
       Ring fan = rims[i];
       fan.push_back(points[i]);
-      out_.add_turned(fan, Operand::kB, false);
+      out_.add_simple(fan);
     }
     for (std::size_t i = 0; i < (closed ? count : count - 1); ++i) {
       const std::size_t j = (i + 1) % count;
       const Vec2 offset = outward(points[j] - points[i], side);
       const Vec2 start = rims[i].empty() ? Vec2(points[i] + offset) : rims[i].back();
       const Vec2 end = rims[j].empty() ? Vec2(points[j] + offset) : rims[j].front();
-      out_.add_turned({points[i], start, end, points[j]}, Operand::kB, false);
+      out_.add_simple({points[i], start, end, points[j]});
     }
   }
 
@@ -104,7 +103,7 @@ class Band {
     return points;
   }
 
-  Overlay& out_;
+  Cover& out_;
   double radius_;
   Corners corners_;
 };
@@ -113,30 +112,27 @@ class Band {
 
 Region widen(const Polyline& line, double width) {
   const std::vector<Vec2> points = distinct(line, false);
-  Overlay pieces;
+  Cover pieces;
   if (width > 0.0) {
     Band band(pieces, 0.5 * width, Corners::kRound);
     for (const double side : {1.0, -1.0}) band.add(points, false, side);
   }
-  const Region region = pieces.result([](const Winding& w) { return w.b != 0; });
-  return unite(region, {});
+  return overlay::combine(pieces, Operation::kUnite, {});
 }
 
 Region grow(const Region& region, double distance, Corners corners) {
-  if (!std::isfinite(distance) || distance == 0.0) return unite(region, {});
   const Region valid = unite(region, {});
-  Overlay overlay;
-  overlay.add(valid, Operand::kA);
+  if (!std::isfinite(distance) || distance == 0.0) return valid;
   const double side = distance > 0.0 ? 1.0 : -1.0;
-  Band band(overlay, std::abs(distance), corners);
+  Cover inside, pieces;
+  inside.add(valid);
+  Band band(pieces, std::abs(distance), corners);
   for (const Polygon& polygon : valid) {
     band.add(distinct(polygon.outer, true), true, side);
     for (const Ring& hole : polygon.holes) band.add(distinct(hole, true), true, side);
   }
-  const Region result = distance > 0.0
-                            ? overlay.result([](const Winding& w) { return w.a != 0 || w.b != 0; })
-                            : overlay.result([](const Winding& w) { return w.a != 0 && w.b == 0; });
-  return unite(result, {});
+  return overlay::combine(inside, distance > 0.0 ? Operation::kUnite : Operation::kSubtract,
+                          pieces);
 }
 
 }  // namespace pedzone

@@ -1,12 +1,5 @@
-// Boolean operations on rings, exact on a grid of whole millimetres. Used by polygon.cpp only.
-//
-//   add rings of one or two operands  →  cut the edges where they meet (arrangement)
-//   →  winding numbers on both sides of every piece (sweep)  →  keep the pieces that separate
-//   inside from outside  →  chain them into rings (tracing)
-//
-// All decisions are taken with integers, so there are no nearly collinear edges and no tolerance:
-// two edges cross, touch or do neither. Rounding a crossing to the grid moves edges by less than
-// one millimetre; the cut is repeated until nothing crosses any more.
+// Boolean operations on polygons, by Boost.Polygon on a grid of whole millimetres. Used by
+// polygon.cpp and offset.cpp only.
 #pragma once
 
 #include <compare>
@@ -22,62 +15,35 @@ struct GridPoint {
   std::int64_t x = 0, y = 0;
   auto operator<=>(const GridPoint&) const = default;
 };
+using GridRing = std::vector<GridPoint>;
 
-GridPoint to_grid(const Vec2& point);
-Vec2 from_grid(const GridPoint& point);
+/// The nearest point of the grid.
+Vec2 on_grid(const Vec2& point);
 
-/// How often each operand's rings wind round a place (or what crossing an edge adds to that).
-struct Winding {
-  int a = 0, b = 0;
-};
-
-/// A piece of border, `from` < `to` lexicographically (so "left" of it is above it).
-struct BorderPiece {
-  GridPoint from, to;
-  Winding step;   ///< what crossing it from right to left adds
-  Winding below;  ///< winding numbers on its right (set by label)
-};
-
-/// Positive: c is to the left of a → b; zero: on the line through them. Exact.
-int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c);
-
-/// Cuts edges until they meet in end points only; merges equal ones. Sorted as label needs them.
-void arrange(std::vector<BorderPiece>& edges);
-
-/// Sets `below` of arranged edges. Returns for each edge the index of the edge right under its
-/// `from`, or -1.
-std::vector<int> label(std::vector<BorderPiece>& edges);
-
-/// Whether the edges of a sorted, merged list meet in end points only.
-bool is_arranged(const std::vector<BorderPiece>& edges);
-
-/// Sorts, and merges equal edges; those whose steps cancel out go.
-void merge(std::vector<BorderPiece>& edges);
-
-/// Which winding numbers are inside.
-using Inside = bool (*)(const Winding&);
-
-/// Chains the pieces that have inside on one side only into simple rings with their holes.
-Region trace(const std::vector<BorderPiece>& labelled, Inside inside);
-
-/// Collects operands, then gives the result of an operation.
-class Overlay {
+/// What lies in at least one of the polygons added.
+class Cover {
  public:
-  enum class Operand { kA, kB };
+  /// An outer ring and holes, either way round.
+  struct Part {
+    std::vector<GridRing> rings;
+    bool may_cross = false;  ///< rings are taken as even-odd, holes as cut out
+  };
 
-  /// The ring as it runs: winding number +1 inside where it runs counter-clockwise.
-  void add(const Ring& ring, Operand operand);
-  /// The ring turned counter-clockwise (clockwise if `hole`) first.
-  void add_turned(const Ring& ring, Operand operand, bool hole);
-  /// What is within the outer rings and in no hole, whatever crosses or overlaps.
-  void add(const Region& region, Operand operand);
+  /// A ring that does not cross itself.
+  void add_simple(const Ring& ring);
+  /// Any region: rings may cross themselves, holes may overlap or lie outside.
+  void add(const Region& region);
 
-  Region result(Inside inside);
+  const std::vector<Part>& parts() const { return parts_; }
 
  private:
-  void add(const Polygon& polygon, Operand operand);
-
-  std::vector<BorderPiece> edges_;
+  std::vector<Part> parts_;
 };
+
+enum class Operation { kUnite, kSubtract, kIntersect };
+
+/// Without slivers. Polygons, holes and the corners of rings are in an order that does not depend
+/// on the order in which anything was added.
+Region combine(const Cover& a, Operation operation, const Cover& b);
 
 }  // namespace pedzone::overlay

@@ -8,39 +8,14 @@
 namespace pedzone {
 namespace {
 
-using overlay::Overlay;
-using overlay::Winding;
-using Operand = Overlay::Operand;
+using overlay::Cover;
+using overlay::Operation;
 
-// numerical: what is smaller or thinner than this is left over from edges that nearly coincide;
-// nobody stands on it, and every later step would drag it along.
-constexpr double kSliverArea = 0.01;        // [m²]
-constexpr double kSliverThickness = 0.002;  // [m]
-
-double perimeter(const Ring& ring) {
-  double length = 0.0;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    length += (ring[i] - ring[j]).norm();
-  }
-  return length;
-}
-
-bool is_sliver(const Ring& ring) {
-  const double size = std::abs(signed_area(ring));
-  return size < kSliverArea || size < 0.5 * perimeter(ring) * kSliverThickness;
-}
-
-Region without_slivers(Region region) {
-  std::erase_if(region, [](const Polygon& polygon) { return is_sliver(polygon.outer); });
-  for (Polygon& polygon : region) std::erase_if(polygon.holes, is_sliver);
-  return region;
-}
-
-Region operate(const Region& a, const Region& b, overlay::Inside inside) {
-  Overlay both;
-  both.add(a, Operand::kA);
-  both.add(b, Operand::kB);
-  return without_slivers(both.result(inside));
+Region combine(const Region& a, Operation operation, const Region& b) {
+  Cover first, second;
+  first.add(a);
+  second.add(b);
+  return overlay::combine(first, operation, second);
 }
 
 enum class Side { kOutside, kBorder, kInside };
@@ -60,29 +35,19 @@ Side side_of(const Ring& ring, const Vec2& point) {
 
 }  // namespace
 
-Region repair(const Ring& ring) {
-  Overlay one;
-  one.add(ring, Operand::kA);
-  return without_slivers(one.result([](const Winding& w) { return w.a % 2 != 0; }));
-}
+Region repair(const Ring& ring) { return unite({{ring, {}}}, {}); }
 
 Region unite(std::span<const Region> regions) {
-  Overlay all;
-  for (const Region& region : regions) all.add(region, Operand::kA);
-  return without_slivers(all.result([](const Winding& w) { return w.a != 0; }));
+  Cover all;
+  for (const Region& region : regions) all.add(region);
+  return overlay::combine(all, Operation::kUnite, {});
 }
 
-Region unite(const Region& a, const Region& b) {
-  return operate(a, b, [](const Winding& w) { return w.a != 0 || w.b != 0; });
-}
+Region unite(const Region& a, const Region& b) { return combine(a, Operation::kUnite, b); }
 
-Region subtract(const Region& a, const Region& b) {
-  return operate(a, b, [](const Winding& w) { return w.a != 0 && w.b == 0; });
-}
+Region subtract(const Region& a, const Region& b) { return combine(a, Operation::kSubtract, b); }
 
-Region intersect(const Region& a, const Region& b) {
-  return operate(a, b, [](const Winding& w) { return w.a != 0 && w.b != 0; });
-}
+Region intersect(const Region& a, const Region& b) { return combine(a, Operation::kIntersect, b); }
 
 double area(const Region& region) {
   double sum = 0.0;

@@ -1,5 +1,5 @@
 // Regions of the plane and the operations on them. All work on a grid of whole millimetres
-// (overlay.hpp): results are exact on it, and equal input gives equal output on every machine.
+// (overlay.hpp). Results do not depend on the order of the operands.
 #pragma once
 
 #include <span>

@@ -1,7 +1,5 @@
-// The integer machinery under polygon.hpp, and a second opinion on its results: Boost.Geometry,
-// which shares nothing with it.
-#include "geometry/overlay.hpp"
-
+// Two judges of the overlay that share nothing with it: Boost.Geometry, and shapes::defect(), which
+// looks at every pair of edges.
 #include <gtest/gtest.h>
 
 #include <boost/geometry.hpp>
@@ -16,129 +14,46 @@ namespace bg = boost::geometry;
 using BoostPoint = bg::model::d2::point_xy<double>;
 using BoostPolygon = bg::model::polygon<BoostPoint, false, false>;
 using BoostRegion = bg::model::multi_polygon<BoostPolygon>;
-using overlay::BorderPiece;
-using overlay::GridPoint;
 using shapes::Random;
-using shapes::uniform;
 
-void add_closed(const std::vector<GridPoint>& ring, std::vector<BorderPiece>& edges) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const GridPoint &from = ring[i], &to = ring[(i + 1) % ring.size()];
-    if (from == to) continue;
-    edges.push_back(from < to ? BorderPiece{from, to, {1, 0}, {}}
-                              : BorderPiece{to, from, {-1, 0}, {}});
-  }
-}
-
-/// Twice the area of the triangle: its sign says on which side of a–b c lies. Exact.
-std::int64_t turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// Whether c lies on a–b, but not at an end of it.
-bool lies_within(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
-  return turn(a, b, c) == 0 && (c.x - a.x) * (c.x - b.x) + (c.y - a.y) * (c.y - b.y) < 0;
-}
-
-/// Whether two pieces have more in common than end points.
-bool meet_within(const BorderPiece& one, const BorderPiece& other) {
-  const GridPoint &a = one.from, &b = one.to, &c = other.from, &d = other.to;
-  if (lies_within(a, b, c) || lies_within(a, b, d) || lies_within(c, d, a) ||
-      lies_within(c, d, b)) {
-    return true;
-  }
-  const auto sign = [](std::int64_t value) { return (value > 0) - (value < 0); };
-  return (a == c && b == d) || (sign(turn(a, b, c)) * sign(turn(a, b, d)) < 0 &&
-                                sign(turn(c, d, a)) * sign(turn(c, d, b)) < 0);
-}
-
-/// Looks at every pair; shares nothing with overlay::is_arranged().
-bool meet_at_ends_only(const std::vector<BorderPiece>& edges) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (meet_within(edges[i], edges[j])) return false;
-    }
-  }
-  return true;
-}
-
-TEST(Arrange, judge_knows_crossings_touches_and_twins) {
-  const auto piece = [](GridPoint from, GridPoint to) { return BorderPiece{from, to, {1, 0}, {}}; };
-  const BorderPiece level = piece({0, 0}, {10, 0});
-  EXPECT_FALSE(meet_at_ends_only({level, piece({5, -5}, {6, 5})})) << "crossing";
-  EXPECT_FALSE(meet_at_ends_only({level, piece({5, 0}, {6, 5})})) << "an end within";
-  EXPECT_FALSE(meet_at_ends_only({level, piece({5, 0}, {20, 0})})) << "along each other";
-  EXPECT_FALSE(meet_at_ends_only({level, level})) << "twice the same";
-  EXPECT_TRUE(meet_at_ends_only({level, piece({10, 0}, {20, 0}), piece({0, 0}, {10, 1})}));
-}
-
-TEST(Arrange, leaves_edges_that_meet_in_end_points_only) {
-  // Few cells, many edges: crossings on half cells, corners on edges, edges on edges.
+TEST(Overlay, of_many_edges_on_few_points_is_valid) {
+  // Corners on edges, edges on edges or a millimetre beside them.
   Random random(41);
-  for (int round = 0; round < 2000; ++round) {
+  int polygons = 0;
+  for (int round = 0; round < 500; ++round) {
     const std::uint64_t size = 3 + random() % 40;
-    const auto coordinate = [&] { return static_cast<std::int64_t>(random() % size) - 20; };
-    std::vector<GridPoint> ring;
-    const std::uint64_t count = 3 + random() % 20;
-    for (std::uint64_t i = 0; i < count; ++i) ring.push_back({coordinate(), coordinate()});
-    std::vector<BorderPiece> edges;
-    add_closed(ring, edges);
-    overlay::arrange(edges);
-    ASSERT_TRUE(meet_at_ends_only(edges)) << round;
-    ASSERT_TRUE(overlay::is_arranged(edges)) << round;
-  }
-}
-
-TEST(Arrange, ends_for_long_edges_that_are_nearly_parallel) {
-  Random random(42);
-  for (int round = 0; round < 200; ++round) {
-    std::vector<GridPoint> ring;
-    for (int i = 0; i < 12; ++i) {
-      const std::int64_t along = static_cast<std::int64_t>(random() % 100000);
-      ring.push_back({along, along / 3 + static_cast<std::int64_t>(random() % 5)});
-    }
-    std::vector<BorderPiece> edges;
-    add_closed(ring, edges);
-    overlay::arrange(edges);
-    ASSERT_TRUE(meet_at_ends_only(edges)) << round;
-    ASSERT_TRUE(overlay::is_arranged(edges)) << round;
-  }
-}
-
-TEST(Label, counts_how_often_rings_wind_round_a_place) {
-  Random random(43);
-  int looked_at = 0;
-  for (int round = 0; round < 200; ++round) {
-    std::vector<GridPoint> points;
+    const auto coordinate = [&] {
+      return 0.5 * static_cast<double>(random() % size) + 0.001 * static_cast<double>(random() % 3);
+    };
     Ring ring;
-    for (int i = 0; i < 9; ++i) {
-      points.push_back({static_cast<std::int64_t>(random() % 10000),
-                        static_cast<std::int64_t>(random() % 10000)});
-      ring.push_back(overlay::from_grid(points.back()));
-    }
-    std::vector<BorderPiece> edges;
-    add_closed(points, edges);
-    overlay::arrange(edges);
-    overlay::label(edges);
-    for (const BorderPiece& edge : edges) {
-      const Vec2 from = overlay::from_grid(edge.from), to = overlay::from_grid(edge.to);
-      if ((to - from).norm() < 0.2) continue;
-      // Beside the middle of the piece, but not beyond the next one.
-      const Vec2 right = 0.5 * (from + to) - 0.02 * left_of((to - from).normalized());
-      double nearest = 1.0;
-      for (const BorderPiece& other : edges) {
-        if (&other == &edge) continue;
-        nearest = std::min(nearest, shapes::segment_distance(overlay::from_grid(other.from),
-                                                             overlay::from_grid(other.to), right));
-      }
-      if (nearest < 0.06) continue;
-      ++looked_at;
-      ASSERT_EQ(edge.below.a, shapes::winding_number(ring, right));
-      const Vec2 left = right + 0.04 * left_of((to - from).normalized());
-      ASSERT_EQ(edge.below.a + edge.step.a, shapes::winding_number(ring, left));
-    }
+    const std::uint64_t count = 3 + random() % 20;
+    for (std::uint64_t i = 0; i < count; ++i) ring.emplace_back(coordinate(), coordinate());
+    const Region region = repair(ring);
+    ASSERT_EQ(shapes::defect(region), "") << round;
+    polygons += static_cast<int>(region.size());
   }
-  EXPECT_GT(looked_at, 1000) << "pieces";
+  EXPECT_GT(polygons, 1000);
+}
+
+TEST(Overlay, of_long_edges_that_are_nearly_parallel_is_valid) {
+  Random random(42);
+  int polygons = 0;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Region> strips;
+    for (int i = 0; i < 6; ++i) {
+      Ring ring;
+      for (int k = 0; k < 6; ++k) {
+        const double along = 1e-3 * static_cast<double>(random() % 100000);
+        const double beside = 1e-3 * static_cast<double>(random() % 5) + (k < 3 ? 0.0 : 0.5);
+        ring.emplace_back(along, along / 3.0 + beside);
+      }
+      strips.push_back(repair(ring));
+    }
+    const Region region = unite(strips);
+    ASSERT_EQ(shapes::defect(region), "") << round;
+    polygons += static_cast<int>(region.size());
+  }
+  EXPECT_GT(polygons, 200);
 }
 
 BoostRegion boost_region(const Region& region) {
