@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/guarded.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "sumo/hint_values.hpp"
 #include "sumo/scenario.hpp"
 #include "view/zone_report.hpp"
