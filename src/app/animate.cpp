@@ -7,7 +7,7 @@
 #include "app/guarded.hpp"
 #include "app/recording_options.hpp"
 #include "core/error.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "view/animation.hpp"
 
 namespace pedzone {

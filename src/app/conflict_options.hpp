@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "output/conflict_writer.hpp"
+#include "results/conflict_writer.hpp"
 
 namespace pedzone {
 

@@ -1,7 +1,7 @@
 #include "app/demand.hpp"
 
 #include "app/guarded.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "sumo/files/people_file.hpp"
 
 namespace pedzone {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/guarded.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "sumo/files/hint_values.hpp"
 #include "sumo/files/scenario.hpp"
 #include "view/zone_report.hpp"

@@ -15,6 +15,7 @@
 #include "app/validate.hpp"
 #include "app/verify.hpp"
 #include "core/error.hpp"
+#include "results/trajectories.hpp"
 #include "world/model_names.hpp"
 
 namespace pedzone {
@@ -53,7 +54,7 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--summary", options.summary, "Write the summary as JSON");
   run_command->add_option(
       "--trajectories", options.trajectories,
-      "Write time,id,x,y,vx,vy,heading,motion,activity of each person and step");
+      fmt::format("Write {} of each person and step", fmt::join(trajectory_table().names(), ",")));
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
   auto* shapes = run_command->add_option(
       "--debug-shapes", options.debug_shapes,

@@ -6,7 +6,7 @@
 #include "app/guarded.hpp"
 #include "app/png.hpp"
 #include "app/recording_options.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "view/path_plot.hpp"
 #include "view/run_charts.hpp"
 #include "view/time_plot.hpp"

@@ -14,8 +14,8 @@
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
 #include "model/walking_model.hpp"
-#include "output/complete_file.hpp"
-#include "output/trajectory_writer.hpp"
+#include "results/complete_file.hpp"
+#include "results/trajectories.hpp"
 #include "sumo/simulation.hpp"
 #include "view/debug_shapes.hpp"
 

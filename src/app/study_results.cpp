@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "study/report/report.hpp"
 #include "study/report/report_verdict.hpp"
 

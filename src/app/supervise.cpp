@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "core/error.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "study/run/process.hpp"
 
 namespace pedzone {

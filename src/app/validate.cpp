@@ -9,7 +9,7 @@
 #include "app/validation_output.hpp"
 #include "core/error.hpp"
 #include "core/xml.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "validation/page.hpp"
 
 namespace pedzone {

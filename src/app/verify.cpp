@@ -9,7 +9,7 @@
 #include "app/thread_limit.hpp"
 #include "app/verify_output.hpp"
 #include "core/error.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "verify/page.hpp"
 #include "world/model_names.hpp"
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "output/trajectory_writer.hpp"
+#include "results/trajectories.hpp"
 #include "sumo/live/session.hpp"
 #include "sumo/simulation.hpp"
 

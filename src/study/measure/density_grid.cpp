@@ -1,10 +1,9 @@
 #include "study/measure/density_grid.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <iterator>
 #include <map>
+
+#include "results/run_tables.hpp"
 
 namespace pedzone::study {
 namespace {
@@ -31,10 +30,9 @@ void DensityGrid::step(double dt, std::span<const Walker> walkers) {
 }
 
 std::string DensityGrid::csv() const {
-  std::string text = "x,y,personSeconds\n";
+  std::string text = density_table().header();
   for (const auto& [cell, time] : std::map(time_.begin(), time_.end())) {
-    fmt::format_to(std::back_inserter(text), "{:.0f},{:.0f},{:.3f}\n", corner(cell & 0xffffffffU),
-                   corner(cell >> 32), time);
+    density_table().append(text, {corner(cell & 0xffffffffU), corner(cell >> 32), time});
   }
   return text;
 }

@@ -16,8 +16,8 @@ class DensityGrid {
  public:
   /// Takes in a step, `dt` [s] after the one before.
   void step(double dt, std::span<const Walker> walkers);
-  /// CSV: x,y,personSeconds: south-west corners of the cells in which anybody was [m], from south
-  /// to north and west to east.
+  /// The table (results/run_tables.hpp) of the cells in which anybody was, from south to north and
+  /// west to east.
   std::string csv() const;
 
  private:

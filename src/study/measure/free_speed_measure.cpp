@@ -5,9 +5,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/csv_stream.hpp"
 #include "core/vec.hpp"
 #include "core/xml_stream.hpp"
+#include "results/trajectories.hpp"
 
 namespace pedzone::study {
 namespace {
@@ -25,9 +25,9 @@ using Controlled = std::unordered_map<std::string, std::unordered_set<long long>
 
 Controlled read_controlled(const std::string& trajectories) {
   Controlled controlled;
-  visit_rows(
-      trajectories, {"time", "id", "x", "y", "vx", "vy", "heading", "motion", "activity"},
-      [&](const CsvRow& row) { controlled[row[1]].insert(hundredths(row.number(0, kTimes))); });
+  trajectory_table().visit(trajectories, [&](const TrajectoryRow& row, const CsvRow&) {
+    controlled[std::string(row.id)].insert(hundredths(row.time));
+  });
   return controlled;
 }
 

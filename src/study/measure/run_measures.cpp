@@ -4,8 +4,8 @@
 #include <unordered_set>
 
 #include "conflict/tracker.hpp"
-#include "output/complete_file.hpp"
-#include "output/conflict_writer.hpp"
+#include "results/complete_file.hpp"
+#include "results/conflict_writer.hpp"
 #include "study/measure/conflict_measures.hpp"
 #include "study/measure/crowding.hpp"
 #include "study/measure/demand_signature.hpp"

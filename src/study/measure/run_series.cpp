@@ -1,15 +1,15 @@
 #include "study/measure/run_series.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <iterator>
+#include <optional>
+
+#include "results/run_tables.hpp"
 
 namespace pedzone::study {
 namespace {
 
-std::string mean(double sum, double time) {
-  return time > 0.0 ? fmt::format("{:.4f}", sum / time) : std::string();
+std::optional<double> mean(double sum, double time) {
+  return time > 0.0 ? std::optional(sum / time) : std::nullopt;
 }
 
 }  // namespace
@@ -28,14 +28,14 @@ void RunSeries::add(Sums& sums, double dt, double speed, double density) {
 }
 
 std::string RunSeries::csv() const {
-  std::string text = "time,persons,personSpeed,density,vehicles,vehicleSpeed\n";
+  std::string text = series_table().header();
   for (const Window& window : windows_) {
     const Sums &people = window.persons, &vehicles = window.vehicles;
     if (window.length <= 0.0) continue;
-    fmt::format_to(std::back_inserter(text), "{:.0f},{},{},{},{},{}\n", window.begin,
-                   mean(people.time, window.length), mean(people.covered, people.time),
-                   mean(people.crowding, people.time), mean(vehicles.time, window.length),
-                   mean(vehicles.covered, vehicles.time));
+    series_table().append(
+        text, {window.begin, mean(people.time, window.length), mean(people.covered, people.time),
+               mean(people.crowding, people.time), mean(vehicles.time, window.length),
+               mean(vehicles.covered, vehicles.time)});
   }
   return text;
 }

@@ -33,8 +33,8 @@ class RunSeries {
     }
   }
 
-  /// CSV: time,persons,personSpeed,density,vehicles,vehicleSpeed: means over windows of kWindow
-  /// that begin at `time` [s]; speeds [m/s] and density [1/m²] are empty where nobody was.
+  /// The table (results/run_tables.hpp), a row for each window of kWindow. Speeds and density are
+  /// empty where nobody was.
   std::string csv() const;
 
  private:

@@ -4,24 +4,23 @@
 #include <cmath>
 #include <map>
 
-#include "core/csv_stream.hpp"
+#include "core/error.hpp"
+#include "results/run_tables.hpp"
+#include "study/measure/run_series.hpp"
 
 namespace pedzone::study {
 namespace {
 
 constexpr double kLongest = 300.0;          // [s] numerical: what fits a page and one looks at
 constexpr double kMostPersonSeconds = 6e4;  // numerical: about 200 kB of a page at 2 steps a second
-constexpr double kRow = 10.0;               // [s] of the series
-const std::vector<std::string> kHeader{"time",    "persons",  "personSpeed",
-                                       "density", "vehicles", "vehicleSpeed"};
-constexpr NumberRange kNumbers{-1e9, 1e9};
 
 using PersonsByTime = std::map<double, double>;  ///< [s] where a row begins
 
 double persons_from(const PersonsByTime& persons, double begin, double length) {
   double sum = 0.0;
-  const auto last = persons.lower_bound(begin + length - kRow / 2.0);
-  for (auto row = persons.lower_bound(begin - kRow / 2.0); row != last; ++row) sum += row->second;
+  const auto last = persons.lower_bound(begin + length - kWindow / 2.0);
+  for (auto row = persons.lower_bound(begin - kWindow / 2.0); row != last; ++row)
+    sum += row->second;
   return sum;
 }
 
@@ -29,7 +28,7 @@ double persons_from(const PersonsByTime& persons, double begin, double length) {
 double busiest(const PersonsByTime& persons, double length) {
   double begin = persons.begin()->first, most = -1.0;
   // Not beyond the end, unless the run is shorter.
-  const double last = std::max(begin, persons.rbegin()->first + kRow - length);
+  const double last = std::max(begin, persons.rbegin()->first + kWindow - length);
   for (const auto& [time, number] : persons) {
     if (time > last) break;
     const double here = persons_from(persons, time, length);
@@ -43,17 +42,17 @@ double busiest(const PersonsByTime& persons, double length) {
 std::optional<TimeWindow> busiest_window(const std::vector<std::string>& series) try {
   PersonsByTime persons;
   for (const std::string& file : series) {
-    visit_rows(file, kHeader, [&](const CsvRow& row) {
-      persons[row.number(0, kNumbers)] += row.number(1, kNumbers);
+    series_table().visit(file, [&](const SeriesRow& row, const CsvRow&) {
+      persons[row.time] += row.persons.value_or(0.0);
     });
   }
   double length = kLongest;
   const auto too_much = [&] {
-    const double sum = persons_from(persons, busiest(persons, length), length) * kRow;
+    const double sum = persons_from(persons, busiest(persons, length), length) * kWindow;
     return sum > kMostPersonSeconds * static_cast<double>(series.size());
   };
   if (persons.empty()) return std::nullopt;
-  while (length > kRow && too_much()) length /= 2.0;
+  while (length > kWindow && too_much()) length /= 2.0;
   const double begin = busiest(persons, length);
   if (persons_from(persons, begin, length) <= 0.0) return std::nullopt;
   return TimeWindow{begin, begin + length};

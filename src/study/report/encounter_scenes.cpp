@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "output/conflict_reader.hpp"
+#include "results/conflict_table.hpp"
 #include "study/measure/conflict_measures.hpp"
 #include "study/measure/run_measures.hpp"
 #include "study/report/encounter_choice.hpp"
@@ -179,7 +179,7 @@ class EncounterScenes {
   void add_all(std::size_t r, EncounterChoice& choice) const {
     const std::size_t scenario = plan_.conditions[plan_.runs[r].condition].scenario;
     std::size_t row = 0;
-    visit_conflicts(table_of(r), [&](const Conflict& conflict) {
+    conflict_table().visit(table_of(r), [&](const Conflict& conflict, const CsvRow&) {
       choice.add(scenario, {r, row}, conflict);
       ++row;
     });
@@ -188,7 +188,7 @@ class EncounterScenes {
   Conflict conflict_at(const EncounterChoice::Place& place) const {
     std::size_t row = 0;
     Conflict found;
-    visit_conflicts(table_of(place.run), [&](const Conflict& conflict) {
+    conflict_table().visit(table_of(place.run), [&](const Conflict& conflict, const CsvRow&) {
       if (row++ == place.row) found = conflict;
     });
     return found;

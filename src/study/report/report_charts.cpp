@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <map>
 
-#include "core/csv_stream.hpp"
 #include "core/statistics.hpp"
+#include "results/run_tables.hpp"
 #include "study/measure/measure_list.hpp"
 #include "study/report/report_parts.hpp"
 
@@ -74,19 +74,18 @@ Json distribution(const Input& input, std::string_view key) {
 
 // Over time
 
-const std::vector<std::string> kSeriesHeader{"time",    "persons",  "personSpeed",
-                                             "density", "vehicles", "vehicleSpeed"};
-constexpr std::size_t kQuantities = 5;  // but for the time
+constexpr std::array kDrawn{&SeriesRow::persons, &SeriesRow::person_speed, &SeriesRow::density,
+                            &SeriesRow::vehicles, &SeriesRow::vehicle_speed};
+constexpr std::size_t kQuantities = kDrawn.size();
 
 /// Values of all runs by time, for each quantity.
 using Moments = std::map<double, std::array<std::vector<double>, kQuantities>>;
 
 void add_series(Moments& moments, const std::string& file) {
-  constexpr NumberRange kAny{-1e12, 1e12};
-  visit_rows(file, kSeriesHeader, [&](const CsvRow& row) {
-    auto& moment = moments[row.number(0, kAny)];
+  series_table().visit(file, [&](const SeriesRow& row, const CsvRow&) {
+    auto& moment = moments[row.time];
     for (std::size_t q = 0; q < kQuantities; ++q) {
-      if (!row[q + 1].empty()) moment[q].push_back(row.number(q + 1, kAny));
+      if (const auto& value = row.*kDrawn[q]) moment[q].push_back(*value);
     }
   });
 }
@@ -134,7 +133,8 @@ Json model_series(const Input& input, std::size_t condition, std::size_t model) 
   moments = thinned(std::move(moments));
   Json times = Json::array(), lines = Json::object();
   for (const auto& [time, values] : moments) times.push_back(time);
-  for (std::size_t q = 0; q < kQuantities; ++q) lines[kSeriesHeader[q + 1]] = line(moments, q);
+  const std::vector<std::string>& names = series_table().names();  // the first: the time
+  for (std::size_t q = 0; q < kQuantities; ++q) lines[names[q + 1]] = line(moments, q);
   return {{"m", model}, {"runs", runs}, {"times", times}, {"lines", lines}};
 }
 

@@ -5,10 +5,11 @@
 #include <filesystem>
 #include <map>
 
-#include "core/csv_stream.hpp"
 #include "core/error.hpp"
-#include "output/conflict_reader.hpp"
+#include "results/conflict_table.hpp"
+#include "results/run_tables.hpp"
 #include "study/measure/conflict_measures.hpp"
+#include "study/measure/density_grid.hpp"
 #include "study/measure/run_measures.hpp"
 #include "study/report/report_parts.hpp"
 #include "study/report/run_recording.hpp"
@@ -20,7 +21,6 @@
 namespace pedzone::study::report {
 namespace {
 
-constexpr double kCell = 2.0;          // [m] of density.csv
 constexpr double kConflictCell = 4.0;  // [m] one lane and the person beside it
 constexpr double kMostCells = 150.0;   // along a map's side: as many as a map's width can show
 constexpr double kMargin = 8.0;        // [m] round what is shown
@@ -65,28 +65,25 @@ Grid coarsened(const Grid& grid, const Box& box) {
 
 /// [s] from the first to the end of the last interval of a run's series; 0 where it has none.
 double duration(const std::string& folder) {
-  constexpr NumberRange kAny{-1e12, 1e12};
   const std::string file = folder + "/series.csv";
   if (!std::filesystem::exists(file)) return 0.0;
   std::vector<double> times;
-  visit_rows(file, {"time", "persons", "personSpeed", "density", "vehicles", "vehicleSpeed"},
-             [&](const CsvRow& row) { times.push_back(row.number(0, kAny)); });
+  series_table().visit(file,
+                       [&](const SeriesRow& row, const CsvRow&) { times.push_back(row.time); });
   if (times.size() < 2) return 0.0;
   return times.back() - times.front() + times[1] - times[0];
 }
 
 /// Persons per square metre, mean over time and runs.
 Grid density(const std::vector<std::string>& folders) {
-  constexpr NumberRange kPlace{-1e9, 1e9}, kAmount{0.0, 1e12};
   Grid grid(kCell, true);
   double seconds = 0.0;
   for (const std::string& folder : folders) {
     const std::string file = folder + "/density.csv";
     if (!std::filesystem::exists(file)) continue;
     seconds += duration(folder);
-    visit_rows(file, {"x", "y", "personSeconds"}, [&](const CsvRow& row) {
-      const Vec2 corner(row.number(0, kPlace), row.number(1, kPlace));
-      grid.add(corner + Vec2(kCell, kCell) / 2.0, row.number(2, kAmount));
+    density_table().visit(file, [&](const DensityRow& row, const CsvRow&) {
+      grid.add(Vec2(row.x, row.y) + Vec2(kCell, kCell) / 2.0, row.person_seconds);
     });
   }
   for (auto& [cell, value] : grid.cells) value /= std::max(seconds, 1.0) * kCell * kCell;
@@ -101,7 +98,8 @@ Grid conflicts(const std::vector<std::string>& folders) {
     const std::string file = folder + "/" + kZoneConflicts;
     if (!std::filesystem::exists(file)) continue;
     ++runs;
-    visit_conflicts(file, [&](const Conflict& one) { grid.add(moment_of(one).position, 1.0); });
+    conflict_table().visit(
+        file, [&](const Conflict& one, const CsvRow&) { grid.add(moment_of(one).position, 1.0); });
   }
   for (auto& [cell, value] : grid.cells)
     value /= static_cast<double>(std::max<std::size_t>(runs, 1));

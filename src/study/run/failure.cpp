@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 
 namespace pedzone::study {
 namespace {

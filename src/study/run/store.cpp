@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "study/run/directory_lock.hpp"
 #include "study/run/file_sums.hpp"
 #include "study/run/versions.hpp"

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 #include "study/measure/free_speed_measure.hpp"
 #include "study/measure/run_measures.hpp"
 #include "study/run/process.hpp"

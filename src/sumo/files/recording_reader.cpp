@@ -10,21 +10,11 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/csv_stream.hpp"
-#include "core/text.hpp"
+#include "results/trajectories.hpp"
 #include "sumo/files/fcd_reader.hpp"
 
 namespace pedzone {
 namespace {
-
-// What pedzone's TrajectoryWriter writes.
-const std::vector<std::string> kHeader{"time", "id",      "x",      "y",       "vx",
-                                       "vy",   "heading", "motion", "activity"};
-enum Column { kTime, kId, kX, kY, kVx, kVy, kHeading, kMotion, kActivity };
-constexpr NumberRange kTimes{-1e9, 1e9};         // [s]
-constexpr NumberRange kPlaces{-1e9, 1e9};        // [m]
-constexpr NumberRange kSpeeds{-1000.0, 1000.0};  // [m/s]
-constexpr NumberRange kAngles{-10.0, 10.0};      // [rad] more than any that is written
 
 enum class Kind { kFcd, kTrajectories };
 
@@ -45,18 +35,6 @@ Kind kind_of(const std::string& file) {
   }
   throw InputError("is empty",
                    {.file = file, .allowed = "SUMO's fcd-output or pedzone's trajectories"});
-}
-
-Motion motion_of(const CsvRow& row) {
-  for (const Motion motion : {Motion::kWalking, Motion::kWaiting, Motion::kStanding}) {
-    if (row[kMotion] == name_of(motion)) return motion;
-  }
-  throw row.error("is no motion", kMotion, "walking, waiting, standing");
-}
-
-Activity activity_of(const CsvRow& row) {
-  if (const ActivityInfo* info = find_activity(row[kActivity])) return info->activity;
-  throw row.error("is no activity", kActivity, comma_list(activity_list(), &ActivityInfo::id));
 }
 
 /// Ends the reading of a file whose rest is not shown: it may be long.
@@ -147,29 +125,22 @@ void Collector::read_fcd(const std::string& file, bool persons_too,
 }
 
 void Collector::read_trajectories(const ReadProgress& progress) {
+  enum { kTime, kId };  // columns
   double last = -std::numeric_limits<double>::infinity();
-  visit_rows(
-      source_.file, kHeader,
-      [&](const CsvRow& row) {
-        const double time = row.number(kTime, kTimes);
-        if (time < last) throw row.error("is earlier than the row before", kTime);
-        last = time;
-        const Vec2 place(row.number(kX, kPlaces), row.number(kY, kPlaces));
-        const Vec2 velocity(row.number(kVx, kSpeeds), row.number(kVy, kSpeeds));
-        const PersonMoment moment{0,
-                                  static_cast<float>(row.number(kHeading, kAngles)),
-                                  static_cast<float>(velocity.norm()),
-                                  motion_of(row),
-                                  activity_of(row),
-                                  place};
-        if (!shown(time) || !wanted(row[kId])) return;
-        auto& moments = person(row[kId]).moments;
-        const std::uint32_t step = step_at(time);
+  trajectory_table().visit(
+      source_.file,
+      [&](const TrajectoryRow& row, const CsvRow& fields) {
+        if (row.time < last) throw fields.error("is earlier than the row before", kTime);
+        last = row.time;
+        if (!shown(row.time) || !wanted(row.id)) return;
+        auto& moments = person(row.id).moments;
+        const std::uint32_t step = step_at(row.time);
         if (!moments.empty() && moments.back().step == step) {
-          throw row.error("is there twice in this time step", kId);
+          throw fields.error("is there twice in this time step", kId);
         }
-        moments.push_back(moment);
-        moments.back().step = step;
+        moments.push_back({step, static_cast<float>(row.heading),
+                           static_cast<float>(Vec2(row.vx, row.vy).norm()), row.motion,
+                           row.activity, Vec2(row.x, row.y)});
       },
       progress);
 }

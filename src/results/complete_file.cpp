@@ -1,4 +1,4 @@
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 
 #include <cerrno>
 #include <cstring>

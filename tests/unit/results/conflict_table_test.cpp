@@ -1,11 +1,12 @@
+#include "results/conflict_table.hpp"
+
 #include <gmock/gmock.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.hpp"
-#include "output/conflict_reader.hpp"
-#include "output/conflict_writer.hpp"
+#include "results/conflict_writer.hpp"
 
 namespace pedzone {
 namespace {
@@ -23,7 +24,8 @@ std::vector<Conflict> written_and_read(const std::vector<Conflict>& conflicts) {
   for (const Conflict& conflict : conflicts) writer.write(conflict);
   writer.finish();
   std::vector<Conflict> result;
-  visit_conflicts(table(), [&](const Conflict& conflict) { result.push_back(conflict); });
+  conflict_table().visit(
+      table(), [&](const Conflict& conflict, const CsvRow&) { result.push_back(conflict); });
   return result;
 }
 
@@ -92,7 +94,7 @@ TEST(conflict_table, names_what_is_wrong_in_it) {
   ASSERT_NE(word, std::string::npos);
   std::ofstream(table()) << text.replace(word, 6, "beside");
   try {
-    visit_conflicts(table(), [](const Conflict&) {});
+    conflict_table().visit(table(), [](const Conflict&, const CsvRow&) {});
     FAIL() << "was taken";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("minTTC_type"));

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "conflict/conflict.hpp"
-#include "output/complete_file.hpp"
+#include "results/complete_file.hpp"
 
 namespace pedzone {
 
