@@ -30,17 +30,22 @@ std::vector<VehiclePath::Row> read_rows(const std::string& name) {
   return rows;
 }
 
-VehiclePath read_path_of(const XmlFile& file, const pugi::xml_node& node) {
+VehiclePathSpec read_spec(const XmlFile& file, const pugi::xml_node& node) {
   file.check_names(node, {"vehicle", "file"}, {});
   const std::string vehicle = file.required(node, "vehicle"), given = file.required(node, "file");
   const std::filesystem::path name =
       std::filesystem::path(file.file()).parent_path() / given;  // an absolute one stays as it is
-  if (!std::filesystem::is_regular_file(name)) {
-    throw file.error("does not exist", node, "file", given, "a CSV file with header t,x,y");
+  return {vehicle, name.string(), given, file.file(), file.line(node)};
+}
+
+VehiclePath read_path_of(const VehiclePathSpec& spec) {
+  if (!std::filesystem::is_regular_file(spec.file)) {
+    throw InputError("does not exist", {spec.zone_file, spec.line, "<vehiclePath> attribute file",
+                                        spec.given, "a CSV file with header t,x,y"});
   }
-  VehiclePath path(vehicle, read_rows(name.string()));
-  path.file = file.file();
-  path.line = file.line(node);
+  VehiclePath path(spec.vehicle, read_rows(spec.file));
+  path.file = spec.zone_file;
+  path.line = spec.line;
   return path;
 }
 
@@ -92,15 +97,23 @@ InputError VehiclePath::error(const std::string& problem, const std::string& all
   return InputError(problem, {file, line, "<vehiclePath> attribute vehicle", vehicle_, allowed});
 }
 
-std::vector<VehiclePath> read_vehicle_paths(const std::string& zone_file) {
+std::vector<VehiclePathSpec> read_vehicle_path_specs(const std::string& zone_file) {
   const XmlFile file(zone_file, {"zones"});
-  std::vector<VehiclePath> paths;
+  std::vector<VehiclePathSpec> specs;
   for (const pugi::xml_node& node : file.root().children("vehiclePath")) {
-    VehiclePath path = read_path_of(file, node);
-    if (std::ranges::find(paths, path.vehicle(), &VehiclePath::vehicle) != paths.end()) {
-      throw file.error("has a path already", node, "vehicle", path.vehicle(), "one path a vehicle");
+    VehiclePathSpec spec = read_spec(file, node);
+    if (std::ranges::find(specs, spec.vehicle, &VehiclePathSpec::vehicle) != specs.end()) {
+      throw file.error("has a path already", node, "vehicle", spec.vehicle, "one path a vehicle");
     }
-    paths.push_back(std::move(path));
+    specs.push_back(std::move(spec));
+  }
+  return specs;
+}
+
+std::vector<VehiclePath> read_vehicle_paths(const std::string& zone_file) {
+  std::vector<VehiclePath> paths;
+  for (const VehiclePathSpec& spec : read_vehicle_path_specs(zone_file)) {
+    paths.push_back(read_path_of(spec));
   }
   return paths;
 }

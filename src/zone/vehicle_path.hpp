@@ -52,9 +52,20 @@ class VehiclePath {
   std::vector<double> gone_;  ///< [m] at each row
 };
 
-/// Reads the <vehiclePath>s of a zone file with their CSV files: header t,x,y, then a row for each
-/// time. A relative file name is relative to the zone file. Throws InputError, also for a vehicle
-/// with two paths.
+/// One <vehiclePath> of a zone file.
+struct VehiclePathSpec {
+  std::string vehicle;    ///< id
+  std::string file;       ///< CSV, as named from here: a relative name is relative to the zone file
+  std::string given;      ///< the same as the zone file names it
+  std::string zone_file;  ///< where it stands, for messages
+  int line = 0;           ///< there
+};
+
+/// Reads the <vehiclePath>s of a zone file, without their CSV files. Throws InputError, also for a
+/// vehicle with two paths.
+std::vector<VehiclePathSpec> read_vehicle_path_specs(const std::string& zone_file);
+
+/// The same with their CSV files: header t,x,y, then a row for each time. Throws InputError.
 std::vector<VehiclePath> read_vehicle_paths(const std::string& zone_file);
 
 }  // namespace pedzone

@@ -14,6 +14,7 @@
 #include "sumo/files/people_file.hpp"
 #include "sumo/files/scenario.hpp"
 #include "world/model_names.hpp"
+#include "zone/vehicle_path.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone::study {
@@ -75,9 +76,8 @@ class Commands {
     if (!scenario_.zone_file.empty()) {
       const std::string zone_file = study_.resolve(scenario_.zone_file);
       files.push_back(zone_file);
-      const XmlFile zones(zone_file);
-      for (const pugi::xml_node& node : zones.root().children("vehiclePath")) {
-        files.push_back(fs::path(zone_file).parent_path() / node.attribute("file").value());
+      for (const VehiclePathSpec& path : read_vehicle_path_specs(zone_file)) {
+        files.push_back(path.file);
       }
     }
     if (names_plugin(run_.model)) files.push_back(study_.resolve(run_.model));

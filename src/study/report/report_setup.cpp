@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/xml.hpp"
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
+#include "zone/vehicle_path.hpp"
 
 namespace pedzone::study::report {
 namespace {
@@ -85,7 +85,7 @@ std::vector<std::string> unknown_to_sumo(const Study& study) {
 bool steers_vehicles(const Study& study) {
   return std::ranges::any_of(study.scenarios, [&](const StudyScenario& scenario) {
     return !scenario.zone_file.empty() &&
-           XmlFile(study.resolve(scenario.zone_file)).root().child("vehiclePath");
+           !read_vehicle_path_specs(study.resolve(scenario.zone_file)).empty();
   });
 }
 

@@ -11,6 +11,7 @@ constexpr double kNoMatch = -1.0;  // moveToXY matchThreshold: no lane is ever m
 
 }  // namespace
 
+/// Not getIDCount for their number: that counts those who are yet to depart, too.
 std::vector<std::string> ids() { return api::Person::getIDList(); }
 
 Vec2 position(const std::string& id) {
