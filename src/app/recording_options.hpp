@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "results/place.hpp"
 #include "sumo/files/recording_reader.hpp"
-#include "view/place.hpp"
 
 namespace pedzone {
 

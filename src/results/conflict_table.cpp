@@ -24,9 +24,7 @@ EncounterType type_of(const CsvRow& fields, std::size_t column) {
                {kHeadOn, kFromBehind, kFollowing, kCrossingLeft, kCrossingRight, kParked});
 }
 
-void put(std::string& line, double value) {
-  fmt::format_to(std::back_inserter(line), "{:.{}f}", value, kDigits);
-}
+void put(std::string& line, double value) { append_number(line, value, kDigits); }
 
 /// Columns of the encounter as a whole.
 std::vector<Column> common_columns() {

@@ -1,6 +1,14 @@
 #include "results/table.hpp"
 
+#include <fmt/format.h>
+
+#include <iterator>
+
 namespace pedzone {
+
+void append_number(std::string& line, double number, int digits) {
+  fmt::format_to(std::back_inserter(line), "{:.{}f}", number, digits);
+}
 
 std::string described(const std::vector<ColumnInfo>& columns) {
   std::string text = "| column | unit | meaning |\n| --- | --- | --- |\n";

@@ -1,10 +1,7 @@
 // A table as CSV: one list of columns says what is in it, writes it and reads it.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -34,6 +31,9 @@ struct TableColumn {
   /// Takes the value from the field of that index; may be empty where a table is only written.
   std::function<void(Row& row, const CsvRow& fields, std::size_t index)> read = {};
 };
+
+/// A number with so many digits behind the point.
+void append_number(std::string& line, double number, int digits);
 
 /// The columns as a table of Markdown.
 std::string described(const std::vector<ColumnInfo>& columns);
@@ -110,9 +110,7 @@ template <class Row>
 TableColumn<Row> number_column(ColumnInfo info, double Row::*member, int digits,
                                NumberRange range = kAnyNumber) {
   return {std::move(info),
-          [=](std::string& line, const Row& row) {
-            fmt::format_to(std::back_inserter(line), "{:.{}f}", row.*member, digits);
-          },
+          [=](std::string& line, const Row& row) { append_number(line, row.*member, digits); },
           [=](Row& row, const CsvRow& fields, std::size_t c) {
             row.*member = fields.number(c, range);
           }};
@@ -124,9 +122,7 @@ TableColumn<Row> number_column(ColumnInfo info, std::optional<double> Row::*memb
                                NumberRange range = kAnyNumber) {
   return {std::move(info),
           [=](std::string& line, const Row& row) {
-            if (const auto& value = row.*member) {
-              fmt::format_to(std::back_inserter(line), "{:.{}f}", *value, digits);
-            }
+            if (const auto& value = row.*member) append_number(line, *value, digits);
           },
           [=](Row& row, const CsvRow& fields, std::size_t c) {
             if (!fields[c].empty()) row.*member = fields.number(c, range);

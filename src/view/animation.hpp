@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "view/place.hpp"
-#include "view/recording.hpp"
+#include "results/place.hpp"
+#include "results/recording.hpp"
 #include "zone/shapes.hpp"
 
 namespace pedzone {

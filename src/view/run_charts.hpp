@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "view/recording.hpp"
+#include "results/recording.hpp"
 
 namespace pedzone {
 

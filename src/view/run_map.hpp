@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "results/place.hpp"
+#include "results/recording.hpp"
 #include "view/map_panel.hpp"
-#include "view/place.hpp"
-#include "view/recording.hpp"
 
 namespace pedzone {
 

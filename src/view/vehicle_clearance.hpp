@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "view/recording.hpp"
+#include "results/recording.hpp"
 
 namespace pedzone {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "view/place.hpp"
+#include "results/place.hpp"
 
 namespace pedzone::study {
 

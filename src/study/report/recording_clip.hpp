@@ -1,7 +1,7 @@
 // A part of a recording.
 #pragma once
 
-#include "view/recording.hpp"
+#include "results/recording.hpp"
 #include "zone/shapes.hpp"
 
 namespace pedzone::study {

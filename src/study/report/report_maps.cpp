@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "results/conflict_table.hpp"
+#include "results/place.hpp"
 #include "results/run_tables.hpp"
 #include "study/measure/conflict_measures.hpp"
 #include "study/measure/density_grid.hpp"
@@ -15,7 +16,6 @@
 #include "study/report/run_recording.hpp"
 #include "view/axis.hpp"
 #include "view/colours.hpp"
-#include "view/place.hpp"
 #include "view/zone_map.hpp"
 
 namespace pedzone::study::report {

@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 
+#include "results/place.hpp"
 #include "study/plan/plan.hpp"
 #include "sumo/files/recording_reader.hpp"
-#include "view/place.hpp"
 
 namespace pedzone::study {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "results/place.hpp"
 #include "sumo/files/scenario.hpp"
-#include "view/place.hpp"
 
 namespace pedzone {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/xml_stream.hpp"
+#include "results/recording.hpp"
 #include "sumo/files/body_sizes.hpp"
 #include "sumo/files/person_traits.hpp"
-#include "view/recording.hpp"
 
 namespace pedzone {
 

@@ -33,8 +33,8 @@ TEST(Table, gives_trajectories_back_as_they_were_written) {
   person.position = {1.25, -2.5};
   person.velocity = {0.5, -0.75};
   person.heading = -1.5;
-  person.activity = Activity::kWaiting;
-  person.pastime = Pastime::kTexting;
+  person.motion = Motion::kWaiting;
+  person.activity = Activity::kTexting;
   TrajectoryWriter writer(path, "--trajectories");
   writer.row(12.25, id, person);
   writer.finish();
@@ -46,8 +46,8 @@ TEST(Table, gives_trajectories_back_as_they_were_written) {
     EXPECT_EQ(Vec2(row.x, row.y), person.position);
     EXPECT_EQ(Vec2(row.vx, row.vy), person.velocity);
     EXPECT_EQ(row.heading, person.heading);
+    EXPECT_EQ(row.motion, person.motion);
     EXPECT_EQ(row.activity, person.activity);
-    EXPECT_EQ(row.pastime, person.pastime);
   });
   EXPECT_EQ(rows, 1);
 }
@@ -79,7 +79,7 @@ TEST(Table, names_file_line_and_column_of_what_a_column_does_not_hold) {
 
 TEST(Table, has_the_columns_that_others_read) {
   EXPECT_THAT(density_table().names(), ElementsAre("x", "y", "personSeconds"));
-  EXPECT_EQ(trajectory_table().header(), "time,id,x,y,vx,vy,heading,activity,pastime\n");
+  EXPECT_EQ(trajectory_table().header(), "time,id,x,y,vx,vy,heading,motion,activity\n");
   EXPECT_EQ(series_table().header(), "time,persons,personSpeed,density,vehicles,vehicleSpeed\n");
 }
 

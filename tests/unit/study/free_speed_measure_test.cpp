@@ -38,7 +38,7 @@ TEST(FreeSpeed, of_pedzone_is_that_while_it_walks_the_person) {
   const TemporaryFile fcd("fcd", recording());
   std::string rows = "time,id,x,y,vx,vy,heading,motion,activity\n";
   for (int time = 10; time <= 30; ++time) {
-    rows += fmt::format("{}.00,p,0,0,0,0,0,walking,\n", time);
+    rows += fmt::format("{}.00,p,0,0,0,0,0,walking,none\n", time);
   }
   const TemporaryFile trajectories("csv", rows);
   // 10 s at 1.2 m/s and 10 s at 2 m/s.
@@ -48,9 +48,10 @@ TEST(FreeSpeed, of_pedzone_is_that_while_it_walks_the_person) {
 
 TEST(FreeSpeed, of_few_seconds_is_none) {
   const TemporaryFile fcd("fcd", recording());
-  const TemporaryFile trajectories("csv",
-                                   "time,id,x,y,vx,vy,heading,motion,activity\n"
-                                   "5.00,p,0,0,0,0,0,walking,\n6.00,p,0,0,0,0,0,walking,\n");
+  const TemporaryFile trajectories(
+      "csv",
+      "time,id,x,y,vx,vy,heading,motion,activity\n"
+      "5.00,p,0,0,0,0,0,walking,none\n6.00,p,0,0,0,0,0,walking,none\n");
   EXPECT_TRUE(free_speeds_of(fcd.path(), trajectories.path()).empty());
 }
 
