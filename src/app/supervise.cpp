@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "results/complete_file.hpp"
 #include "study/run/process.hpp"
@@ -33,9 +34,7 @@ int supervise(const std::function<int()>& work, const std::vector<std::string>& 
   }
   // The terminal sends an interrupt to both; the parent waits to clean up after the child.
   std::signal(SIGINT, SIG_IGN);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = wait_for_child(child);
   if (WIFEXITED(status)) return WEXITSTATUS(status);
   for (const std::string& output : outputs) std::remove(CompleteFile::partial(output).c_str());
   const int signal = WTERMSIG(status);

@@ -12,8 +12,9 @@ struct CommandOutput {
   std::string out, error;
 };
 
-/// Runs a program, found as a shell does but started without one, until it ends. Unset where there
-/// is none of that name. Throws std::system_error.
-std::optional<CommandOutput> command_output(const std::vector<std::string>& command);
+/// Runs a program, found as a shell does but started without one, until it ends. It reads `input`.
+/// Unset where there is none of that name. Throws std::system_error.
+std::optional<CommandOutput> command_output(const std::vector<std::string>& command,
+                                            const std::string& input = {});
 
 }  // namespace pedzone

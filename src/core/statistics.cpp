@@ -29,6 +29,12 @@ double mean(const std::vector<double>& sample) {
   return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
 }
 
+double standard_deviation(const std::vector<double>& sample, double mean) {
+  double squares = 0.0;
+  for (const double value : sample) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / (static_cast<double>(sample.size()) - 1.0));
+}
+
 double ks_distance(std::vector<double> a, std::vector<double> b) {
   if (a.empty() || b.empty()) return kNothing;
   std::sort(a.begin(), a.end());

@@ -11,6 +11,8 @@ double quantile(std::vector<double> sample, double q);
 inline double median(std::vector<double> sample) { return quantile(std::move(sample), 0.5); }
 /// NaN for an empty sample.
 double mean(const std::vector<double>& sample);
+/// Of a sample of at least two with this mean: divided by one less than their number.
+double standard_deviation(const std::vector<double>& sample, double mean);
 /// Two-sample Kolmogorov–Smirnov distance, [0, 1]. NaN when one is empty.
 double ks_distance(std::vector<double> a, std::vector<double> b);
 

@@ -28,15 +28,9 @@ struct Standardised {
   std::vector<double> values;
 
   explicit Standardised(std::span<const double> sample) : values(sample.begin(), sample.end()) {
-    const auto n = static_cast<double>(values.size());
     mean = pedzone::mean(values);
-    double squares = 0.0;
-    for (double& value : values) {
-      value -= mean;
-      squares += value * value;
-    }
-    sd = std::sqrt(squares / (n - 1.0));
-    for (double& value : values) value /= sd;
+    sd = standard_deviation(values, mean);
+    for (double& value : values) value = (value - mean) / sd;
   }
 };
 

@@ -20,12 +20,6 @@ constexpr std::size_t kMostSeeds = 1'000'000;  // more is "not to be had"
 /// Numerical: differences that vary by less than this share of themselves vary by rounding only.
 constexpr double kRounding = 1e-9;
 
-double standard_deviation(const std::vector<double>& sample, double mean) {
-  double squares = 0.0;
-  for (const double value : sample) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / (static_cast<double>(sample.size()) - 1.0));
-}
-
 /// Half width of the 95 % interval of the mean.
 double student_half_width(double sd, std::size_t n) {
   const boost::math::students_t student(static_cast<double>(n) - 1.0);

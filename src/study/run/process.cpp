@@ -14,6 +14,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "core/child_process.hpp"
+
 namespace pedzone::study {
 namespace {
 
@@ -49,12 +51,7 @@ pid_t start(const std::function<int()>& work) {
   _exit(guarded(work));
 }
 
-Ending wait_for(pid_t child) {
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return ending_of(status);
-}
+Ending wait_for(pid_t child) { return ending_of(wait_for_child(child)); }
 
 /// Becomes the program.
 int become(const std::vector<std::string>& command, const std::string& folder) {
