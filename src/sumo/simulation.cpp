@@ -37,7 +37,7 @@ double number_option(const Session& session, const std::string& name) {
 
 /// Runs what talks to SUMO and turns what SUMO throws into a SumoError.
 template <typename Work>
-void translated(double time, const Work& work) {
+void with_time_of_errors(double time, const Work& work) {
   try {
     work();
   } catch (const InputError&) {
@@ -50,16 +50,12 @@ void translated(double time, const Work& work) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// The panels' people as a file that SUMO reads when it starts. It has no name, so that nothing of
 /// it is left however the process ends.
-class MadePeople {
+class PanelPeople {
  public:
-  MadePeople(const SimulationOptions& options, const Network& network,
-             const std::vector<Zone>& zones)
+  PanelPeople(const SimulationOptions& options, const Network& network,
+              const std::vector<Zone>& zones)
       : scenario_(options.scenario) {
     if (options.panels.empty()) return;
     const std::string text =
@@ -78,10 +74,6 @@ class MadePeople {
   Scenario scenario_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
 };
-
-}  // namespace
-
-namespace {
 
 /// The specs themselves, once their models are known to be there.
 const std::vector<ZoneSpec>& with_models(const std::vector<ZoneSpec>& specs) {
@@ -109,8 +101,8 @@ struct Simulation::Parts {
         zones(build_zones(network, with_models(options.zones))),
         paths(read_paths(options)),
         steering(known_vehicles(options)),
-        made_people(options, network, zones),
-        session(made_people.scenario(), options_for(options)),
+        panel_people(options, network, zones),
+        session(panel_people.scenario(), options_for(options)),
         vehicles(network),
         fleet(network, zones),
         yielding(zones),
@@ -149,7 +141,7 @@ struct Simulation::Parts {
   std::vector<Zone> zones;
   std::vector<WaypointPath> paths;
   Steering steering;
-  MadePeople made_people;
+  PanelPeople panel_people;
   Session session;
   VehicleReader vehicles;
   Fleet fleet;
@@ -198,7 +190,7 @@ Simulation::Simulation(const SimulationOptions& options)
 Simulation::~Simulation() = default;
 
 void Simulation::step() {
-  translated(time(), [this] {
+  with_time_of_errors(time(), [this] {
     parts_->walk_and_yield(parts_->session.step_length());
     const Clock::time_point before = Clock::now();
     parts_->session.step();
@@ -220,7 +212,7 @@ void Simulation::observe(std::function<void(const Scene&)> observer) {
 
 void Simulation::close() {
   if (parts_->observer) {
-    translated(time(), [this] { parts_->read(parts_->session.step_length()); });
+    with_time_of_errors(time(), [this] { parts_->read(parts_->session.step_length()); });
   }
   parts_->session.close();
 }

@@ -31,7 +31,7 @@ class Recorded:
                 self.vehicles.append(vehicles)
 
     def at(self, kind, time, every=1):
-        """id -> (x, y) at a time, by even motion between every so-manieth step."""
+        """id -> (x, y) at a time, by even motion between the steps that are kept."""
         steps = getattr(self, kind)[::every]
         times = self.times[::every]
         after = bisect.bisect_right(times, time + 1e-9)

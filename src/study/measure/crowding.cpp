@@ -38,7 +38,7 @@ void Crowding::step(double dt, std::span<const Walker> walkers) {
 bool Crowding::stands_long(double dt, const Walker& walker) {
   Standing& standing = standing_[walker.person];
   const bool stays = standing.seen + 1 == step_;
-  const bool stands = walker.walk != nullptr && walker.speed < kStanding;
+  const bool stands = walker.walk != nullptr && walker.speed < kHaltingSpeed;
   standing.time = stays && stands ? standing.time + dt : 0.0;
   standing.seen = step_;
   return standing.time >= kJamTime;

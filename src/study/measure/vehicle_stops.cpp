@@ -8,7 +8,7 @@ void VehicleStops::step(std::span<const VehicleSample> vehicles) {
   for (const VehicleSample& vehicle : vehicles) {
     bool& under_way = under_way_[std::string(vehicle.id)];
     const double speed = vehicle.velocity.norm();
-    if (under_way && speed < kStanding) {
+    if (under_way && speed < kHaltingSpeed) {
       under_way = false;
       ++count_;
     } else if (speed > kUnderWay) {

@@ -16,7 +16,7 @@ inline constexpr double kUnderWay = 1.0;
 
 class VehicleStops {
  public:
-  /// Takes in a step. Who has been under way and stands (kStanding) has come to a stand.
+  /// Takes in a step. Who has been under way and stands (kHaltingSpeed) has come to a stand.
   void step(std::span<const VehicleSample> vehicles);
   /// Of all vehicles, in all; planned ones too.
   std::size_t count() const { return count_; }

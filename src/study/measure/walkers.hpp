@@ -9,12 +9,10 @@
 
 #include "conflict/tracker.hpp"
 #include "study/measure/tripinfo_reader.hpp"
+#include "world/speeds.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone::study {
-
-/// [m/s] SUMO's: slower is standing.
-inline constexpr double kStanding = 0.1;
 
 struct Walker {
   static constexpr int kNowhere = -1;

@@ -42,7 +42,7 @@ void ZoneWalks::step(double dt, std::span<const Walker> walkers) {
     if (walker.walk != nullptr) {
       Amount since;
       if (goes_on) {
-        since = {dt, walker.speed < kStanding ? dt : 0.0, (walker.at - person.at).norm(),
+        since = {dt, walker.speed < kHaltingSpeed ? dt : 0.0, (walker.at - person.at).norm(),
                  walker.speed * dt};
       }
       follow(walker, since, person);

@@ -30,7 +30,7 @@ struct SeedValue {
   std::uint64_t seed;
 };
 
-/// The sample as a box and points, by value; where they are many, every so-manieth.
+/// The sample as a box and points, by value; of many only some, evenly by rank.
 Json group(std::vector<SeedValue> sample, std::size_t most) {
   std::ranges::sort(sample, {},
                     [](const SeedValue& one) { return std::pair(one.value, one.seed); });

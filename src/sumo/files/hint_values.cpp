@@ -77,7 +77,7 @@ class GroupCount {
 
 void take_hint(std::string_view key, const std::string& value, const HintContext& context,
                PersonHints& hints) {
-  // SUMO tells a parameter without a value from none as little as we do.
+  // For SUMO a parameter without a value is none, too.
   if (value.empty()) return;
   if (key == "pedzone.profile") {
     hints.profile =

@@ -139,7 +139,7 @@ bool Takeover::may_hand_over(Guest& guest, const PersonView& view, double dt,
                              const Fleet& fleet) const {
   if (!view.arrived) return false;
   if (!has_plan(guest)) guest.check_at = 0.0;
-  return guest.check_at > 0.0 && may_release(view.position, guest.radius, fleet, dt, guest.held);
+  return guest.check_at > 0.0 && may_release(view.position, guest.radius, fleet, dt, guest.kept);
 }
 
 /// Gives a person back to SUMO where the crowd has brought it.

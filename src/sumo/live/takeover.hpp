@@ -34,7 +34,7 @@ struct Guest {
   double radius = 0.24;          ///< [m]
   double preferred_speed = 0.0;  ///< [m/s]
   double check_at = 0.0;         ///< [s] when its plan is looked at again
-  double held = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
+  double kept = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
   PersonColour colour;
   bool gone = false;  ///< no longer ours: dropped at the end of the phase
 };

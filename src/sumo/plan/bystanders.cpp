@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
 
 constexpr double kFastest = 40.0;  // [m/s] numerical: nobody comes nearer faster, riding included
 constexpr double kBeyondSight = 10.0;  // [m] numerical: bodies, and what comes towards somebody
-constexpr double kStanding = 0.1;      // [m/s] assumed: slower moves are no walking
 constexpr double kLatest = 1.0;  // [s] numerical: a program that embeds us may move them anyhow
 
 /// Square cells of the plane, numbered.
@@ -63,7 +63,7 @@ void Bystanders::update(std::vector<std::string> ids) {
 void Bystanders::look(Bystander& person, double time, const Vec2& position) const {
   const double elapsed = person.looked_at < 0.0 ? 0.0 : time - person.looked_at;
   person.velocity = elapsed > 0.0 ? Vec2((position - person.position) / elapsed) : Vec2::Zero();
-  if (person.velocity.norm() > kStanding) person.heading = angle_of(person.velocity);
+  if (person.velocity.norm() > kHaltingSpeed) person.heading = angle_of(person.velocity);
   person.looked_at = time;
   person.position = position;
   double beyond = kFastest * kLatest;

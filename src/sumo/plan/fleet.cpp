@@ -8,9 +8,9 @@ namespace pedzone {
 namespace {
 
 constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
-constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
-constexpr double kStandingSpeed = 0.5;  // [m/s] numerical: slower vehicles wait
-constexpr double kMoved = 0.01;  // [m] numerical: less than this in a step gives no direction
+constexpr double kLookAhead = 30.0;    // [m] numerical: least length of the way that is built
+constexpr double kWaitingSpeed = 0.5;  // [m/s] numerical: slower vehicles wait
+constexpr double kMoved = 0.01;        // [m] numerical: less than this in a step gives no direction
 
 /// What is carried over from a vehicle's last step, of `dt` [s].
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
@@ -109,7 +109,7 @@ bool Fleet::touches(const Vec2& point, double radius) const {
 bool Fleet::approaches(const Vec2& point, double margin, double horizon) const {
   constexpr double kStep = 1.0;  // [m] numerical: sampling of the swept area
   for (const FleetVehicle& vehicle : vehicles_) {
-    if (vehicle.speed < kStandingSpeed) continue;
+    if (vehicle.speed < kWaitingSpeed) continue;
     const double reach = vehicle.speed * horizon;
     if ((point - vehicle.front).norm() > reach + vehicle.traits.length + margin) continue;
     for (double travelled = 0.0; travelled <= reach; travelled += kStep) {
@@ -122,7 +122,7 @@ bool Fleet::approaches(const Vec2& point, double margin, double horizon) const {
 const FleetVehicle* Fleet::waiting_beside(const Vec2& point, double margin) const {
   const auto found =
       std::find_if(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
-        return vehicle.speed < kStandingSpeed && !vehicle.stopped &&
+        return vehicle.speed < kWaitingSpeed && !vehicle.stopped &&
                body_of(vehicle).signed_distance(point) < margin;
       });
   return found == vehicles_.end() ? nullptr : &*found;

@@ -50,12 +50,12 @@ ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, con
   return plan;
 }
 
-bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& held) {
+bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& kept) {
   const double room = radius + kVehicleSide;
   if (fleet.approaches(place, room, kVehicleLook)) return false;
   const FleetVehicle* beside = fleet.waiting_beside(place, room);
-  if (beside == nullptr || held >= kPatience) return true;
-  if (beside->commanded >= 0.0) held += dt;
+  if (beside == nullptr || kept >= kPatience) return true;
+  if (beside->commanded >= 0.0) kept += dt;
   return false;
 }
 

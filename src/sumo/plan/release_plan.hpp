@@ -39,7 +39,7 @@ ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, con
 
 /// Whether a person may be given back at `place` [m]. SUMO walks people into vehicles: not beside
 /// one that moves or will. For one that waits for people a person does not wait for ever, since
-/// that may be the one it waits for: `held` [s] counts how long it has.
-bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& held);
+/// that may be the one it waits for: `kept` [s] counts how long it has.
+bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& kept);
 
 }  // namespace pedzone

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 
+#include "world/speeds.hpp"
+
 namespace pedzone {
 namespace {
 
-constexpr double kStanding = 0.1;  // [m/s] SUMO's own threshold for waiting
-constexpr double kBeside = 3.0;    // [m] assumed: SUMO stops for people who are nearer
-constexpr double kFreeWay = 5.0;   // [m] assumed: so far it must be free
-constexpr double kSample = 0.5;    // [m] numerical
-constexpr double kGap = 0.3;       // [m] assumed: kept to other vehicles
-constexpr double kMargin = 0.05;   // [m] as a creeping vehicle's
+constexpr double kBeside = 3.0;   // [m] assumed: SUMO stops for people who are nearer
+constexpr double kFreeWay = 5.0;  // [m] assumed: so far it must be free
+constexpr double kSample = 0.5;   // [m] numerical
+constexpr double kGap = 0.3;      // [m] assumed: kept to other vehicles
+constexpr double kMargin = 0.05;  // [m] as a creeping vehicle's
 
 bool meets(const Rectangle& body, const FleetVehicle& other) {
   const Rectangle its = body_of(other);
@@ -52,7 +53,7 @@ std::vector<SpeedOrder> StandOffs::plan(std::span<FleetVehicle> vehicles,
   for (FleetVehicle& vehicle : vehicles) {
     const bool passing = passing_.contains(vehicle.id);
     const bool ours = vehicle.traits.yields && !vehicle.traits.external;
-    if (!ours || (!passing && vehicle.speed > kStanding)) continue;
+    if (!ours || (!passing && vehicle.speed > kHaltingSpeed)) continue;
     const auto before = stood_.find(vehicle.id);
     const double time = before == stood_.end() ? dt : before->second + dt;
     const Parameters& parameters = zones_[vehicle.zone].parameters;
@@ -69,7 +70,7 @@ std::vector<SpeedOrder> StandOffs::plan(std::span<FleetVehicle> vehicles,
       if (!held) orders.push_back({vehicle.id, kOwnSpeed});
       passing_.erase(vehicle.id);
     }
-    if (pass || (!held && vehicle.speed <= kStanding)) stood[vehicle.id] = time;
+    if (pass || (!held && vehicle.speed <= kHaltingSpeed)) stood[vehicle.id] = time;
   }
   stood_ = std::move(stood);
   return orders;

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 
+#include "world/speeds.hpp"
+
 namespace pedzone {
 namespace {
 
-constexpr double kMoment = 1.0;        // [s] assumed: a driver expects people to walk on so long
-constexpr double kSample = 0.25;       // [m] numerical: sampling of the swept area
-constexpr double kStanding = 0.1;      // [m/s] SUMO's own threshold for waiting
-constexpr double kCleared = 2.0;       // [m/s] numerical: faster than this a jam is over
-constexpr double kCourtesy = 2.0;      // [s] assumed: people ask no room of themselves for so long
-constexpr double kClaim = 8.0;         // [m] recorded onset of avoidance, median
+constexpr double kMoment = 1.0;   // [s] assumed: a driver expects people to walk on so long
+constexpr double kSample = 0.25;  // [m] numerical: sampling of the swept area
+constexpr double kCleared = 2.0;  // [m/s] numerical: faster than this a jam is over
+constexpr double kClaimAfter =
+    2.0;                        // [s] assumed: slowed for so long, a vehicle asks people for room
+constexpr double kClaim = 8.0;  // [m] recorded onset of avoidance, median
 constexpr double kCreepMargin = 0.05;  // [m] numerical: a creeping vehicle passes people close
 
 /// Whether the body comes within `margin` of a person when its front has gone `travelled`.
@@ -41,8 +43,8 @@ double safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
                   const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
   const double keep = vehicle.creeping ? parameters.creep_gap : parameters.yield_gap;
   const double gap = std::max(0.0, ahead.distance - keep);
-  double safe = ahead.speed > kStanding ? safe_speeds.follow(vehicle, gap, ahead.speed)
-                                        : safe_speeds.stop(vehicle, gap);
+  double safe = ahead.speed > kHaltingSpeed ? safe_speeds.follow(vehicle, gap, ahead.speed)
+                                            : safe_speeds.stop(vehicle, gap);
   if (vehicle.creeping) {
     // What is left to the person must be left after the step, too.
     safe = std::min({std::max(safe, ahead.distance > keep ? parameters.creep_speed : 0.0),
@@ -97,7 +99,7 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
     return std::nullopt;
   }
   const bool held = vehicle.commanded >= 0.0;
-  if (held && vehicle.speed < kStanding) vehicle.held_up += dt;
+  if (held && vehicle.speed < kHaltingSpeed) vehicle.held_up += dt;
   if (vehicle.speed > kCleared) vehicle.held_up = 0.0;
   vehicle.creeping = vehicle.held_up >= parameters.creep_after;
   const double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
@@ -106,7 +108,7 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
     return std::nullopt;
   }
   vehicle.slowed += dt;
-  if (vehicle.slowed > kCourtesy) vehicle.claim = kClaim;
+  if (vehicle.slowed > kClaimAfter) vehicle.claim = kClaim;
   const double comfortable = std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
   if (safe < comfortable &&
       vehicle.speed * vehicle.speed > 2.0 * vehicle.traits.decel * ahead->distance) {

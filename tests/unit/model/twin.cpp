@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/fixed_point.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone::test {
 namespace {
