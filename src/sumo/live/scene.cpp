@@ -39,7 +39,7 @@ void SceneReader::add_bystanders() {
     const std::pair place(person.position.x(), person.position.y());
     const bool at_front = std::binary_search(fronts_.begin(), fronts_.end(), place);
     if (at_front) ridden_.push_back(sumo_person::vehicle(person.id));
-    if (person.radius == 0.0) person.radius = disc_radius(sumo_person::size(person.id));
+    if (person.radius == 0.0) measure(person, sumo_person::size(person.id));
     persons_.push_back({person.id, person.position, person.velocity, person.heading, person.radius,
                         at_front ? std::string_view(ridden_.back()) : ""});
   }
