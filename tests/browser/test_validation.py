@@ -12,6 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import page_case
 from browser import Browser
 
 PEDZONE = None  # set from the command line
@@ -33,7 +34,7 @@ def clip(offset):
     return "\n".join(rows) + "\n"
 
 
-class Page(unittest.TestCase):
+class Page(page_case.PageCase):
     @classmethod
     def setUpClass(cls):
         directory = tempfile.TemporaryDirectory()
@@ -51,17 +52,6 @@ class Page(unittest.TestCase):
         cls.groups = list(dict.fromkeys(row["group"] for row in cls.rows))
         cls.browser = Browser().__enter__()
         cls.addClassCleanup(cls.browser.__exit__, None, None, None)
-
-    def open(self, width=1280, height=900, mobile=False):
-        self.browser.resize(width, height, mobile)
-        self.browser.open(self.page)
-        self.browser.run("""while (!(window.report && window.report.ready))
-                              await new Promise((done) => setTimeout(done, 20));
-                            await new Promise((done) => requestAnimationFrame(
-                              () => requestAnimationFrame(done)));""")
-
-    def ask(self, expression, *arguments):
-        return self.browser.run("return " + expression, *arguments)
 
     def open_all(self):
         self.browser.run("""for (const one of document.querySelectorAll("details")) one.open = true;
@@ -155,15 +145,6 @@ class Page(unittest.TestCase):
         self.open(390, 844, mobile=True)
         self.open_all()
         self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), 390)
-
-    def test_light_and_dark(self):
-        self.addCleanup(self.browser.prefer, "light")
-        for scheme, dark in (("dark", True), ("light", False)):
-            self.browser.prefer(scheme)
-            self.open()
-            ground = self.ask("""getComputedStyle(document.body).backgroundColor
-                .match(/[0-9]+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0)""")
-            self.assertEqual(ground < 380, dark)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import page_case
 from browser import Browser
 
 PEDZONE = None  # set from the command line
@@ -20,7 +21,7 @@ TESTS = ["rimea-1", "rimea-8", "rimea-13", "moussaid-lanes"]
 CHARTED, MAPPED = "rimea-8", "rimea-13"
 
 
-class Page(unittest.TestCase):
+class Page(page_case.PageCase):
     @classmethod
     def setUpClass(cls):
         directory = tempfile.TemporaryDirectory()
@@ -35,15 +36,6 @@ class Page(unittest.TestCase):
         cls.tests = {test["id"]: test for test in found["tests"]}
         cls.browser = Browser().__enter__()
         cls.addClassCleanup(cls.browser.__exit__, None, None, None)
-
-    def open(self, width=1280, height=900, mobile=False):
-        self.browser.resize(width, height, mobile)
-        self.browser.open(self.page)
-        self.browser.run("""while (!(window.report && window.report.ready))
-                              await new Promise((done) => setTimeout(done, 20));""")
-
-    def ask(self, expression, *arguments):
-        return self.browser.run("return " + expression, *arguments)
 
     def test_nothing_is_fetched_and_nothing_complains(self):
         self.open()
@@ -99,15 +91,6 @@ class Page(unittest.TestCase):
     def test_it_fits_a_phone(self):
         self.open(390, 844, mobile=True)
         self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), 390)
-
-    def test_light_and_dark(self):
-        self.addCleanup(self.browser.prefer, "light")
-        for scheme, dark in (("dark", True), ("light", False)):
-            self.browser.prefer(scheme)
-            self.open()
-            ground = self.ask("""getComputedStyle(document.body).backgroundColor
-                .match(/[0-9]+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0)""")
-            self.assertEqual(ground < 380, dark)
 
 
 if __name__ == "__main__":

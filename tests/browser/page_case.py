@@ -1,0 +1,27 @@
+"""What the tests of pages that are drawn once share: opening them, and light and dark."""
+
+import unittest
+
+
+class PageCase(unittest.TestCase):
+    """Subclasses set the class attributes `browser` and `page`, the path of an HTML file."""
+
+    def open(self, width=1280, height=900, mobile=False):
+        self.browser.resize(width, height, mobile)
+        self.browser.open(self.page)
+        self.browser.run("""while (!(window.report && window.report.ready))
+                              await new Promise((done) => setTimeout(done, 20));
+                            await new Promise((done) => requestAnimationFrame(
+                              () => requestAnimationFrame(done)));""")
+
+    def ask(self, expression, *arguments):
+        return self.browser.run("return " + expression, *arguments)
+
+    def test_light_and_dark(self):
+        self.addCleanup(self.browser.prefer, "light")
+        for scheme, dark in (("dark", True), ("light", False)):
+            self.browser.prefer(scheme)
+            self.open()
+            ground = self.ask("""getComputedStyle(document.body).backgroundColor
+                .match(/[0-9]+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0)""")
+            self.assertEqual(ground < 380, dark)
