@@ -128,6 +128,16 @@ struct PacedWalk {
                                 ///< it, by direction; it stays there
 };
 
+/// What directions cost beside their values where that is dear to know: asked for by group, and
+/// only where the best direction may be.
+struct DirectionPrices {
+  const float* cost;  ///< [s²] ≥ 0 by direction
+  /// Fills in the costs of directions [first, first + kDirectionGroup), which need to be right up
+  /// to `most` [s²] only.
+  void (*ask)(void* asker, std::size_t first, float most);
+  void* asker;
+};
+
 /// The operations behind which vector code stands.
 struct DirectionKernel {
   const char* name;
@@ -139,6 +149,10 @@ struct DirectionKernel {
   /// (index kNoDirection); `first` is a multiple of kDirectionGroup. None where all are excluded.
   DirectionChoice (*choose)(const DirectionTask& task, std::size_t first, std::size_t count,
                             DirectionChoice best);
+  /// The best of all directions, padding included, and of `best`, which is not none, when each
+  /// costs what `prices` says beside the task's own cost.
+  DirectionChoice (*choose_priced)(const DirectionTask& task, const DirectionPrices& prices,
+                                   DirectionChoice best);
   /// `out[k]` for directions [first, first + count), multiples of kDirectionGroup: time [s] until
   /// the first contact with these alone, at most the horizon.
   void (*times_of)(const DirectionTask& task, const DiscView& discs, const FaceView& faces,

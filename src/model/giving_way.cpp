@@ -105,24 +105,21 @@ void GivingWay::price(const DirectionTask& task, const Parameters& parameters, s
 PacedChoice GivingWay::choose(const Candidates& candidates, const DirectionTask& task,
                               const Parameters& parameters, DirectionChoice known,
                               const DirectionKernel& kernel) {
-  const std::size_t count = candidates.padded();
-  std::fill(cost_, cost_ + count, kNever);
-  DirectionTask priced = task;
-  priced.cost = cost_;
+  std::fill(cost_, cost_ + candidates.padded(), kNever);
   // First the group of what is known: its value is a bound from then on.
   const std::size_t start = known.index / kDirectionGroup * kDirectionGroup;
   price(task, parameters, start, kNever, kernel);
   known.value += cost_[known.index];
-  known = kernel.choose(priced, start, kDirectionGroup, known);
-  const float slack = kSlack * task.horizon * task.horizon;
-  for (std::size_t first = 0; first < count; first += kDirectionGroup) {
-    if (first == start) continue;
-    // What is no better even without discomfort needs no price.
-    const DirectionChoice hope = kernel.choose(task, first, kDirectionGroup, known);
-    if (hope.index == known.index) continue;
-    price(task, parameters, first, known.value - hope.value + slack, kernel);
-    known = kernel.choose(priced, first, kDirectionGroup, known);
-  }
+  auto ask = [&](std::size_t first, float most) {
+    if (first == start) return;
+    price(task, parameters, first, most + kSlack * task.horizon * task.horizon, kernel);
+  };
+  const DirectionPrices prices{cost_,
+                               [](void* asker, std::size_t first, float most) {
+                                 (*static_cast<decltype(ask)*>(asker))(first, most);
+                               },
+                               &ask};
+  known = kernel.choose_priced(task, prices, known);
   return {known, share_[known.index]};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "model/fixed_point.hpp"
@@ -110,6 +111,17 @@ DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t
   return best;
 }
 
+/// Asks for all prices, then tries everything.
+DirectionChoice choose_priced(const DirectionTask& task, const DirectionPrices& prices,
+                              DirectionChoice best) {
+  for (std::size_t k = 0; k < task.candidates.padded; k += kDirectionGroup) {
+    prices.ask(prices.asker, k, std::numeric_limits<float>::infinity());
+  }
+  DirectionTask priced = task;
+  priced.cost = prices.cost;
+  return choose(priced, 0, task.candidates.padded, best);
+}
+
 void times_of(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
               std::size_t first, std::size_t count, float* out) {
   for (std::size_t k = first; k < first + count; ++k) {
@@ -188,7 +200,7 @@ void discomfort(const DirectionTask& task, const VehicleFelt& v, const PacedWalk
 }  // namespace
 
 const DirectionKernel& twin_kernel() {
-  static constexpr DirectionKernel kTwin{"twin", see, choose, times_of, discomfort};
+  static constexpr DirectionKernel kTwin{"twin", see, choose, choose_priced, times_of, discomfort};
   return kTwin;
 }
 
