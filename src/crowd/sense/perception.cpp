@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "crowd/sense/vehicle_motion.hpp"
 #include "crowd/state/parallel.hpp"
 #include "model/senses.hpp"
+#include "model/tile_lists.hpp"
 #include "model/vehicle_view.hpp"
 
 namespace pedzone {
@@ -21,24 +23,85 @@ constexpr float kDisturbs = 5.0F;      // [m] assumed: who stands makes room for
 constexpr double kLargeVehicle = 6.0;  // [m] assumed: longer vehicles are too high to see over
 constexpr double kWarnedField = 180.0;  // [deg] who hears a horn looks round
 
-/// What all persons of a substep share.
+/// [m] side of the tiles that list vehicles, and at most so many of them. Numerical.
+constexpr double kTile = 8.0;
+constexpr double kTilesPerPerson = 8.0, kTilesAtLeast = 1024.0;
+
+/// What all persons of a substep share: vehicles, and where they can matter.
 struct TrafficShapes {
   LatticeOrigin origin;
   std::vector<VehicleShape> shapes;
-  std::vector<std::uint32_t> blocking;  ///< vehicles that nobody sees through or over
+  std::vector<std::uint32_t> driving;       ///< vehicles that move
+  std::vector<std::uint64_t> driving_keys;  ///< their keys, sorted
+  std::vector<std::uint32_t> blocking;      ///< vehicles that nobody sees through or over
+  TileLists perceivable;  ///< places in `driving`, where somebody may perceive them
+  TileLists in_view;      ///< places in `blocking`, where they may hide others
 };
 
-TrafficShapes shapes_of(const std::vector<VehicleState>& vehicles) {
+/// The lattice box round a vehicle that holds whoever is `range` [m] or less from its body.
+LatticeBox box_around(const VehicleShape& shape, double range) {
+  const std::int64_t reach = to_lattice(range + shape.reach);
+  return {shape.centre.x - reach, shape.centre.y - reach, shape.centre.x + reach,
+          shape.centre.y + reach};
+}
+
+LatticeBox bounds_of(const CrowdState& crowd, const LatticeOrigin& origin) {
+  constexpr auto kFarthest = std::numeric_limits<std::int64_t>::max();
+  LatticeBox bounds{kFarthest, kFarthest, -kFarthest, -kFarthest};
+  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
+    const LatticePoint at = to_lattice(crowd.persons.x[i], crowd.persons.y[i], origin);
+    bounds = {std::min<std::int64_t>(bounds.left, at.x), std::min<std::int64_t>(bounds.low, at.y),
+              std::max<std::int64_t>(bounds.right, at.x),
+              std::max<std::int64_t>(bounds.high, at.y)};
+  }
+  return bounds;
+}
+
+/// Lists the vehicles where they can matter: of a town's vehicles most are near nobody.
+void list_by_place(const CrowdState& crowd, const Attention& attention, TrafficShapes& traffic) {
+  const LatticeBox bounds = bounds_of(crowd, traffic.origin);
+  const std::int64_t tile =
+      tile_size_for(bounds, to_lattice(kTile),
+                    kTilesPerPerson * static_cast<double>(crowd.walkers.size()) + kTilesAtLeast);
+  const double sight = senses_of(crowd.zone.parameters, crowd.model->vehicle_form()).vehicle_sight;
+  const auto everywhere = [](std::size_t, const LatticeBox&) { return true; };
+  double longest = 0.0;
+  for (const VehicleShape& shape : traffic.shapes) {
+    longest = std::max(longest, 2.0 * static_cast<double>(shape.reach));
+  }
+  traffic.perceivable.build(
+      bounds, tile, traffic.driving.size(),
+      [&](std::size_t k) {
+        const VehicleShape& shape = traffic.shapes[traffic.driving[k]];
+        const double heard = shape.horn ? kHornReach : attention.farthest_hearing * shape.loudness;
+        return box_around(shape, std::max({sight, heard, static_cast<double>(kDisturbs)}));
+      },
+      everywhere);
+  // It hides what lies behind it, up to the far end of the longest vehicle in sight.
+  traffic.in_view.build(
+      bounds, tile, traffic.blocking.size(),
+      [&](std::size_t k) {
+        return box_around(traffic.shapes[traffic.blocking[k]], sight + longest);
+      },
+      everywhere);
+}
+
+TrafficShapes shapes_of(const CrowdState& crowd, const Attention& attention) {
+  const std::vector<VehicleState>& vehicles = crowd.vehicles;
   TrafficShapes traffic;
-  if (vehicles.empty()) return traffic;
   const Vec2& near = vehicles.front().centre;
   traffic.origin = {to_lattice(near.x()), to_lattice(near.y())};
-  for (std::size_t v = 0; v < vehicles.size(); ++v) {
+  for (std::uint32_t v = 0; v < vehicles.size(); ++v) {
     traffic.shapes.push_back(shape_of(vehicles[v], traffic.origin));
-    if (!traffic.shapes[v].moving() || vehicles[v].length > kLargeVehicle) {
-      traffic.blocking.push_back(static_cast<std::uint32_t>(v));
+    const bool moves = traffic.shapes[v].moving();
+    if (moves) {
+      traffic.driving.push_back(v);
+      traffic.driving_keys.push_back(vehicles[v].key);
     }
+    if (!moves || vehicles[v].length > kLargeVehicle) traffic.blocking.push_back(v);
   }
+  std::ranges::sort(traffic.driving_keys);
+  list_by_place(crowd, attention, traffic);
   return traffic;
 }
 
@@ -65,8 +128,12 @@ class Observer {
 
   void look() {
     for (Noticed& noticed : memory_.noticed) noticed.minds = noticed.near = false;
-    for (std::size_t v = 0; v < traffic_.shapes.size(); ++v) {
-      if (traffic_.shapes[v].moving()) look_at(v);
+    for (const std::uint32_t k : traffic_.perceivable.at(self_.at)) look_at(traffic_.driving[k]);
+    // Those that are too far away to be perceived are remembered.
+    for (Noticed& noticed : memory_.noticed) {
+      if (std::ranges::binary_search(traffic_.driving_keys, noticed.vehicle)) {
+        noticed.minds = minds(noticed);
+      }
     }
     std::erase_if(memory_.noticed,
                   [&](const Noticed& noticed) { return now_ - noticed.last > kForget; });
@@ -83,10 +150,9 @@ class Observer {
     if (known != nullptr) {
       if (perceived) known->last = now_;
       known->warned = known->warned || (perceived && traffic_.shapes[v].horn);
-      known->minds = minds(*known);
       known->near = view.distance < kDisturbs;
     }
-    const bool counts = known != nullptr && known->minds;
+    const bool counts = known != nullptr && minds(*known);
     if (!counts && view.distance > kStartled) attention_.ignore(i_, v);
   }
 
@@ -109,7 +175,7 @@ class Observer {
 
   /// Whether neither its centre nor a corner is in view.
   bool hidden(std::size_t v) const {
-    if (crowd_.zone.obstacles.empty() && traffic_.blocking.empty()) return false;
+    if (crowd_.zone.obstacles.empty() && traffic_.in_view.at(self_.at).empty()) return false;
     const VehicleState& vehicle = crowd_.vehicles[v];
     const Vec2 along = unit(vehicle.heading) * (0.5 * vehicle.length);
     const Vec2 across = left_of(unit(vehicle.heading)) * (0.5 * vehicle.width);
@@ -122,9 +188,11 @@ class Observer {
 
   bool sees(const Vec2& point, std::size_t v) const {
     const Vec2 here = crowd_.position(i_);
-    for (const std::uint32_t other : traffic_.blocking) {
-      if (other != v && runs_through(rectangle_of(crowd_.vehicles[other]), here, point))
+    for (const std::uint32_t k : traffic_.in_view.at(self_.at)) {
+      const std::uint32_t other = traffic_.blocking[k];
+      if (other != v && runs_through(rectangle_of(crowd_.vehicles[other]), here, point)) {
         return false;
+      }
     }
     return crowd_.zone.obstacles.empty() || crowd_.zone.sight_walls.free_line(here, point, 0.0);
   }
@@ -199,7 +267,7 @@ void perceive(const CrowdState& crowd, double now, ByHandle<TrafficMemory>& memo
     for (const WalkState& walker : crowd.walkers) memory[walker.handle].noticed.clear();
     return;
   }
-  const TrafficShapes traffic = shapes_of(crowd.vehicles);
+  const TrafficShapes traffic = shapes_of(crowd, attention);
   for_each_block(crowd.walkers.size(), [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       Observer(crowd, traffic, now, i, memory[crowd.handle(i)], attention).look();
