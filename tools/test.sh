@@ -10,7 +10,7 @@ usage: tools/test.sh [--long] [--again] [-- OPTIONS OF ctest]
 
 Installs what is missing, builds in build/ with warnings as errors, and runs the tests.
   --long    also those that take long: the property test over 1,000,000 person-steps, many seeds,
-            and the tests under the address, undefined and thread sanitizers (build-*/)
+            and the unit tests under sanitizers of memory and of threads (build-*/)
   --again   run even when nothing has changed since the tests last passed
 Exit code: 0 when all tests passed.
 TEXT
@@ -60,7 +60,7 @@ run_tests() {
 tools/install.sh
 if [[ "$long" == yes ]]; then
   run_tests release long
-  for sanitizer in address undefined thread; do
+  for sanitizer in memory thread; do
     run_tests $sanitizer $sanitizer
   done
 else
