@@ -51,7 +51,9 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--threads", options.threads, "Threads for walking; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  run_command->add_option("--summary", options.summary, "Write the summary as JSON");
+  run_command->add_option("--summary", options.summary,
+                          "Write the summary as JSON; this and other outputs: - is standard "
+                          "output, NAME.gz is compressed");
   run_command->add_option(
       "--trajectories", options.trajectories,
       fmt::format("Write {} of each person and step", fmt::join(trajectory_table().names(), ",")));

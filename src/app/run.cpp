@@ -2,22 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-#include <memory>
+#include <algorithm>
 
 #include "app/guarded.hpp"
-#include "app/path_recorder.hpp"
+#include "app/interrupts.hpp"
 #include "app/progress.hpp"
+#include "app/run_outputs.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
 #include "app/thread_limit.hpp"
-#include "conflict/tracker.hpp"
 #include "core/error.hpp"
 #include "model/walking_model.hpp"
-#include "results/complete_file.hpp"
-#include "results/trajectories.hpp"
 #include "sumo/simulation.hpp"
-#include "view/debug_shapes.hpp"
 
 namespace pedzone {
 namespace {
@@ -72,93 +68,19 @@ class JamWarnings {
   std::size_t told_ = 0;
 };
 
-/// The files of a run: all finished together, or none.
-struct Outputs {
-  std::unique_ptr<CompleteFile> summary;
-  std::unique_ptr<TrajectoryWriter> trajectories;
-  std::unique_ptr<CompleteFile> picture;
-  PathRecorder paths;
-  std::unique_ptr<CompleteFile> shapes;
-  double shapes_time = std::numeric_limits<double>::infinity();  ///< [s]
-  std::string shapes_text;                                       ///< empty: it is not yet that time
-  std::unique_ptr<ConflictWriter> conflicts;
-  std::unique_ptr<ConflictTracker> tracker;
-  std::vector<Conflict> over;
+/// Tells of a run that was ended early.
+void warn_of_interrupt(const RunSummary& totals) {
+  fmt::print(
+      stderr,
+      "Interrupted at {:.1f} s (signal {}): the outputs hold what was simulated until then.\n",
+      totals.time.simulated_s, totals.interrupted_by);
+}
 
-  explicit Outputs(const RunOptions& options) {
-    if (!options.summary.empty()) {
-      summary = std::make_unique<CompleteFile>(options.summary, "--summary");
-    }
-    if (!options.trajectories.empty()) {
-      trajectories = std::make_unique<TrajectoryWriter>(options.trajectories, "--trajectories");
-    }
-    if (!options.picture.empty()) {
-      picture = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
-    }
-    if (!options.debug_shapes.empty()) {
-      shapes = std::make_unique<CompleteFile>(options.debug_shapes, "--debug-shapes");
-      shapes_time = options.debug_time.value_or(shapes_time);
-    }
-    if (options.conflicts.wanted()) {
-      conflicts = std::make_unique<ConflictWriter>(options.conflicts.paths());
-      tracker = std::make_unique<ConflictTracker>(options.conflicts.limits);
-    }
-  }
-
-  void observe(Simulation& simulation) {
-    if (!tracker) return;
-    simulation.observe([this](const Scene& scene) {
-      tracker->step(scene.time, scene.persons, scene.vehicles, scene.aware, over);
-    });
-  }
-
-  /// Where everybody is now and what it is about to do.
-  void take_shapes(Simulation& simulation) {
-    std::vector<Insight> insights = simulation.insights();
-    std::vector<DebuggedPerson> persons;
-    for (std::size_t k = 0; k < insights.size(); ++k) {
-      persons.push_back({simulation.guests()[k].id, std::move(insights[k])});
-    }
-    shapes_text = debug_shapes(simulation.zones(), simulation.paths(), persons);
-  }
-
-  void write_conflicts() {
-    for (const Conflict& conflict : over) conflicts->write(conflict);
-    over.clear();
-  }
-
-  /// `time` [s] before the step, by which SUMO's own outputs name a step's result.
-  void step(double time, Simulation& simulation) {
-    if (shapes && shapes_text.empty() && time >= shapes_time) take_shapes(simulation);
-    if (tracker) write_conflicts();
-    if (picture) paths.observe(simulation);
-    if (!trajectories) return;
-    for (const Guest& guest : simulation.guests()) {
-      trajectories->row(time, guest.id, simulation.view(guest));
-    }
-  }
-
-  void finish(Simulation& simulation, const RunSummary& totals) {
-    if (shapes && shapes_text.empty()) take_shapes(simulation);
-    if (shapes) shapes->write(shapes_text);
-    if (summary) summary->write(summary_json(totals));
-    if (picture) picture->write(paths.picture(simulation));
-    if (tracker) {
-      tracker->finish(over);
-      write_conflicts();
-      conflicts->finish();
-    }
-    if (trajectories) trajectories->finish();
-    if (picture) picture->finish();
-    if (shapes) shapes->finish();
-    if (summary) summary->finish();
-  }
-};
-
-void simulate(const RunOptions& options) {
+/// Its exit code: 0, or 128 + the signal that ended it early.
+int simulate(const RunOptions& options) {
   const ThreadLimit limit(options.threads);
   const SimulationOptions prepared = prepare(options);
-  Outputs outputs(options);
+  RunOutputs outputs(options);
   Simulation simulation(prepared);
   outputs.observe(simulation);
   for (const Zone& zone : simulation.zones()) {
@@ -169,7 +91,8 @@ void simulate(const RunOptions& options) {
   }
   JamWarnings jams;
   Progress progress(simulation.time(), simulation.end_time());
-  while (!simulation.finished()) {
+  note_interrupts();
+  while (!simulation.finished() && noted_interrupt() == 0) {
     const double time = simulation.time();
     simulation.step();
     outputs.step(time, simulation);
@@ -178,18 +101,26 @@ void simulate(const RunOptions& options) {
   }
   progress.finish();
   jams.finish(simulation.jams());
-  const RunSummary totals = simulation.summary();
+  RunSummary totals = simulation.summary();
+  totals.interrupted_by = noted_interrupt();
   simulation.close();
   outputs.finish(simulation, totals);
   fmt::print("{}", summary_table(totals));
+  if (totals.interrupted_by == 0) return 0;
+  warn_of_interrupt(totals);
+  return 128 + totals.interrupted_by;
 }
 
 }  // namespace
 
 int run(const RunOptions& options) {
-  const auto work = [&options] { return guarded([&] { simulate(options); }); };
-  return supervise(work, {options.summary, options.trajectories, options.picture,
-                          options.debug_shapes, options.conflicts.xml, options.conflicts.csv});
+  const auto work = [options = options]() mutable {
+    keep_standard_output_clean(options);
+    int ended = 0;
+    const int code = guarded([&] { ended = simulate(options); });
+    return code != 0 ? code : ended;
+  };
+  return supervise(work, outputs_of(options));
 }
 
 }  // namespace pedzone

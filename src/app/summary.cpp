@@ -52,6 +52,7 @@ std::string summary_json(const RunSummary& summary) {
   const auto& vehicles = summary.vehicles;
   const auto& time = summary.time;
   nlohmann::ordered_json json;
+  json["interrupted"] = summary.interrupted_by != 0;
   json["persons"] = {{"seen", persons.seen},
                      {"controlled", persons.controlled},
                      {"arrived", persons.arrived},

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "app/interrupts.hpp"
 #include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "results/complete_file.hpp"
@@ -32,8 +33,8 @@ int supervise(const std::function<int()>& work, const std::vector<std::string>& 
     std::fflush(nullptr);
     _exit(code);  // SUMO's static objects have been closed; their destructors are not trusted
   }
-  // The terminal sends an interrupt to both; the parent waits to clean up after the child.
-  std::signal(SIGINT, SIG_IGN);
+  // The child ends by itself when it is interrupted; the parent waits to clean up after it.
+  pass_interrupts_to(child);
   const int status = wait_for_child(child);
   if (WIFEXITED(status)) return WEXITSTATUS(status);
   for (const std::string& output : outputs) std::remove(CompleteFile::partial(output).c_str());
@@ -42,7 +43,7 @@ int supervise(const std::function<int()>& work, const std::vector<std::string>& 
     fmt::print(stderr, "\nInterrupted; no output was written.\n");
     return 128 + SIGINT;
   }
-  if (signal == SIGKILL || signal == SIGTERM) {  // not its own doing
+  if (signal == SIGKILL || signal == SIGTERM || signal == SIGHUP) {  // not its own doing
     fmt::print(stderr, "Error: the run was killed (signal {}); no output was written.\n", signal);
     return 128 + signal;
   }

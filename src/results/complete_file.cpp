@@ -1,6 +1,12 @@
 #include "results/complete_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
+#include <charconv>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
@@ -8,40 +14,110 @@
 #include "core/error.hpp"
 
 namespace pedzone {
+namespace {
 
-CompleteFile::CompleteFile(std::string path, const std::string& option) : path_(std::move(path)) {
-  const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-  std::error_code ignored;  // a failure shows when the file is opened
-  if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
-  if (!std::filesystem::is_directory(path_)) file_ = std::fopen(partial(path_).c_str(), "wb");
+namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;  // Linux follows no more
+
+/// The file that a symbolic link leads to, be it there or not.
+fs::path target_of(fs::path path) {
+  std::error_code none;
+  for (int k = 0; k < kMostLinks && fs::is_symlink(path, none); ++k) {
+    const fs::path target = fs::read_symlink(path, none);
+    path = target.is_absolute() ? target : path.parent_path() / target;
+  }
+  return path;
+}
+
+/// The descriptor of this process that the path names; −1: none.
+int descriptor_of(const std::string& path) {
+  if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    int descriptor = -1;
+    const char* const end = path.data() + path.size();
+    if (path.starts_with(folder) &&
+        std::from_chars(path.data() + folder.size(), end, descriptor).ptr == end) {
+      return descriptor;
+    }
+  }
+  return -1;
+}
+
+/// Whether there is something that must not be replaced by a file.
+bool is_special(const std::string& path) {
+  struct stat found {};
+  if (stat(path.c_str(), &found) != 0) return false;
+  return !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode);
+}
+
+/// Written to at once: the descriptor, or −1 with errno.
+int open_special(const std::string& path) {
+  const int descriptor = descriptor_of(path);
+  if (descriptor < 0) return open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  std::fflush(nullptr);
+  return dup(descriptor);
+}
+
+bool is_compressed(const std::string& path) { return fs::path(path).extension() == ".gz"; }
+
+}  // namespace
+
+std::string CompleteFile::partial(const std::string& path) {
+  if (descriptor_of(path) >= 0 || is_special(path)) return "";
+  return target_of(path).string() + ".partial";
+}
+
+bool CompleteFile::is_standard_output(const std::string& path) {
+  return descriptor_of(path) == STDOUT_FILENO;
+}
+
+CompleteFile::CompleteFile(const std::string& path, const std::string& option)
+    : path_(path), partial_(partial(path)) {
+  const char* mode = is_compressed(path) ? "wb" : "wbT";  // T: not compressed
+  std::error_code ignored;                                // a failure shows when the file is opened
+  errno = 0;
+  if (partial_.empty()) {
+    const int descriptor = open_special(path);
+    if (descriptor >= 0) file_ = gzdopen(descriptor, mode);
+  } else if (!fs::is_directory(path, ignored)) {
+    const fs::path folder = fs::path(partial_).parent_path();
+    if (!folder.empty()) fs::create_directories(folder, ignored);
+    errno = 0;
+    file_ = gzopen(partial_.c_str(), mode);
+  }
   if (file_ == nullptr) {
     const std::string why =
-        std::filesystem::is_directory(path_) ? "it is a folder" : std::strerror(errno);
+        fs::is_directory(path, ignored) ? "it is a folder" : std::strerror(errno);
     throw InputError("cannot be written (" + why + ")",
-                     {"", 0, "option " + option, path_, "a file in a folder that can be written"});
+                     {"", 0, "option " + option, path, "a file in a folder that can be written"});
   }
 }
 
 CompleteFile::~CompleteFile() {
   if (file_ == nullptr) return;
-  std::fclose(file_);
-  std::remove(partial(path_).c_str());
+  gzclose(file_);
+  if (!partial_.empty()) std::remove(partial_.c_str());
 }
 
 void CompleteFile::write(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
+  if (text.empty()) return;
+  if (gzfwrite(text.data(), 1, text.size(), file_) != text.size()) {
     throw std::runtime_error("cannot write " + path_ + ": " + std::strerror(errno));
   }
 }
 
 void CompleteFile::finish() {
-  const bool closed = std::fclose(file_) == 0;
+  errno = 0;
+  const bool closed = gzclose(file_) == Z_OK;
+  const std::string why = closed || errno == 0 ? "" : std::string(": ") + std::strerror(errno);
   file_ = nullptr;
   std::error_code error;
-  if (closed) std::filesystem::rename(partial(path_), path_, error);
+  if (closed && !partial_.empty()) fs::rename(partial_, target_of(path_), error);
   if (!closed || error) {
-    std::remove(partial(path_).c_str());
-    throw std::runtime_error("cannot write " + path_);
+    if (!partial_.empty()) std::remove(partial_.c_str());
+    throw std::runtime_error("cannot write " + path_ + why);
   }
 }
 

@@ -2,17 +2,21 @@
 // `.partial`, renamed when all is there.
 #pragma once
 
-#include <cstdio>
+#include <zlib.h>
+
 #include <string>
 #include <string_view>
 
 namespace pedzone {
 
+/// A symbolic link stays one: the file that it names is written. What is no plain file (a device, a
+/// FIFO, standard output as `-` or `/dev/stdout`) is written to at once. A name that ends in `.gz`
+/// is compressed.
 class CompleteFile {
  public:
   /// Makes missing folders. Throws InputError when the place cannot be written.
   /// `option`: what the user named it with, for the message.
-  CompleteFile(std::string path, const std::string& option);
+  CompleteFile(const std::string& path, const std::string& option);
   /// Not finished: the partial file is removed.
   ~CompleteFile();
   CompleteFile(const CompleteFile&) = delete;
@@ -23,12 +27,14 @@ class CompleteFile {
   /// Flushes and moves the file to its place. Throws std::runtime_error.
   void finish();
 
-  /// The name under which an unfinished file lies.
-  static std::string partial(const std::string& path) { return path + ".partial"; }
+  /// The name under which an unfinished file lies; empty where there is none.
+  static std::string partial(const std::string& path);
+  static bool is_standard_output(const std::string& path);
 
  private:
-  std::string path_;
-  std::FILE* file_ = nullptr;
+  std::string path_;     ///< as the user named it
+  std::string partial_;  ///< empty: it is written to at once
+  gzFile file_ = nullptr;
 };
 
 /// Writes a whole file at once. Throws as CompleteFile.

@@ -25,6 +25,7 @@ struct RunSummary {
     double mean_delay_s = 0.0;  ///< [s] SUMO's timeLoss gathered near the zones
   } vehicles;
   std::vector<JamRecord> jams;  ///< in time
+  int interrupted_by = 0;       ///< the signal that ended the run early; 0: none
   struct {
     double simulated_s = 0.0, wall_s = 0.0, sumo_s = 0.0, pedzone_s = 0.0;
     double us_per_person_step = 0.0;

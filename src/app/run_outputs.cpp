@@ -1,0 +1,138 @@
+#include "app/run_outputs.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <map>
+
+#include "app/summary.hpp"
+#include "core/error.hpp"
+#include "view/debug_shapes.hpp"
+
+namespace pedzone {
+namespace {
+
+struct NamedOutput {
+  std::string option, path;
+};
+
+std::vector<NamedOutput> named_outputs(const RunOptions& options) {
+  std::vector<NamedOutput> wanted;
+  const ConflictWriter::Paths conflicts = options.conflicts.paths();
+  for (const NamedOutput& output : {NamedOutput{"--summary", options.summary},
+                                    {"--trajectories", options.trajectories},
+                                    {"--paths-svg", options.picture},
+                                    {"--debug-shapes", options.debug_shapes},
+                                    {conflicts.xml_option, conflicts.xml},
+                                    {conflicts.csv_option, conflicts.csv}}) {
+    if (!output.path.empty()) wanted.push_back(output);
+  }
+  return wanted;
+}
+
+void require_different(const std::vector<NamedOutput>& outputs) {
+  std::map<std::string, std::string> option_of;
+  for (const auto& [option, path] : outputs) {
+    const std::string file = CompleteFile::partial(path);
+    if (file.empty()) continue;
+    const auto [other, is_new] =
+        option_of.emplace(weakly_canonical(std::filesystem::absolute(file)).string(), option);
+    if (!is_new) {
+      throw InputError("names the same file as " + other->second,
+                       {"", 0, "option " + option, path, "a file for each output"});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> outputs_of(const RunOptions& options) {
+  std::vector<std::string> paths;
+  for (const NamedOutput& output : named_outputs(options)) paths.push_back(output.path);
+  return paths;
+}
+
+void keep_standard_output_clean(RunOptions& options) {
+  std::string clean;
+  for (std::string* path :
+       {&options.summary, &options.trajectories, &options.picture, &options.debug_shapes,
+        &options.conflicts.xml, &options.conflicts.csv}) {
+    if (!CompleteFile::is_standard_output(*path)) continue;
+    if (clean.empty()) {
+      clean = "/dev/fd/" + std::to_string(dup(STDOUT_FILENO));
+      dup2(STDERR_FILENO, STDOUT_FILENO);
+    }
+    *path = clean;
+  }
+}
+
+RunOutputs::RunOutputs(const RunOptions& options) {
+  require_different(named_outputs(options));
+  if (!options.summary.empty()) {
+    summary_ = std::make_unique<CompleteFile>(options.summary, "--summary");
+  }
+  if (!options.trajectories.empty()) {
+    trajectories_ = std::make_unique<TrajectoryWriter>(options.trajectories, "--trajectories");
+  }
+  if (!options.picture.empty()) {
+    picture_ = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
+  }
+  if (!options.debug_shapes.empty()) {
+    shapes_ = std::make_unique<CompleteFile>(options.debug_shapes, "--debug-shapes");
+    shapes_time_ = options.debug_time.value_or(shapes_time_);
+  }
+  if (options.conflicts.wanted()) {
+    conflicts_ = std::make_unique<ConflictWriter>(options.conflicts.paths());
+    tracker_ = std::make_unique<ConflictTracker>(options.conflicts.limits);
+  }
+}
+
+void RunOutputs::observe(Simulation& simulation) {
+  if (!tracker_) return;
+  simulation.observe([this](const Scene& scene) {
+    tracker_->step(scene.time, scene.persons, scene.vehicles, scene.aware, over_);
+  });
+}
+
+/// Where everybody is now and what it is about to do.
+void RunOutputs::take_shapes(Simulation& simulation) {
+  std::vector<Insight> insights = simulation.insights();
+  std::vector<DebuggedPerson> persons;
+  for (std::size_t k = 0; k < insights.size(); ++k) {
+    persons.push_back({simulation.guests()[k].id, std::move(insights[k])});
+  }
+  shapes_text_ = debug_shapes(simulation.zones(), simulation.paths(), persons);
+}
+
+void RunOutputs::write_conflicts() {
+  for (const Conflict& conflict : over_) conflicts_->write(conflict);
+  over_.clear();
+}
+
+void RunOutputs::step(double time, Simulation& simulation) {
+  if (shapes_ && shapes_text_.empty() && time >= shapes_time_) take_shapes(simulation);
+  if (tracker_) write_conflicts();
+  if (picture_) paths_.observe(simulation);
+  if (!trajectories_) return;
+  for (const Guest& guest : simulation.guests()) {
+    trajectories_->row(time, guest.id, simulation.view(guest));
+  }
+}
+
+void RunOutputs::finish(Simulation& simulation, const RunSummary& totals) {
+  if (shapes_ && shapes_text_.empty()) take_shapes(simulation);
+  if (shapes_) shapes_->write(shapes_text_);
+  if (summary_) summary_->write(summary_json(totals));
+  if (picture_) picture_->write(paths_.picture(simulation));
+  if (tracker_) {
+    tracker_->finish(over_);
+    write_conflicts();
+    conflicts_->finish();
+  }
+  if (trajectories_) trajectories_->finish();
+  if (picture_) picture_->finish();
+  if (shapes_) shapes_->finish();
+  if (summary_) summary_->finish();
+}
+
+}  // namespace pedzone
