@@ -14,13 +14,13 @@ bool goes_on(double last, double begin) { return begin - last <= kPause; }
 }  // namespace
 
 void PushLog::add(double time, double dt, std::span<const VehiclePush> pushes) {
-  const double begin = time - dt;
+  const double end = time + dt;
   for (const VehiclePush& push : pushes) {
     const auto [at, is_new] = going_.try_emplace(push.person);
     Going& going = at->second;
-    if (is_new || !goes_on(going.last, begin)) going.way = 0.0;
+    if (is_new || !goes_on(going.last, time)) going.way = 0.0;
     going.way += push.way;
-    going.last = time;
+    going.last = end;
     if (going.way >= kPushed || push.run_into) {
       PushedPerson& person = persons_[push.person];
       person.way = std::max(person.way, going.way);
@@ -28,11 +28,11 @@ void PushLog::add(double time, double dt, std::span<const VehiclePush> pushes) {
       person.run_into = person.run_into || push.run_into;
     }
     if (!push.run_into) continue;
-    const auto [overlap, first] = overlap_.try_emplace({push.person, push.vehicle}, time);
-    if (first || !goes_on(overlap->second, begin)) {
+    const auto [overlap, first] = overlap_.try_emplace({push.person, push.vehicle}, end);
+    if (first || !goes_on(overlap->second, time)) {
       run_into_.push_back({time, push.person, push.vehicle, push.contact_speed, push.position});
     }
-    overlap->second = time;
+    overlap->second = end;
   }
 }
 

@@ -20,7 +20,7 @@ struct PushedPerson {
 
 /// A vehicle has run into a person.
 struct RunInto {
-  double time = 0.0;                      ///< [s] end of the step in which it did
+  double time = 0.0;                      ///< [s] begin of the step in which it did
   std::uint64_t person = 0, vehicle = 0;  ///< their keys
   double speed = 0.0;                     ///< [m/s] of the vehicle
   Vec2 position = Vec2::Zero();           ///< [m] of the person
@@ -29,8 +29,8 @@ struct RunInto {
 /// Takes the pushes of a crowd, or of several that have no person in common, step by step.
 class PushLog {
  public:
-  /// Those of the step from `time` - `dt` to `time` [s]. A push goes on, and the same vehicle and
-  /// person are not told again, until there has been none between them for 1 s.
+  /// Those of the step of `dt` [s] that begins at `time` [s]. A push goes on, by whichever vehicle,
+  /// until there has been none for 1 s; so does a vehicle's running into a person.
   void add(double time, double dt, std::span<const VehiclePush> pushes);
 
   /// Everybody who was moved by 1 cm or more in one push, or run into; by key.

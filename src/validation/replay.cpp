@@ -101,7 +101,7 @@ class Replay {
         vehicles_.back().key = person_key(vehicle.id);
       }
       crowd_.step(kFrame, vehicles_);
-      pushes_.add((frame + 1) * kFrame, kFrame, crowd_.pushes());
+      pushes_.add(frame * kFrame, kFrame, crowd_.pushes());
     }
   }
 
