@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,27 @@ namespace {
 
 std::string metres(double value) {
   return std::isfinite(value) ? fmt::format("{:.2f} m", value) : "no vehicle came near";
+}
+
+constexpr std::size_t kNamed = 10;  // events that the table names
+
+std::string push_text(const RunSummary& summary) {
+  const auto& pushes = summary.pushes;
+  if (pushes.persons == 0) return "0";
+  return fmt::format("{} (longest {:.2f} m, fastest {:.2f} m/s)", pushes.persons, pushes.longest_m,
+                     pushes.fastest_mps);
+}
+
+std::string run_into_text(const std::vector<RunIntoRecord>& events) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(events.size(), kNamed); ++k) {
+    const RunIntoRecord& event = events[k];
+    text += fmt::format("    '{}' by '{}' at {:.1f} s, ({:.1f}, {:.1f}) in zone '{}': {:.1f} m/s\n",
+                        event.person, event.vehicle, event.time, event.position.x(),
+                        event.position.y(), event.zone, event.speed);
+  }
+  if (events.size() > kNamed) text += fmt::format("    and {} more\n", events.size() - kNamed);
+  return text;
 }
 
 }  // namespace
@@ -38,6 +60,9 @@ std::string summary_table(const RunSummary& summary) {
   line("mean delay", fmt::format("{:.1f} s", vehicles.mean_delay_s));
   line("smallest clearance to a person", metres(vehicles.min_clearance_m));
   line("contacts (person-vehicle pairs)", std::to_string(vehicles.contacts));
+  line("persons pushed", push_text(summary));
+  line("ran into a person", std::to_string(summary.run_into.size()));
+  text += run_into_text(summary.run_into);
   text += "Time\n";
   line("simulated", fmt::format("{:.0f} s", time.simulated_s));
   line("wall", fmt::format("{:.1f} s (SUMO {:.1f} s, pedzone {:.1f} s)", time.wall_s, time.sumo_s,
@@ -76,6 +101,19 @@ std::string summary_json(const RunSummary& summary) {
                             {"zone", jam.zone},
                             {"x", jam.position.x()},
                             {"y", jam.position.y()}});
+  }
+  json["pushes"] = {{"persons", summary.pushes.persons},
+                    {"longest_m", summary.pushes.longest_m},
+                    {"fastest_mps", summary.pushes.fastest_mps}};
+  json["run_into"] = nlohmann::ordered_json::array();
+  for (const RunIntoRecord& event : summary.run_into) {
+    json["run_into"].push_back({{"time", event.time},
+                                {"person", event.person},
+                                {"vehicle", event.vehicle},
+                                {"zone", event.zone},
+                                {"x", event.position.x()},
+                                {"y", event.position.y()},
+                                {"speed_mps", event.speed}});
   }
   json["time"] = {{"simulated_s", time.simulated_s},
                   {"wall_s", time.wall_s},

@@ -235,6 +235,9 @@ std::optional<Vec2> Crowd::seen_at(std::uint64_t key) const {
 }
 
 std::span<const JamNotice> Crowd::jams() const { return state_->jam_notices; }
+std::span<const VehiclePush> Crowd::pushes() const { return state_->pushes; }
+bool Crowd::kept_anybody_out() const { return state_->kept_out; }
+void Crowd::let_vehicles_through() { state_->solid_vehicles = false; }
 
 std::size_t Crowd::size() const { return state_->persons.walking; }
 std::uint64_t Crowd::person_steps() const { return state_->person_steps; }

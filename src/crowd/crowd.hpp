@@ -44,9 +44,16 @@ class Crowd {
   /// except for the ways of those who have to plan again.
   void step(double dt, std::span<const VehicleState> vehicles);
 
+  /// From now on nobody is kept out of vehicles: for measures of what a model does by itself.
+  void let_vehicles_through();
+
   PersonView view(Handle handle) const;
   /// Who in the last step() had not got on among people for `jamTime`, and began to squeeze.
   std::span<const JamNotice> jams() const;
+  /// Whether anybody was ever moved by a vehicle, one that stands included.
+  bool kept_anybody_out() const;
+  /// Whom vehicles that drive pushed or ran into in the last step(), by person and vehicle.
+  std::span<const VehiclePush> pushes() const;
   /// Whether the person sees or hears the vehicle.
   bool aware_of(Handle handle, const VehicleState& vehicle) const;
   /// Of those persons, in that order. Slow; changes nothing that a later step depends on.

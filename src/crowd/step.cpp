@@ -84,7 +84,10 @@ void walk_substep(CrowdState& crowd, double dt) {
   hold_shoulders(crowd, dt);
   move_freely(crowd);
   settle_contacts(crowd);
-  keep_out_of_vehicles(crowd, dt, crowd.near.hits, crowd.moves);
+  if (crowd.solid_vehicles) {
+    const bool moved = keep_out_of_vehicles(crowd, dt, crowd.near.hits, crowd.moves, crowd.pushes);
+    crowd.kept_out = crowd.kept_out || moved;
+  }
   commit(crowd);
 
   // What has come of it.
@@ -143,6 +146,7 @@ void decide(const CrowdState& crowd, double dt, std::vector<Decision>& decisions
 
 void walk(CrowdState& crowd, double dt) {
   crowd.jam_notices.clear();
+  crowd.pushes.clear();
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
   for (int k = 0; k < substeps; ++k) walk_substep(crowd, dt / substeps);
   resize_rows(crowd.persons, crowd.persons.walking);

@@ -152,6 +152,7 @@ struct Simulation::Parts {
   Profiles profiles;
   std::vector<std::unique_ptr<Crowd>> crowds;
   Takeover takeover;
+  PushRecords pushes{zones, crowds, takeover, fleet};
   RunTotals totals;
   SceneReader scene{fleet, takeover, crowds};
   std::function<void(const Scene&)> observer;
@@ -179,6 +180,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   sumo_vehicle::send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
+  for (const std::string& id : pushes.take(session.time(), dt)) yielding.stop(id);
   takeover.write(session.time(), dt, fleet);
   if (steering.over()) return;
   sumo_vehicle::send(steering.plan(session.time(), sumo_vehicle::ids(), sumo_vehicle::length));
@@ -225,6 +227,7 @@ const std::vector<WaypointPath>& Simulation::paths() const { return parts_->path
 const std::vector<Guest>& Simulation::guests() const { return parts_->takeover.guests(); }
 
 const std::vector<JamRecord>& Simulation::jams() const { return parts_->takeover.jams(); }
+const std::vector<RunIntoRecord>& Simulation::run_into() const { return parts_->pushes.run_into(); }
 
 PersonView Simulation::view(const Guest& guest) const {
   return parts_->crowds[guest.zone]->view(guest.handle);
@@ -248,8 +251,9 @@ std::vector<Insight> Simulation::insights() {
 }
 
 RunSummary Simulation::summary() const {
-  RunSummary summary = parts_->totals.summary(parts_->takeover, parts_->yielding.yielded().size(),
-                                              sumo_person::ids().size());
+  RunSummary summary =
+      parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding.yielded().size(),
+                             sumo_person::ids().size());
   summary.time.simulated_s = time();
   summary.time.wall_s = seconds_since(parts_->started);
   summary.time.sumo_s = parts_->sumo_seconds;

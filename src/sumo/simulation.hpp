@@ -55,6 +55,8 @@ class Simulation {
   PersonView view(const Guest& guest) const;
   /// Who has begun to squeeze through a jam of people so far, in time.
   const std::vector<JamRecord>& jams() const;
+  /// Whom vehicles have run into so far, in time.
+  const std::vector<RunIntoRecord>& run_into() const;
   /// What the guests are about to do, in their order; slow.
   std::vector<Insight> insights();
   /// Figures so far.

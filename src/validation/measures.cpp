@@ -98,6 +98,19 @@ void measure_speeds(const PersonTrack& track, const Polyline& way, Measures& mea
   measures.least_speed = std::min(measures.least_speed, measures.mean_speed);
 }
 
+/// Least signed clearance [m] to a moving vehicle; infinity without one.
+double least_clearance(const Clip& clip, const PersonTrack& track, const Polyline& way) {
+  double least = kInfinite;
+  for (const VehicleTrack& vehicle : clip.vehicles) {
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const VehicleState* state = at_frame(vehicle, track.first + static_cast<int>(i));
+      if (state == nullptr || state->velocity.norm() < kMovingSpeed) continue;
+      least = std::min(least, signed_clearance(*state, way[i]));
+    }
+  }
+  return least;
+}
+
 }  // namespace
 
 double signed_clearance(const VehicleState& vehicle, const Vec2& point) {
@@ -106,16 +119,15 @@ double signed_clearance(const VehicleState& vehicle, const Vec2& point) {
 
 Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way) {
   Measures measures;
-  measures.clearance = measures.least_ttc = kInfinite;
+  measures.unpushed = least_clearance(clip, track, way);
+  measures.clearance = std::max(0.0, measures.unpushed);
+  measures.least_ttc = kInfinite;
   const int count = static_cast<int>(way.size());
   for (const VehicleTrack& vehicle : clip.vehicles) {
     for (int i = 0; i < count; ++i) {
       const VehicleState* state = at_frame(vehicle, track.first + i);
       if (state == nullptr || state->velocity.norm() < kMovingSpeed) continue;
       const auto here = static_cast<std::size_t>(i);
-      const double clearance = signed_clearance(*state, way[here]);
-      measures.inside = measures.inside || clearance < 0.0;
-      measures.clearance = std::min(measures.clearance, std::max(clearance, 0.0));
       const std::size_t before = here >= kPast ? here - kPast : 0;
       if (here == before) continue;
       const Vec2 velocity =
@@ -137,6 +149,15 @@ Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way
   const int scored = std::max(1, count - kFollows - 1);
   measures.ade = sum / scored;
   measures.fde = (way.back() - track.places.back()).norm();
+  return measures;
+}
+
+Measures measure(const Clip& clip, std::size_t person, const Replayed& replayed) {
+  const PersonTrack& track = clip.persons[person];
+  Measures measures = measure(clip, track, replayed.ways[person]);
+  if (replayed.pushes.empty()) return measures;
+  measures.push = replayed.pushes[person];
+  measures.unpushed = least_clearance(clip, track, replayed.unpushed[person]);
   return measures;
 }
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "validation/clip.hpp"
+#include "validation/replay.hpp"
 
 namespace pedzone {
 
@@ -20,7 +20,8 @@ struct PassingOrder {
 struct Measures {
   double clearance = 0.0;    ///< [m] least distance from the person's centre to the rectangle of a
                              ///< moving vehicle; infinity without one
-  bool inside = false;       ///< the centre was inside a moving vehicle's rectangle
+  double unpushed = 0.0;     ///< [m] the same where nobody is kept out of vehicles; negative: the
+                             ///< centre was so deep inside
   double deviation = 0.0;    ///< [m] greatest distance from the line from start to goal
   double mean_speed = 0.0;   ///< [m/s] of the way walked until within 0.5 m of the goal
   double least_speed = 0.0;  ///< [m/s] least over half a second, until then
@@ -28,13 +29,16 @@ struct Measures {
                              ///< their velocity; infinity without any
   std::optional<PassingOrder> passing;  ///< with the vehicle that came closest in time; none where
                                         ///< their ways do not cross
+  std::optional<PushedPerson> push;     ///< by moving vehicles; none where no crowd walked
   double ade = 0.0, fde = 0.0;  ///< [m] mean and last distance to the recorded person, from the
                                 ///< first second's end on
 };
 
-/// Measures of a way with the frames of `track` (one place for each). `start_goal` are taken from
-/// the track.
+/// Measures of a way with the frames of `track` (one place for each), which nobody was pushed on.
+/// Start and goal are taken from the track.
 Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way);
+/// Measures of the clip's person as it was walked again.
+Measures measure(const Clip& clip, std::size_t person, const Replayed& replayed);
 
 /// Distance [m] from a point to a vehicle's rectangle; negative inside (depth).
 double signed_clearance(const VehicleState& vehicle, const Vec2& point);

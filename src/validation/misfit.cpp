@@ -17,6 +17,10 @@ struct Mean {
   bool any = false;
 
   double of(Figure f) const { return walked[static_cast<std::size_t>(f)]; }
+  /// By how much it is more than recorded.
+  double beyond(Figure f) const {
+    return std::max(0.0, of(f) - recorded[static_cast<std::size_t>(f)]);
+  }
   double off(Figure f) const {
     const double was = recorded[static_cast<std::size_t>(f)];
     return was > 0.0 ? of(f) / was - 1.0 : 0.0;
@@ -48,10 +52,11 @@ double of_site(const Mean& m) {
       squared(m.off(Figure::kClearance) / 0.15) + squared(m.of(Figure::kClearanceKs) / 0.2);
   sum += squared(m.off(Figure::kDeviation) / 0.2) + squared(m.of(Figure::kDeviationKs) / 0.2);
   sum += squared(m.off(Figure::kSpeed) / 0.07) + squared(m.of(Figure::kLeastSpeedKs) / 0.25);
-  sum += squared(m.of(Figure::kClose) / 0.01) + squared(m.of(Figure::kAde) / 0.8);
+  sum += squared(m.beyond(Figure::kClose) / 0.01) + squared(m.of(Figure::kPushed) / 0.01);
+  sum += squared(m.of(Figure::kAde) / 0.8);
   const double first = m.of(Figure::kFirst);
   if (!std::isnan(first)) sum += squared((1.0 - first) / 0.08);
-  return sum / 9.0;
+  return sum / 10.0;
 }
 
 /// Tolerances of one manoeuvre by itself.

@@ -17,7 +17,8 @@ struct Block {
   std::string_view title;
   std::size_t figures;
 };
-constexpr std::array<Block, 6> kBlocks{{{"Contact", 2},
+constexpr std::array<Block, 7> kBlocks{{{"Contact", 2},
+                                        {"Pushed by a vehicle", 4},
                                         {"Smallest clearance", 3},
                                         {"Lateral deviation", 2},
                                         {"Speed", 3},

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/random.hpp"
+#include "crowd/crowd.hpp"
 
 namespace pedzone {
 namespace {
@@ -33,10 +34,13 @@ Zone open_space(const Clip& clip, const ReplayModel& model) {
   return zone;
 }
 
+std::uint64_t key_of(const Clip& clip, const PersonTrack& track) {
+  return person_key(clip.name + '/' + track.id);
+}
+
 double preferred_speed(const Clip& clip, const PersonTrack& track, std::uint64_t seed) {
   const Vec2 first_second = track.places[kFollows] - track.places.front();
-  const double z =
-      random_normal(seed, person_key(clip.name + '/' + track.id), 0, Purpose::kSpeedJitter);
+  const double z = random_normal(seed, key_of(clip, track), 0, Purpose::kSpeedJitter);
   const double jitter = seed != 0 ? kJitter * z : 0.0;
   return first_second.norm() / (kFollows * kFrame) * (1.0 + jitter);
 }
@@ -83,17 +87,34 @@ class Replay {
     }
   }
 
-  std::vector<Polyline> run() {
+  void let_vehicles_through() { crowd_.let_vehicles_through(); }
+
+  void run() {
     for (int frame = first_; frame <= last_; ++frame) {
       let_in_and_out(frame);
       record(frame);
       vehicles_.clear();
       for (const VehicleTrack& vehicle : clip_.vehicles) {
-        if (const VehicleState* state = at_frame(vehicle, frame)) vehicles_.push_back(*state);
+        const VehicleState* state = at_frame(vehicle, frame);
+        if (state == nullptr) continue;
+        vehicles_.push_back(*state);
+        vehicles_.back().key = person_key(vehicle.id);
       }
       crowd_.step(kFrame, vehicles_);
+      pushes_.add(frame * kFrame, kFrame, crowd_.pushes());
     }
-    return std::move(ways_);
+  }
+
+  bool kept_anybody_out() const { return crowd_.kept_anybody_out(); }
+  std::vector<Polyline> ways() && { return std::move(ways_); }
+
+  std::vector<PushedPerson> pushes() const {
+    std::vector<PushedPerson> all;
+    for (const PersonTrack& track : clip_.persons) {
+      const auto found = pushes_.persons().find(key_of(clip_, track));
+      all.push_back(found != pushes_.persons().end() ? found->second : PushedPerson());
+    }
+    return all;
   }
 
  private:
@@ -119,7 +140,7 @@ class Replay {
   void add(std::size_t i) {
     const PersonTrack& track = clip_.persons[i];
     NewPerson person;
-    person.key = person_key(clip_.name + '/' + track.id);
+    person.key = key_of(clip_, track);
     person.position = track.places[kFollows];
     person.velocity = recorded_velocity(track, kFollows);
     const Vec2 first_second = person.position - track.places.front();
@@ -147,18 +168,34 @@ class Replay {
   std::vector<Polyline> ways_;
   std::vector<SeenPerson> seen_;
   std::vector<VehicleState> vehicles_;
+  PushLog pushes_;
   int first_ = clip_.persons.front().first, last_ = clip_.persons.front().last();
 };
 
 }  // namespace
 
-std::vector<Polyline> replay(const Clip& clip, const ReplayModel& model, std::uint64_t seed) {
-  if (model.kind == ReplayModel::Kind::kModel) return Replay(clip, model, seed).run();
-  std::vector<Polyline> ways;
-  for (const PersonTrack& track : clip.persons) {
-    ways.push_back(blind_way(clip, track, model.kind, seed));
+Replayed replay(const Clip& clip, const ReplayModel& model, std::uint64_t seed) {
+  Replayed replayed;
+  if (model.kind != ReplayModel::Kind::kModel) {
+    for (const PersonTrack& track : clip.persons) {
+      replayed.ways.push_back(blind_way(clip, track, model.kind, seed));
+    }
+    replayed.unpushed = replayed.ways;
+    return replayed;
   }
-  return ways;
+  Replay solid(clip, model, seed);
+  solid.run();
+  replayed.pushes = solid.pushes();
+  if (solid.kept_anybody_out()) {
+    Replay open(clip, model, seed);
+    open.let_vehicles_through();
+    open.run();
+    replayed.unpushed = std::move(open).ways();
+  }
+  const bool same = replayed.unpushed.empty();
+  replayed.ways = std::move(solid).ways();
+  if (same) replayed.unpushed = replayed.ways;
+  return replayed;
 }
 
 }  // namespace pedzone

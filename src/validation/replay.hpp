@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "crowd/crowd.hpp"
+#include "crowd/push_log.hpp"
 #include "validation/clip.hpp"
 
 namespace pedzone {
@@ -18,11 +18,21 @@ struct ReplayModel {
   Parameters parameters;
 };
 
-/// The ways of all persons of the clip, in its order, one place for each recorded frame: in their
-/// first second they follow the recording, then they walk to their last recorded place with the
-/// speed of that second, varied by 3 % (of `seed`; straight and constant-velocity ways too).
-/// People walk in open space through Crowd::step, the vehicles follow the recording. Seed 0: no
-/// variation of speeds.
-std::vector<Polyline> replay(const Clip& clip, const ReplayModel& model, std::uint64_t seed);
+/// A clip walked again: of all its persons, in its order.
+struct Replayed {
+  std::vector<Polyline> ways;  ///< [m] one place for each recorded frame
+  /// [m] The same from a replay that keeps nobody out of vehicles: what the model does by itself.
+  /// Equal to `ways` where nobody had to be kept out.
+  std::vector<Polyline> unpushed;
+  /// What vehicles that drive did to each. Empty where no crowd walks: straight and
+  /// constant-velocity ways run through vehicles.
+  std::vector<PushedPerson> pushes;
+};
+
+/// In their first second people follow the recording, then they walk to their last recorded place
+/// with the speed of that second, varied by 3 % (of `seed`; straight and constant-velocity ways
+/// too). People walk in open space through Crowd::step, the vehicles follow the recording, whomever
+/// they run into. Seed 0: no variation of speeds.
+Replayed replay(const Clip& clip, const ReplayModel& model, std::uint64_t seed);
 
 }  // namespace pedzone

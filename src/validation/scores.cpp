@@ -36,12 +36,38 @@ std::vector<double> column(std::span<const ScoredPerson* const> persons, bool re
   return values;
 }
 
+/// Nothing where no crowd walked them.
+void set_pushes(std::span<const ScoredPerson* const> persons, Figures& f) {
+  std::vector<double> pushed, hit;
+  double way = 0.0, speed = 0.0;
+  for (const ScoredPerson* p : persons) {
+    if (!p->walked.push) return;
+    const PushedPerson& push = *p->walked.push;
+    pushed.push_back(push.way > 0.0 || push.run_into ? 1.0 : 0.0);
+    hit.push_back(push.run_into ? 1.0 : 0.0);
+    way = std::max(way, push.way);
+    speed = std::max(speed, push.speed);
+  }
+  f[static_cast<std::size_t>(Figure::kPushed)] = mean(pushed);
+  f[static_cast<std::size_t>(Figure::kPushWay)] = way;
+  f[static_cast<std::size_t>(Figure::kPushSpeed)] = speed;
+  f[static_cast<std::size_t>(Figure::kRunInto)] = mean(hit);
+}
+
 }  // namespace
 
 const std::array<FigureInfo, kFigures>& figure_list() {
   static constexpr std::array<FigureInfo, kFigures> kList{{
-      {"inside", "inside", "%", "persons whose centre enters a moving vehicle's rectangle", 100, 1},
-      {"close", "<0.25", "%", "persons whose centre comes within 0.25 m of it", 100, 1},
+      {"inside", "inside", "%",
+       "persons whose centre enters a moving vehicle's rectangle, where vehicles push nobody", 100,
+       1},
+      {"close", "<0.25", "%",
+       "persons whose centre comes within 0.25 m of it, where vehicles push nobody", 100, 1},
+      {"pushed", "pushed", "%", "persons whom a moving vehicle pushes by 1 cm or more", 100, 1},
+      {"push_way", "far", "m", "longest way that one is pushed", 1, 2, true},
+      {"push_speed", "fast", "m/s", "greatest speed of it (3 at most)", 1, 2, true},
+      {"run_into", "hit", "%",
+       "persons run into: they would have to be pushed faster, or cannot be", 100, 1},
       {"clearance", "clear", "m", "smallest clearance of the centre to it, median", 1, 2},
       {"clearance_p5", "p5", "m", "the same, 5th percentile", 1, 2},
       {"clearance_ks", "K-S", "", "Kolmogorov-Smirnov distance of it to the recording", 1, 2},
@@ -75,8 +101,8 @@ Figures figures_of(std::span<const ScoredPerson* const> persons, bool recorded) 
   const auto clearance = [](const Measures& m) { return m.clearance; };
   const auto deviation = [](const Measures& m) { return m.deviation; };
   const auto least_speed = [](const Measures& m) { return m.least_speed; };
-  set(Figure::kInside, mean(of([](const Measures& m) { return m.inside ? 1.0 : 0.0; })));
-  set(Figure::kClose, mean(of([](const Measures& m) { return m.clearance < kClose ? 1.0 : 0.0; })));
+  set(Figure::kInside, mean(of([](const Measures& m) { return m.unpushed < 0.0 ? 1.0 : 0.0; })));
+  set(Figure::kClose, mean(of([](const Measures& m) { return m.unpushed < kClose ? 1.0 : 0.0; })));
   set(Figure::kClearance, median(of(clearance)));
   set(Figure::kClearanceLow, quantile(of(clearance), 0.05));
   set(Figure::kClearanceKs, ks(clearance));
@@ -86,6 +112,7 @@ Figures figures_of(std::span<const ScoredPerson* const> persons, bool recorded) 
   set(Figure::kLeastSpeed, median(of(least_speed)));
   set(Figure::kLeastSpeedKs, ks(least_speed));
   if (!recorded) {
+    set_pushes(persons, f);
     set(Figure::kFirst, order_right(persons, kPetCounts));
     set(Figure::kFirstClose, order_right(persons, kPetClose));
     set(Figure::kAde, mean(of([](const Measures& m) { return m.ade; })));
@@ -111,7 +138,7 @@ static std::vector<ScoredPerson> recorded_persons(const std::vector<Clip>& clips
   ReplayModel straight;
   straight.kind = ReplayModel::Kind::kStraight;
   const Clip& clip = clips[c];
-  const std::vector<Polyline> ways = replay(clip, straight, 0);
+  const std::vector<Polyline> ways = replay(clip, straight, 0).ways;
   std::vector<ScoredPerson> persons;
   for (std::size_t i = 0; i < clip.persons.size(); ++i) {
     const PersonTrack& track = clip.persons[i];
@@ -133,10 +160,10 @@ ScoredRuns score(const std::vector<Clip>& clips, const ReplayModel& model, int s
   for_each_parallel(parts.size(), [&](std::size_t k) {
     const std::size_t c = k % clips.size();
     const Clip& clip = clips[c];
-    const std::vector<Polyline> ways = replay(clip, model, k / clips.size() + 1);
+    const Replayed replayed = replay(clip, model, k / clips.size() + 1);
     parts[k] = recorded[c];
     for (ScoredPerson& person : parts[k]) {
-      person.walked = measure(clip, clip.persons[person.person], ways[person.person]);
+      person.walked = measure(clip, person.person, replayed);
     }
   });
   ScoredRuns scored(runs);

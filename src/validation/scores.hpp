@@ -28,6 +28,10 @@ struct ScoredPerson {
 enum class Figure {
   kInside,
   kClose,
+  kPushed,
+  kPushWay,
+  kPushSpeed,
+  kRunInto,
   kClearance,
   kClearanceLow,
   kClearanceKs,
@@ -51,6 +55,8 @@ struct FigureInfo {
   std::string_view key, title, unit, meaning;
   double scale;  ///< from what is stored to what tables print
   int digits;
+  bool greatest = false;  ///< of all persons, so of all seeds, too, and without an interval;
+                          ///< otherwise the mean over seeds counts
 };
 const std::array<FigureInfo, kFigures>& figure_list();
 

@@ -54,7 +54,8 @@ ByClip by_clip(const ValidationResult& result, const ScoredRuns& runs, PersonSet
   return sorted;
 }
 
-/// Mean over seeds for the clips of `chosen` (indices into sample.persons, repeats allowed).
+/// Mean over seeds, or their greatest, for the clips of `chosen` (indices into sample.persons,
+/// repeats allowed).
 Figures mean_figures(const ByClip& sample, const std::vector<std::size_t>& chosen, bool recorded) {
   const std::size_t seeds = recorded ? 1 : sample.persons.front().size();
   Figures sum{};
@@ -69,11 +70,14 @@ Figures mean_figures(const ByClip& sample, const std::vector<std::size_t>& chose
     const Figures one = figures_of(persons, recorded);
     for (std::size_t f = 0; f < kFigures; ++f) {
       if (std::isnan(one[f])) continue;
-      sum[f] += one[f];
+      sum[f] = figure_list()[f].greatest ? std::max(sum[f], one[f]) : sum[f] + one[f];
       ++numbers[f];
     }
   }
-  for (std::size_t f = 0; f < kFigures; ++f) sum[f] /= numbers[f];  // none: not a number
+  for (std::size_t f = 0; f < kFigures; ++f) {
+    const bool divided = !figure_list()[f].greatest || numbers[f] == 0;
+    if (divided) sum[f] /= numbers[f];  // none: not a number
+  }
   return sum;
 }
 
@@ -93,7 +97,7 @@ void fill_row(const ByClip& sample, bool recorded, int resamples, ValidationRow&
     }
     const Figures one = mean_figures(sample, chosen, recorded);
     for (std::size_t f = 0; f < kFigures; ++f) {
-      if (!std::isnan(one[f])) spread[f].push_back(one[f]);
+      if (!std::isnan(one[f]) && !figure_list()[f].greatest) spread[f].push_back(one[f]);
     }
   }
   for (std::size_t f = 0; f < kFigures; ++f) {
@@ -203,7 +207,7 @@ std::vector<DrawnCase> worst_cases(const ValidationResult& result, const ReplayM
                     group_of(clip),
                     track.first,
                     track.places,
-                    replay(clip, model, 1)[person->person],
+                    replay(clip, model, 1).ways[person->person],
                     {},
                     person->recorded,
                     person->walked};

@@ -1,10 +1,14 @@
+// A body gives way to a vehicle no faster than a person could step. Whoever would have to is run
+// into: the bodies overlap, and come apart at that speed. Nobody is carried along by a bumper.
 #include "crowd/motion/vehicle_contacts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "crowd/sense/vehicle_motion.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
@@ -14,8 +18,9 @@ constexpr double kGapTime = 0.04;  // [s] numerical: more room to a moving vehic
                                    // gets to is predicted (SUMO then brakes or turns otherwise)
 constexpr double kGapTurn = 0.25;  // [s] numerical: the same for its corners when it turns
 constexpr double kNoGap = 1e-3;    // [m] numerical: what counts as not touching
-constexpr double kStep = 0.2;      // [m] numerical: beyond what the vehicle itself moves, nobody is
-                                   // moved farther by it in one substep
+constexpr double kSlack = 0.2;     // [m] numerical: contacts of bodies move people farther than
+                                   // they meant to
+constexpr double kContact = 0.01;  // [m] numerical: bodies that overlap by less do not touch
 
 /// Where a body at `local` could go to have `reach` to the rectangle, the nearest first: straight
 /// away from it where it is outside, and out at each of the four sides.
@@ -50,6 +55,7 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
   double best_room = frame.local_distance(local);
   const double reach = radius + gap_to(vehicle);
   if (best_room >= reach) return here;
+  if (longest <= 0.0) return here;
   for (const Vec2& exit : exits(frame, local, reach)) {
     Vec2 step = frame.out_of_frame(exit) - here;
     if (step.norm() > longest) step *= longest / step.norm();
@@ -74,7 +80,7 @@ void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits
     const VehicleState& vehicle = crowd.vehicles[v];
     const double around = 0.5 * std::hypot(vehicle.length, vehicle.width) + widest +
                           gap_to(vehicle) + vehicle.velocity.norm() * dt + 2.0 * crowd.moves.reach +
-                          kStep;
+                          kSlack;
     const Vec2 box = Vec2::Constant(around);
     const Vec2 low = vehicle.centre - box, high = vehicle.centre + box;
     crowd.grid.visit_box(low, high, [&](std::uint32_t i, const Vec2& there) {
@@ -88,23 +94,60 @@ void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits
   });
 }
 
+/// Adds what the vehicle did to the person to what it did in this step already.
+void tell(const VehiclePush& push, std::vector<VehiclePush>& pushes) {
+  const auto pair = [](const VehiclePush& p) { return std::pair(p.person, p.vehicle); };
+  const auto same = std::ranges::lower_bound(pushes, pair(push), {}, pair);
+  if (same == pushes.end() || pair(*same) != pair(push)) {
+    pushes.insert(same, push);
+    return;
+  }
+  same->way += push.way;
+  same->speed = std::max(same->speed, push.speed);
+  if (same->run_into) return;
+  same->run_into = push.run_into;
+  same->contact_speed = push.contact_speed;
+  same->position = push.position;
+}
+
+/// Moves the person out of the way of where the vehicle gets to, by at most `longest` [m]; what
+/// came of it.
+VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, double longest,
+                     Moves& moves) {
+  const Persons& persons = crowd.persons;
+  const VehicleState& vehicle = crowd.vehicles[hit.vehicle];
+  const VehicleState later = moved_on(vehicle, dt);
+  const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
+  const double radius = persons.radius[hit.person];
+  const Vec2 at = moved_out(crowd.zone.walls, later, here, radius, longest);
+  moves.x[hit.person] = at.x();
+  moves.y[hit.person] = at.y();
+  VehiclePush push{persons.key[hit.person], vehicle.key};
+  push.way = (at - here).norm();
+  push.speed = push.way / dt;
+  push.run_into = distance_to(later, at) < radius - kContact;
+  push.contact_speed = push.run_into ? vehicle.velocity.norm() : 0.0;
+  push.position = at;
+  return push;
+}
+
 }  // namespace
 
-void keep_out_of_vehicles(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits,
-                          Moves& moves) {
-  if (crowd.vehicles.empty() || crowd.persons.size() == 0) return;
+bool keep_out_of_vehicles(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits,
+                          Moves& moves, std::vector<VehiclePush>& pushes) {
+  if (crowd.vehicles.empty() || crowd.persons.size() == 0) return false;
   find_hits(crowd, dt, hits);
-  for (const VehicleHit& hit : hits) {
-    const VehicleState& now = crowd.vehicles[hit.vehicle];
-    const VehicleState later = moved_on(now, dt);
-    const double turn = std::abs(now.yaw_rate) * 0.5 * now.length;
-    const double longest = kStep + (now.velocity.norm() + turn) * dt;
-    const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
-    const Vec2 at =
-        moved_out(crowd.zone.walls, later, here, crowd.persons.radius[hit.person], longest);
-    moves.x[hit.person] = at.x();
-    moves.y[hit.person] = at.y();
+  bool moved = false;
+  double left = 0.0;  // [m] that the person may still be moved in this substep, by all vehicles
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (k == 0 || hits[k].person != hits[k - 1].person) left = kSteppingSpeed * dt;
+    const VehiclePush push = push_out(crowd, hits[k], dt, left, moves);
+    left = std::max(0.0, left - push.way);
+    moved = moved || push.way > 0.0;
+    const bool drives = crowd.vehicles[hits[k].vehicle].velocity.norm() >= kHaltingSpeed;
+    if (drives && (push.way > 0.0 || push.run_into)) tell(push, pushes);
   }
+  return moved;
 }
 
 }  // namespace pedzone

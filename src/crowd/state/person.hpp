@@ -78,6 +78,18 @@ struct Insight {
   std::vector<Ray> rays;                             ///< how far it finds each direction free
 };
 
+/// What one vehicle that drives did to one person in one step.
+struct VehiclePush {
+  std::uint64_t person = 0, vehicle = 0;  ///< their keys
+  double way = 0.0;                       ///< [m] by which it moved the person from where the
+                                          ///< person's own moves led, summed over the substeps
+  double speed = 0.0;                     ///< [m/s] of the fastest of those
+  bool run_into = false;                  ///< the bodies overlap: it would have had to move the
+                                          ///< person faster than people step, or no room was left
+  double contact_speed = 0.0;             ///< [m/s] of the vehicle when that began; else 0
+  Vec2 position = Vec2::Zero();           ///< [m] of the person then; else after the step
+};
+
 /// Somebody who is stuck among people and squeezes through from now on.
 struct JamNotice {
   PersonHandle handle = 0;

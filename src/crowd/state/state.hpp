@@ -131,6 +131,9 @@ struct CrowdState {
   Neighbourhood near;
   std::vector<double> next_radius;     ///< [m] of each walked person's body, while it is found
   std::vector<JamNotice> jam_notices;  ///< begun in this step
+  std::vector<VehiclePush> pushes;     ///< of this step, by person and vehicle
+  bool solid_vehicles = true;          ///< bodies are kept out of vehicles
+  bool kept_out = false;               ///< one ever was
 
   Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
   Vec2 velocity(std::size_t i) const { return {persons.vx[i], persons.vy[i]}; }

@@ -95,6 +95,18 @@ constexpr Measure kMeasures[] = {
      "Conflicts", kLower, false},
     {"conflict.clearance", "Smallest clearance", "m", "Of all conflicts of the run; contact: 0.",
      "Conflicts", kHigher, false},
+    {"conflict.pushed", "Persons pushed", "",
+     "Persons whom a vehicle that drives pushed by 1 cm or more. SUMO's own models push nobody: "
+     "vehicles drive through people.",
+     "Conflicts", kLower, false},
+    {"conflict.pushWay", "Longest push", "m", "The longest way that a vehicle pushed somebody.",
+     "Conflicts", kLower, false},
+    {"conflict.pushSpeed", "Fastest push", "m/s", "The fastest of these pushes; 3 at most.",
+     "Conflicts", kLower, false},
+    {"conflict.runInto", "Run into", "",
+     "Times that a vehicle ran into somebody: it would have had to push faster, or there was no "
+     "room.",
+     "Conflicts", kLower, false},
 };
 
 }  // namespace

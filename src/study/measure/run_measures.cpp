@@ -11,6 +11,7 @@
 #include "study/measure/demand_signature.hpp"
 #include "study/measure/density_grid.hpp"
 #include "study/measure/jam_count.hpp"
+#include "study/measure/push_measures.hpp"
 #include "study/measure/run_series.hpp"
 #include "study/measure/trip_measures.hpp"
 #include "study/measure/vehicle_stops.hpp"
@@ -146,6 +147,7 @@ RunMeasures measure_run(const RunOutputs& outputs, const Place& place) {
   settle(trips, observer.end());
   measure_trips(trips, observer.end(), measures.values);
   count_jams(outputs.folder, measures.values);
+  measure_pushes(outputs.folder, measures.values);
   if (!trips.vehicles.empty()) {
     measures.values["vehicle.stops"] =
         static_cast<double>(observer.stops()) / static_cast<double>(trips.vehicles.size());

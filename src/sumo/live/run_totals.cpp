@@ -31,8 +31,8 @@ void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
   }
 }
 
-RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding,
-                              std::size_t walking) const {
+RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushes,
+                              std::size_t yielding, std::size_t walking) const {
   RunSummary summary;
   const WalkTotals& walks = takeover.totals();
   const double persons = static_cast<double>(std::max(1L, walks.controlled));
@@ -42,6 +42,12 @@ RunSummary RunTotals::summary(const Takeover& takeover, std::size_t yielding,
   summary.persons.walking = static_cast<long>(walking);
   summary.persons.lost = departed_ - arrived_ - summary.persons.walking;
   summary.jams = takeover.jams();
+  for (const auto& [key, person] : pushes.log().persons()) {
+    ++summary.pushes.persons;
+    summary.pushes.longest_m = std::max(summary.pushes.longest_m, person.way);
+    summary.pushes.fastest_mps = std::max(summary.pushes.fastest_mps, person.speed);
+  }
+  summary.run_into = pushes.run_into();
   if (walks.time > 0.0) summary.persons.mean_speed = walks.distance / walks.time;
   summary.persons.mean_delay_s = (walks.time - walks.free_time) / persons;
   summary.persons.mean_waiting_s = walks.waiting / persons;

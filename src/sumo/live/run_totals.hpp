@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "sumo/live/takeover.hpp"
+#include "sumo/live/push_records.hpp"
 
 namespace pedzone {
 
@@ -24,8 +24,13 @@ struct RunSummary {
     double min_clearance_m = std::numeric_limits<double>::infinity();
     double mean_delay_s = 0.0;  ///< [s] SUMO's timeLoss gathered near the zones
   } vehicles;
-  std::vector<JamRecord> jams;  ///< in time
-  int interrupted_by = 0;       ///< the signal that ended the run early; 0: none
+  struct {
+    long persons = 0;                           ///< whom a vehicle that drives pushed
+    double longest_m = 0.0, fastest_mps = 0.0;  ///< of all their pushes
+  } pushes;
+  std::vector<JamRecord> jams;          ///< in time
+  std::vector<RunIntoRecord> run_into;  ///< in time
+  int interrupted_by = 0;               ///< the signal that ended the run early; 0: none
   struct {
     double simulated_s = 0.0, wall_s = 0.0, sumo_s = 0.0, pedzone_s = 0.0;
     double us_per_person_step = 0.0;
@@ -42,7 +47,8 @@ class RunTotals {
   void observe(const Fleet& fleet, const Takeover& takeover);
 
   /// Figures so far. `yielding`: vehicles that ever gave way; `walking`: persons in SUMO now.
-  RunSummary summary(const Takeover& takeover, std::size_t yielding, std::size_t walking) const;
+  RunSummary summary(const Takeover& takeover, const PushRecords& pushes, std::size_t yielding,
+                     std::size_t walking) const;
 
  private:
   struct Delay {

@@ -1,6 +1,29 @@
 #include "sumo/plan/yielding.hpp"
 
+#include <algorithm>
+
+#include "world/speeds.hpp"
+
 namespace pedzone {
+namespace {
+
+constexpr double kStandsAfter = 5.0;  // [s] assumed: a driver looks after whom it has run into
+
+}  // namespace
+
+/// Nothing where the vehicle has run into nobody, or has stood for long enough since.
+std::optional<YieldOrder> Yielding::plan_stop(const FleetVehicle& vehicle, double dt) {
+  const auto found = stopping_.find(vehicle.id);
+  if (found == stopping_.end()) return std::nullopt;
+  double& stood = found->second;
+  if (vehicle.speed <= kHaltingSpeed) stood += dt;
+  if (stood > kStandsAfter) {
+    stopping_.erase(found);
+    return std::nullopt;
+  }
+  const double next = std::max(0.0, vehicle.speed - vehicle.traits.emergency_decel * dt);
+  return YieldOrder{next, true};
+}
 
 void Yielding::command(FleetVehicle& vehicle, const YieldOrder& order,
                        std::vector<SpeedOrder>& out) {
@@ -12,7 +35,6 @@ void Yielding::command(FleetVehicle& vehicle, const YieldOrder& order,
   out.push_back({vehicle.id, order.speed});
   vehicle.commanded = order.speed;
   held_.insert(vehicle.id);
-  yielded_.insert(vehicle.id);
 }
 
 void Yielding::give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out) {
@@ -27,6 +49,10 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
                                        const SafeSpeeds& safe_speeds, double dt) {
   std::vector<SpeedOrder> orders;
   for (FleetVehicle& vehicle : vehicles) {
+    if (const auto stop = plan_stop(vehicle, dt); stop && !vehicle.traits.external) {
+      command(vehicle, *stop, orders);
+      continue;
+    }
     if (!vehicle.traits.yields || vehicle.traits.external || vehicle.stopped) {
       if (!vehicle.traits.external) give_back(vehicle, orders);
       continue;
@@ -35,6 +61,7 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
         plan_yield(vehicle, people, zones_[vehicle.zone].parameters, safe_speeds, dt);
     if (order) {
       command(vehicle, *order, orders);
+      yielded_.insert(vehicle.id);
     } else {
       give_back(vehicle, orders);
     }

@@ -84,6 +84,39 @@ TEST_F(YieldingTest, gives_a_vehicle_back_that_stops_at_a_stop_of_its_own) {
   EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed}));
 }
 
+TEST_F(YieldingTest, stops_one_that_has_run_into_somebody_whether_it_yields_or_not) {
+  for (const bool yields : {true, false}) {
+    vehicle_.traits.yields = yields;
+    vehicle_.speed = 2.0;
+    yielding_.stop("shuttle");
+    EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", SpeedMode::kEmergency},
+                                      SpeedOrder{"shuttle", 2.0 - 9.0 * 0.1}));
+    vehicle_.speed = 0.0;
+    // It stands for 5 s, even where nobody is in its way any more.
+    for (int k = 0; k < 50; ++k) {
+      ASSERT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", 0.0})) << k;
+    }
+    EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed},
+                                      SpeedOrder{"shuttle", SpeedMode::kDefault}));
+    EXPECT_THAT(plan({}), IsEmpty());
+    EXPECT_THAT(yielding_.yielded(), IsEmpty()) << "that is not giving way";
+  }
+}
+
+TEST_F(YieldingTest, lets_it_stand_for_as_long_as_bodies_overlap) {
+  vehicle_.speed = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    yielding_.stop("shuttle");
+    ASSERT_EQ(plan({}).back(), (SpeedOrder{"shuttle", 0.0}));
+  }
+}
+
+TEST_F(YieldingTest, does_not_touch_one_that_others_drive_whomever_it_runs_into) {
+  vehicle_.traits.external = true;
+  yielding_.stop("shuttle");
+  EXPECT_THAT(plan({}), IsEmpty());
+}
+
 TEST_F(YieldingTest, knows_who_ever_gave_way) {
   plan(kNear);
   plan({});

@@ -1,0 +1,243 @@
+// Vehicles move people no faster than people step, and what they do to whom is told.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "crowd/push_log.hpp"
+#include "scene.hpp"
+
+namespace pedzone::test {
+namespace {
+
+constexpr double kStepping = 3.0;  // [m/s] the limit
+constexpr double kRadius = 0.24, kStep = 0.1;
+constexpr double kRounding = 1e-6;  // [m] radii are kept as floats
+constexpr double kFront = 2.5;      // [m] of a vehicle, from its centre
+
+std::unique_ptr<WalkingModel> standing_model() { return fixed_model({0.0, 0.0, 10.0, false}); }
+
+/// Room [m] that is kept to a vehicle that drives straight: 5 cm, and 40 ms of its way.
+double gap_at(double speed) { return 0.05 + 0.04 * speed; }
+
+/// What happens in a scene.
+struct Pushes {
+  PushLog log;
+  double way = 0.0, fastest = 0.0;
+
+  void run(Scene& scene, double until, double dt = kStep) {
+    while (scene.time < until - 1e-9) {
+      const double begin = scene.time;
+      scene.step(dt);
+      log.add(begin, dt, scene.crowd.pushes());
+      for (const VehiclePush& push : scene.crowd.pushes()) {
+        way += push.way;
+        fastest = std::max(fastest, push.speed);
+      }
+    }
+  }
+};
+
+class Push : public ::testing::Test {
+ protected:
+  const Zone zone_ = zone_of(box(0, 0, 80, 20));
+};
+
+TEST_F(Push, is_as_long_as_the_vehicle_drives_on_and_as_fast) {
+  Scene scene(zone_, 1, standing_model());
+  scene.add({40, 10}, point(70, 10), 1.34, 0.0);
+  scene.vehicles = {vehicle_at({35, 10}, 0.0, 1.0)};
+  Pushes pushes;
+  pushes.run(scene, 5.0);
+  const double free = 40.0 - kRadius - gap_at(1.0) - (35.0 + kFront);
+  EXPECT_NEAR(pushes.way, 5.0 - free, kRounding);
+  EXPECT_NEAR(pushes.fastest, 1.0, 1e-9);
+  ASSERT_EQ(pushes.log.persons().size(), 1u);
+  const auto& [key, person] = *pushes.log.persons().begin();
+  EXPECT_EQ(key, scene.people[0].given.key);
+  EXPECT_NEAR(person.way, pushes.way, 1e-9);
+  EXPECT_NEAR(person.speed, 1.0, 1e-9);
+  EXPECT_FALSE(person.run_into);
+  EXPECT_TRUE(pushes.log.run_into().empty());
+}
+
+TEST_F(Push, is_told_of_a_step_as_of_its_substeps) {
+  for (const double dt : {0.1, 1.0}) {
+    Scene scene(zone_, 1, standing_model());
+    scene.add({40, 10}, point(70, 10), 1.34, 0.0);
+    scene.vehicles = {vehicle_at({35, 10}, 0.0, 1.0)};
+    Pushes pushes;
+    pushes.run(scene, 5.0, dt);
+    EXPECT_NEAR(pushes.log.persons().begin()->second.way,
+                5.0 - (5.0 - kFront - kRadius - gap_at(1.0)), kRounding)
+        << dt;
+  }
+}
+
+TEST_F(Push, of_a_fast_one_is_no_faster_than_people_step_and_it_runs_into_them) {
+  for (const double speed : {3.5, 8.0, 15.0}) {
+    Scene scene(zone_, 1, blind_model());
+    scene.add({60, 10.2}, point(5, 10.2));
+    scene.vehicles = {vehicle_at({5, 10}, 0.0, speed)};
+    Pushes pushes;
+    pushes.run(scene, 70.0 / speed);
+    const Scene::Person& person = scene.people[0];
+    for (std::size_t k = 1; k < person.path.size(); ++k) {
+      EXPECT_LE((person.path[k] - person.path[k - 1]).norm(), (kStepping + 1.34) * kStep + 1e-9);
+    }
+    EXPECT_NEAR(pushes.fastest, kStepping, 1e-9) << speed;
+    ASSERT_EQ(pushes.log.run_into().size(), 1u) << speed;
+    const RunInto& event = pushes.log.run_into()[0];
+    EXPECT_EQ(event.person, person.given.key);
+    EXPECT_DOUBLE_EQ(event.speed, speed);
+    // They close in at both speeds from 52.26 m apart, and the push delays the contact a little.
+    EXPECT_NEAR(event.time, (60.0 - 5.0 - kFront - kRadius) / (speed + 1.34), 0.5);
+    EXPECT_TRUE(pushes.log.persons().at(person.given.key).run_into);
+    EXPECT_GT(scene.least_vehicle_gap(), -kRadius - 1e-9);
+    EXPECT_LT(scene.least_vehicle_gap(), -0.01);
+  }
+}
+
+TEST_F(Push, of_two_vehicles_at_once_is_no_faster_either) {
+  Scene scene(zone_, 1, standing_model());
+  scene.add({40, 10}, point(5, 5), 1.34, 0.0);
+  scene.vehicles = {vehicle_at({35, 10}, 0.0, 6.0), vehicle_at({40, 5}, kPi / 2, 6.0)};
+  for (VehicleState& vehicle : scene.vehicles) vehicle.key = vehicle.centre.x() > 36.0 ? 1 : 2;
+  Pushes pushes;
+  std::size_t most = 0;
+  while (scene.time < 1.0) {
+    const Vec2 before = scene.people[0].view.position;
+    pushes.run(scene, scene.time + kStep);
+    most = std::max(most, scene.crowd.pushes().size());
+    EXPECT_LE((scene.people[0].view.position - before).norm(), kStepping * kStep + 1e-9);
+  }
+  EXPECT_EQ(most, 2u);
+  EXPECT_EQ(pushes.log.run_into().size(), 2u);
+}
+
+TEST_F(Push, brings_bodies_apart_at_that_speed_once_the_vehicle_stands) {
+  Scene scene(zone_, 1, standing_model());
+  scene.add({40, 10}, point(70, 10), 1.34, 0.0);
+  scene.vehicles = {vehicle_at({40, 9.5}, 0.0, 0.0)};
+  const double deep = 0.5 * 1.8 - 0.5 + kRadius + gap_at(0.0);
+  int steps = 0;
+  while (clearance(scene.vehicles[0], scene.people[0].view.position) < kRadius) {
+    scene.step();
+    ++steps;
+    ASSERT_LE(steps, 10);
+  }
+  EXPECT_EQ(steps, static_cast<int>(std::ceil(deep / (kStepping * kStep))));
+  EXPECT_TRUE(scene.crowd.pushes().empty()) << "it does not drive";
+  EXPECT_TRUE(scene.crowd.kept_anybody_out());
+}
+
+TEST_F(Push, against_a_wall_runs_into_who_has_no_room_left) {
+  const Zone lane = zone_of(box(0, 0, 40, 1.9));
+  Scene scene(lane, 1, standing_model());
+  scene.add({39, 0.95}, point(2, 0.95), 1.34, 0.0);
+  scene.vehicles = {vehicle_at({35, 0.95}, 0.0, 0.5, 5.0, 1.8)};
+  Pushes pushes;
+  pushes.run(scene, 5.0);
+  ASSERT_EQ(pushes.log.run_into().size(), 1u);
+  EXPECT_DOUBLE_EQ(pushes.log.run_into()[0].speed, 0.5);
+  EXPECT_GE(scene.least_wall_gap(), -1e-6);
+}
+
+TEST_F(Push, is_none_before_one_that_stands_or_passes) {
+  Scene scene(zone_, 1, blind_model());
+  scene.add({30, 10}, point(70, 10));
+  scene.add({60, 3}, point(5, 3));
+  scene.vehicles = {vehicle_at({40, 10}, 0.0, 0.0), vehicle_at({5, 10}, 0.0, 0.0),
+                    vehicle_at({20, 15}, 0.0, 4.0)};
+  Pushes pushes;
+  pushes.run(scene, 12.0);
+  EXPECT_TRUE(pushes.log.persons().empty());
+  EXPECT_TRUE(scene.crowd.kept_anybody_out()) << "the first walks against a standing one";
+}
+
+TEST_F(Push, is_off_where_vehicles_are_let_through) {
+  Scene scene(zone_, 1, standing_model());
+  scene.add({40, 10}, point(70, 10), 1.34, 0.0);
+  scene.crowd.let_vehicles_through();
+  scene.vehicles = {vehicle_at({35, 10}, 0.0, 5.0)};
+  Pushes pushes;
+  pushes.run(scene, 1.0);
+  EXPECT_EQ(scene.people[0].view.position, Vec2(40, 10));
+  EXPECT_EQ(clearance(scene.vehicles[0], {40, 10}), 0.0);
+  EXPECT_TRUE(pushes.log.persons().empty());
+  EXPECT_FALSE(scene.crowd.kept_anybody_out());
+}
+
+TEST_F(Push, is_told_by_person_and_vehicle_in_whatever_order_people_came) {
+  std::vector<std::vector<VehiclePush>> told;
+  for (const bool backward : {false, true}) {
+    Scene scene(zone_, 1, standing_model());
+    for (int n = 0; n < 6; ++n) {
+      const int k = backward ? 5 - n : n;
+      NewPerson person;
+      person.key = static_cast<std::uint64_t>(100 - 7 * k);
+      person.position = {40.0 + 0.1 * k, 5.0 + 2.0 * k};
+      person.destination = point(70, 10);
+      scene.add(person);
+    }
+    for (int k = 0; k < 6; ++k) {
+      scene.vehicles.push_back(vehicle_at({37.2, 5.0 + 2.0 * k}, 0.0, 2.0));
+      scene.vehicles.back().key = static_cast<std::uint64_t>(9 - k);
+    }
+    for (int k = 0; k < 4; ++k) scene.step();
+    told.emplace_back(scene.crowd.pushes().begin(), scene.crowd.pushes().end());
+  }
+  ASSERT_EQ(told[0].size(), 6u);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(told[0][k].person, told[1][k].person);
+    EXPECT_EQ(told[0][k].vehicle, told[1][k].vehicle);
+    EXPECT_EQ(told[0][k].way, told[1][k].way);
+    EXPECT_EQ(told[0][k].position, told[1][k].position);
+  }
+}
+
+VehiclePush push_of(double way, bool run_into = false, std::uint64_t vehicle = 5) {
+  VehiclePush push;
+  push.person = 1;
+  push.vehicle = vehicle;
+  push.way = way;
+  push.speed = 10.0 * way;
+  push.run_into = run_into;
+  push.contact_speed = run_into ? 4.0 : 0.0;
+  return push;
+}
+
+TEST(PushLog, joins_what_is_less_than_a_second_apart) {
+  PushLog log;
+  for (const double time : {1.0, 1.1, 1.9, 4.0, 4.1}) {
+    log.add(time, 0.1, std::vector{push_of(0.1)});
+  }
+  EXPECT_DOUBLE_EQ(log.persons().at(1).way, 0.3);
+  EXPECT_DOUBLE_EQ(log.persons().at(1).speed, 1.0);
+}
+
+TEST(PushLog, leaves_out_who_is_hardly_moved) {
+  PushLog log;
+  log.add(0.0, 0.1, std::vector{push_of(0.004)});
+  log.add(5.0, 0.1, std::vector{push_of(0.009)});
+  EXPECT_TRUE(log.persons().empty());
+  log.add(5.1, 0.1, std::vector{push_of(0.009)});
+  EXPECT_EQ(log.persons().size(), 1u);
+}
+
+TEST(PushLog, counts_a_contact_once_until_it_is_over) {
+  PushLog log;
+  for (const double time : {1.0, 1.1, 1.3, 2.0}) {
+    log.add(time, 0.1, std::vector{push_of(0.3, true)});
+  }
+  log.add(2.1, 0.1, std::vector{push_of(0.3, true, 6)});
+  log.add(3.3, 0.1, std::vector{push_of(0.3, true)});
+  ASSERT_EQ(log.run_into().size(), 3u);
+  EXPECT_EQ(log.run_into()[0].time, 1.0);
+  EXPECT_EQ(log.run_into()[1].vehicle, 6u);
+  EXPECT_EQ(log.run_into()[2].time, 3.3);
+  EXPECT_EQ(log.run_into()[2].speed, 4.0);
+}
+
+}  // namespace
+}  // namespace pedzone::test
