@@ -21,7 +21,7 @@ constexpr std::array<Block, 6> kBlocks{{{"Contact", 2},
                                         {"Smallest clearance", 3},
                                         {"Lateral deviation", 2},
                                         {"Speed", 3},
-                                        {"Order and time", 4},
+                                        {"Order and time", 8},
                                         {"Distance to recording", 2}}};
 static_assert(std::accumulate(kBlocks.begin(), kBlocks.end(), std::size_t{0},
                               [](std::size_t sum, const Block& b) { return sum + b.figures; }) ==
@@ -47,7 +47,8 @@ std::string shown(const FigureInfo& info, double value) {
 }
 
 std::string interval(const FigureInfo& info, const ValidationRow& row, std::size_t figure) {
-  if (std::isnan(row.low[figure]) || std::isnan(row.high[figure])) return "";
+  if (info.count || std::isnan(row.value[figure])) return "";
+  if (std::isnan(row.low[figure]) || std::isnan(row.high[figure])) return "—";  // too few clips
   return shown(info, row.low[figure]) + "–" + shown(info, row.high[figure]);
 }
 

@@ -16,17 +16,26 @@ constexpr double kLeastWay = 2.0;                    // [m]
 constexpr double kClose = 0.25;                      // [m]
 constexpr double kPetCounts = 5.0, kPetClose = 2.0;  // [s]
 
-/// Share of those recorded with |PET| ≤ `limit` who are first or second as recorded.
-double order_right(std::span<const ScoredPerson* const> persons, double limit) {
-  int right = 0, all = 0;
-  for (const ScoredPerson* p : persons) {
-    const auto &recorded = p->recorded.passing, &walked = p->walked.passing;
-    if (!recorded || recorded->gap > limit || !walked) continue;
-    ++all;
-    if (recorded->person_first == walked->person_first) ++right;
+/// Of those whose recorded way crosses that of a vehicle with |PET| ≤ `limit`.
+struct Crossings {
+  int all = 0;     ///< recorded
+  int walked = 0;  ///< the walked way crosses one, too
+  int right = 0;   ///< and the person is first or second as recorded
+
+  Crossings(std::span<const ScoredPerson* const> persons, double limit) {
+    for (const ScoredPerson* p : persons) {
+      const auto &recorded = p->recorded.passing, &again = p->walked.passing;
+      if (!recorded || recorded->gap > limit) continue;
+      ++all;
+      if (!again) continue;
+      ++walked;
+      if (recorded->person_first == again->person_first) ++right;
+    }
   }
-  return all > 0 ? static_cast<double>(right) / all : kNothing;
-}
+  double right_of(int number) const {
+    return number > 0 ? static_cast<double>(right) / number : kNothing;
+  }
+};
 
 template <class Get>
 std::vector<double> column(std::span<const ScoredPerson* const> persons, bool recorded, Get get) {
@@ -51,7 +60,13 @@ const std::array<FigureInfo, kFigures>& figure_list() {
       {"least_speed", "least", "m/s", "least speed over 0.5 s until then, median", 1, 2},
       {"least_speed_ks", "K-S", "", "Kolmogorov-Smirnov distance of it to the recording", 1, 2},
       {"first", "first5", "%", "first or second as recorded, where recorded PET <= 5 s", 100, 1},
-      {"first_close", "first2", "%", "the same where recorded PET <= 2 s", 100, 1},
+      {"first_count", "n5", "", "of so many: recorded PET <= 5 s, and crossing in the replay, too",
+       1, 0, true},
+      {"first_of_all", "all5", "%", "first5 if who no longer crosses in the replay counts as wrong",
+       100, 1},
+      {"first_close", "first2", "%", "as first5, where recorded PET <= 2 s", 100, 1},
+      {"first_close_count", "n2", "", "of so many: as n5, where recorded PET <= 2 s", 1, 0, true},
+      {"first_close_of_all", "all2", "%", "as all5, where recorded PET <= 2 s", 100, 1},
       {"pet", "PET", "s", "post-encroachment time, size, median", 1, 1},
       {"ttc", "TTC", "s", "least time to collision, median", 1, 1},
       {"ade", "ADE", "m", "mean distance to the recorded person, mean", 1, 2},
@@ -85,9 +100,14 @@ Figures figures_of(std::span<const ScoredPerson* const> persons, bool recorded) 
   set(Figure::kSpeed, mean(of([](const Measures& m) { return m.mean_speed; })));
   set(Figure::kLeastSpeed, median(of(least_speed)));
   set(Figure::kLeastSpeedKs, ks(least_speed));
+  const Crossings crossings(persons, kPetCounts), close(persons, kPetClose);
+  set(Figure::kFirstCount, recorded ? crossings.all : crossings.walked);
+  set(Figure::kFirstCloseCount, recorded ? close.all : close.walked);
   if (!recorded) {
-    set(Figure::kFirst, order_right(persons, kPetCounts));
-    set(Figure::kFirstClose, order_right(persons, kPetClose));
+    set(Figure::kFirst, crossings.right_of(crossings.walked));
+    set(Figure::kFirstOfAll, crossings.right_of(crossings.all));
+    set(Figure::kFirstClose, close.right_of(close.walked));
+    set(Figure::kFirstCloseOfAll, close.right_of(close.all));
     set(Figure::kAde, mean(of([](const Measures& m) { return m.ade; })));
     set(Figure::kFde, mean(of([](const Measures& m) { return m.fde; })));
   }

@@ -37,7 +37,11 @@ enum class Figure {
   kLeastSpeed,
   kLeastSpeedKs,
   kFirst,
+  kFirstCount,
+  kFirstOfAll,
   kFirstClose,
+  kFirstCloseCount,
+  kFirstCloseOfAll,
   kPet,
   kTtc,
   kAde,
@@ -51,6 +55,7 @@ struct FigureInfo {
   std::string_view key, title, unit, meaning;
   double scale;  ///< from what is stored to what tables print
   int digits;
+  bool count = false;  ///< a number of persons: has no interval
 };
 const std::array<FigureInfo, kFigures>& figure_list();
 

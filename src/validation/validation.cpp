@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -77,6 +78,20 @@ Figures mean_figures(const ByClip& sample, const std::vector<std::size_t>& chose
   return sum;
 }
 
+/// Which figures have an interval: not counts, nor what fewer than kLeastClips tell of.
+std::array<bool, kFigures> have_interval(const ByClip& sample, bool recorded) {
+  std::array<std::size_t, kFigures> clips{};
+  for (std::size_t c = 0; c < sample.persons.size(); ++c) {
+    const Figures one = mean_figures(sample, {c}, recorded);
+    for (std::size_t f = 0; f < kFigures; ++f) clips[f] += std::isnan(one[f]) ? 0 : 1;
+  }
+  std::array<bool, kFigures> have{};
+  for (std::size_t f = 0; f < kFigures; ++f) {
+    have[f] = !figure_list()[f].count && clips[f] >= kLeastClips;
+  }
+  return have;
+}
+
 void fill_row(const ByClip& sample, bool recorded, int resamples, ValidationRow& row) {
   const std::size_t clips = sample.persons.size();
   std::vector<std::size_t> chosen(clips);
@@ -84,6 +99,10 @@ void fill_row(const ByClip& sample, bool recorded, int resamples, ValidationRow&
   row.persons = sample.count;
   row.clips = clips;
   row.value = mean_figures(sample, chosen, recorded);
+  row.low.fill(std::numeric_limits<double>::quiet_NaN());
+  row.high = row.low;
+  if (clips < kLeastClips) return;
+  const auto have = have_interval(sample, recorded);
   std::vector<std::vector<double>> spread(kFigures);
   for (int r = 0; r < resamples; ++r) {
     for (std::size_t i = 0; i < clips; ++i) {
@@ -97,6 +116,7 @@ void fill_row(const ByClip& sample, bool recorded, int resamples, ValidationRow&
     }
   }
   for (std::size_t f = 0; f < kFigures; ++f) {
+    if (!have[f]) continue;
     row.low[f] = quantile(spread[f], 0.025);
     row.high[f] = quantile(spread[f], 0.975);
   }

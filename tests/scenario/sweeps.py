@@ -153,8 +153,8 @@ SWEEPS = {
         (0.0, 0.2, 0.4, 0.6, 0.8, 1.0), encounter, "steering",
         {"deviation": "deviation [m]", "clearance": "least clearance [m]"}, {"heuristic": {}},
         (Claim("the more it is steered at them, the farther they go", "deviation", 0.0, 0.4),
-         Claim("... and farther", "deviation", 0.4, 0.8),
-         Claim("... and farther", "deviation", 0.8, 1.0)), ("outside",)),
+         Claim("... and farther", "deviation", 0.4, 0.6),
+         Claim("... and farther", "deviation", 0.6, 1.0)), ("outside",)),
     "spacing": Sweep(
         "5.1: how far apart waypoints are", "distance between waypoints [m]",
         (2.5, 5.0, 10.0, 20.0, 35.0, 70.0), encounter, "spacing",
