@@ -132,6 +132,7 @@ static std::vector<ScoredPerson> recorded_persons(const std::vector<Clip>& clips
   straight.kind = ReplayModel::Kind::kStraight;
   const Clip& clip = clips[c];
   const std::vector<Polyline> ways = replay(clip, straight, 0);
+  const VehicleWays vehicles(clip);
   std::vector<ScoredPerson> persons;
   for (std::size_t i = 0; i < clip.persons.size(); ++i) {
     const PersonTrack& track = clip.persons[i];
@@ -139,8 +140,8 @@ static std::vector<ScoredPerson> recorded_persons(const std::vector<Clip>& clips
     ScoredPerson person;
     person.clip = static_cast<std::uint32_t>(c);
     person.person = static_cast<std::uint32_t>(i);
-    person.recorded = measure(clip, track, track.places);
-    person.straight_clearance = measure(clip, track, ways[i]).clearance;
+    person.recorded = measure(clip, vehicles, track, track.places);
+    person.straight_clearance = measure(clip, vehicles, track, ways[i]).clearance;
     persons.push_back(person);
   }
   return persons;
@@ -154,9 +155,10 @@ ScoredRuns score(const std::vector<Clip>& clips, const ReplayModel& model, int s
     const std::size_t c = k % clips.size();
     const Clip& clip = clips[c];
     const std::vector<Polyline> ways = replay(clip, model, k / clips.size() + 1);
+    const VehicleWays vehicles(clip);
     parts[k] = recorded[c];
     for (ScoredPerson& person : parts[k]) {
-      person.walked = measure(clip, clip.persons[person.person], ways[person.person]);
+      person.walked = measure(clip, vehicles, clip.persons[person.person], ways[person.person]);
     }
   });
   ScoredRuns scored(runs);

@@ -28,8 +28,9 @@ const std::vector<ClipName>& tuned_clips() {
 std::vector<ClipName> scored_clips(const std::vector<Clip>& data) {
   std::vector<ClipName> names;
   for (const Clip& clip : data) {
+    const VehicleWays ways(clip);
     const bool scored = std::ranges::any_of(clip.persons, [&](const PersonTrack& track) {
-      return counts(track) && measure(clip, track, track.places).clearance < kInteracting;
+      return counts(track) && measure(clip, ways, track, track.places).clearance < kInteracting;
     });
     if (scored) names.emplace_back(clip.site, clip.name);
   }
