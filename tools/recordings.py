@@ -15,7 +15,8 @@ What is read, below the clone:
     CITR  data/trajectories_filtered/SCENARIO/CLIP_traj_{ped,veh}_filtered.csv
     DUT   data/trajectories_filtered/CLIP_traj_{ped,veh}_filtered.csv
           data/trajectories/CLIP_traj_veh.csv, data/ratios/CLIP_ratio_pixel2meter.txt
-A vehicle file may be missing only where the clip's name has "no_vehicle".
+A vehicle file may be missing where the clip's name has "no_vehicle". Where another file of a clip is
+missing, that clip is left out with a warning that names the file, and the others are written.
 
 What is written: OUT_DIR/citr/CLIP.csv and OUT_DIR/dut/CLIP.csv, with the columns
     t            [s] multiples of 0.1; of one clock for people and vehicles. CITR: since the video's
@@ -220,7 +221,7 @@ def convert_clip(name, original, people_path, counts):
 
 
 def find_clips(name, original):
-    """The files of people, by clip; every clip has one."""
+    """The files of people, by clip; and those that are missing beside a file of vehicles."""
     folder, pattern, clips = original / "data/trajectories_filtered", SITES[name].people, {}
     for path in sorted(folder.glob(pattern)):
         clip = path.name[:-len(PEOPLE)]
@@ -229,11 +230,9 @@ def find_clips(name, original):
         clips[clip] = path
     if not clips:
         raise InputError(f"{folder}: has no {pattern}; name the folder that `git clone` made")
-    for path in sorted(folder.glob(pattern.replace(PEOPLE, VEHICLES))):
-        clip = path.name[:-len(VEHICLES)]
-        if clip not in clips:
-            raise InputError(f"{path}: has no {clip}{PEOPLE} beside it; both are needed")
-    return clips
+    alone = [path for path in sorted(folder.glob(pattern.replace(PEOPLE, VEHICLES)))
+             if path.name[:-len(VEHICLES)] not in clips]
+    return clips, [path.with_name(path.name[:-len(VEHICLES)] + PEOPLE) for path in alone]
 
 
 def write_folder(folder, files):
@@ -258,12 +257,21 @@ def convert(name, original, out):
     folder = out / name
     if folder.exists() or folder.is_symlink():
         raise InputError(f"{folder}: exists already; remove it or name another OUT_DIR")
-    counts = {"ped": 0, "veh": 0, "short": 0}
-    files = {f"{clip}.csv": convert_clip(name, original, path, counts)
-             for clip, path in find_clips(name, original).items()}
+    counts, files = {"ped": 0, "veh": 0, "short": 0}, {}
+    clips, missing = find_clips(name, original)
+    for clip, path in clips.items():
+        try:
+            files[f"{clip}.csv"] = convert_clip(name, original, path, counts)
+        except FileNotFoundError as error:
+            missing.append(error.filename)
+    if not files:
+        raise InputError(f"{missing[0]}: is missing, and no other clip is complete; one is needed")
     write_folder(folder, files)
+    for path in missing:
+        print(f"Warning: {path}: is missing; its clip is left out", file=sys.stderr)
     return (f"{folder}: {len(files)} clips, {counts['ped']} people, {counts['veh']} vehicles; "
-            f"left out: {counts['short']} tracks with less than two times")
+            f"left out: {len(missing)} clips with a missing file, {counts['short']} tracks with "
+            "less than two times")
 
 
 def parse(words):

@@ -5,8 +5,9 @@ usage: paths.py                    all of them, beside this file
        paths.py --steering S       that of 5.1 with another steering, to the standard output
 
 Steering 0 leaves the shuttle on its line (y = 2.5 m), whose side is 2.5 m from the nearer person's
-(y = -1 m); with 1 it goes over to y = 0.5 m, 0.5 m from it. It changes over as a cosine does while x
-goes from 62 m to 47 m, at 2 m/s along the path, so that it has done so before it meets the first.
+(y = -1 m); with 1 it goes over to that person's line and drives along it: the other one's (y = -1.5 m)
+is inside its width, too. It changes over as a cosine does while x goes from 62 m to 47 m, at 2 m/s
+along the path, so that it has done so before it meets the first.
 """
 
 import argparse
@@ -17,7 +18,7 @@ SPEED = 2.0                 # [m/s] a shuttle among people
 BEGIN = 5.0                 # [s]
 FROM, TO = 76.0, 2.0        # [m] x of the front bumper
 CHANGE = (62.0, 47.0)       # [m] x between which it changes over
-LINE, ASIDE = 2.5, 2.0      # [m] its y without steering, and by how much less with steering 1
+LINE, ASIDE = 2.5, 3.5       # [m] its y without steering, and by how much less with steering 1
 LANE = -40.0                # [m] y of the middle of 5.3's lane
 PIECE = 0.5                 # [m] of x from row to row
 STEERINGS = {"straight": 0.0, "half": 0.5, "full": 1.0}

@@ -90,6 +90,7 @@ void calibrate(CalibrateOptions options) {
   const std::vector<Clip> clips = read_clips(options.data);
   CompleteFile json(options.out + "/calibration.json", "--out");
   CompleteFile header(options.out + "/calibrated.inc", "--out");
+  CompleteFile tuned(options.out + "/tuned_clips.inc", "--out");
   CompleteFile zone(options.out + "/calibrated.zone.xml", "--out");
   options.calibration.log = options.out + "/evaluations.csv";
   ShareBar bar("Calibrating");
@@ -98,9 +99,11 @@ void calibrate(CalibrateOptions options) {
   bar.finish();
   json.write(calibration_json(result));
   header.write(calibrated_include(result, options.calibration));
+  tuned.write(tuned_include(clips));
   zone.write(calibrated_zone(result));
   json.finish();
   header.finish();
+  tuned.finish();
   zone.finish();
   fmt::print("{}", calibration_table(result));
 }
@@ -142,7 +145,8 @@ void add_calibrate(CLI::App& app, int& code) {
   command->footer(
       "Example:\n  pedzone calibrate --data recordings/ --out calibration/\n\n"
       "Writes calibration.json (parameters and scores of each fold), calibrated.zone.xml (to be\n"
-      "used with --zone), calibrated.inc (src/world/calibrated.inc, the defaults) and\n"
+      "used with --zone), calibrated.inc (src/world/calibrated.inc, the defaults),\n"
+      "tuned_clips.inc (src/validation/tuned_clips.inc, what they are tuned on) and\n"
       "evaluations.csv: started again with the same folder, it goes on from there.");
   CalibrationOptions& calibration = options->calibration;
   command->add_option("--data", options->data, "Folder of clips, or of folders of them")

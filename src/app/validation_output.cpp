@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "validation/tuned_clips.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -44,6 +46,20 @@ Json row_json(const ValidationRow& row) {
           {"persons", row.persons},  {"clips", row.clips}, {"figures", figures}};
 }
 
+Json clip_names(const std::vector<ClipName>& clips) {
+  Json names = Json::array();
+  for (const auto& [site, name] : clips) names.push_back(site + "/" + name);
+  return names;
+}
+
+/// Of what the default was tuned on: there its figures show how well it fits.
+std::string tuned_line(const ValidationResult& result) {
+  const ShownClips shown = shown_clips(scored_clips(result.data));
+  return fmt::format("The default was tuned on {} clips: on {} of the {} that are scored here\n",
+                     tuned_clips().size(), shown.tuned.size(),
+                     shown.tuned.size() + shown.held_back.size());
+}
+
 Json parameters_json(const Parameters& parameters) {
   Json json;
   for (const Searched& searched : searched_parameters()) {
@@ -58,6 +74,7 @@ std::string validation_table(const ValidationResult& result) {
   std::string text =
       fmt::format("{} clips, {} persons ({} of at least 3 s and 2 m), means over {} seeds\n",
                   result.clips, result.persons, result.scored, result.seeds);
+  text += tuned_line(result);
   for (const PersonSet set : {PersonSet::kRecorded, PersonSet::kStraight}) {
     text += set == PersonSet::kRecorded
                 ? "\nPersons whose recorded clearance to a moving vehicle is under 3 m\n"
@@ -85,6 +102,9 @@ std::string validation_json(const ValidationResult& result) {
   json["persons"] = result.persons;
   json["scored"] = result.scored;
   json["seeds"] = result.seeds;
+  const ShownClips shown = shown_clips(scored_clips(result.data));
+  json["tuned_clips"] = clip_names(shown.tuned);
+  json["held_back_clips"] = clip_names(shown.held_back);
   json["models"] = result.models;
   for (const FigureInfo& info : figure_list()) {
     json["figures"].push_back({{"key", info.key},
@@ -156,6 +176,14 @@ std::string calibrated_include(const CalibrationResult& result, const Calibratio
   for (const Searched& searched : searched_parameters()) {
     text += fmt::format("calibrated({}, {})\n", searched.key,
                         all.parameters.*find_parameter(searched.key)->member);
+  }
+  return text;
+}
+
+std::string tuned_include(const std::vector<Clip>& data) {
+  std::string text = "// Written by `pedzone calibrate`, with calibrated.inc; not by hand.\n";
+  for (const auto& [site, name] : scored_clips(data)) {
+    text += fmt::format("tuned_clip(\"{}\", \"{}\")\n", site, name);
   }
   return text;
 }

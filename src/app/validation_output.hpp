@@ -15,6 +15,8 @@ std::string calibration_table(const CalibrationResult& result);
 std::string calibration_json(const CalibrationResult& result);
 /// src/world/calibrated.inc: the defaults of parameter_list(), with the scores they come from.
 std::string calibrated_include(const CalibrationResult& result, const CalibrationOptions& options);
+/// src/validation/tuned_clips.inc: the clips of `data` that they come from.
+std::string tuned_include(const std::vector<Clip>& data);
 /// A zone file with these parameters.
 std::string calibrated_zone(const CalibrationResult& result);
 

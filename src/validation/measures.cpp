@@ -24,46 +24,6 @@ Approach approach_of(const VehicleState& vehicle, const Vec2& place, const Vec2&
           {0.5 * vehicle.length, 0.5 * vehicle.width, radius}};
 }
 
-/// What the vehicle's passage over the point `place` leaves to somebody who is there at frame
-/// `when` (a fraction of frames): its centre is there around its frame `j`.
-PassingOrder passing_at(const VehicleTrack& vehicle, const Vec2& place, double when, double centre,
-                        std::size_t j) {
-  std::size_t enter = j, leave = j;
-  while (enter > 0 && signed_clearance(vehicle.states[enter - 1], place) <= 0.0) --enter;
-  while (leave + 1 < vehicle.states.size() &&
-         signed_clearance(vehicle.states[leave + 1], place) <= 0.0) {
-    ++leave;
-  }
-  const double before = vehicle.first + static_cast<double>(enter) - when;
-  const double after = when - (vehicle.first + static_cast<double>(leave));
-  return {when < centre, std::max({0.0, before, after}) * kFrame};
-}
-
-/// At the place where the person's way and that of the vehicle's centre cross; the closest in time
-/// where there are several.
-std::optional<PassingOrder> passing(const VehicleTrack& vehicle, int first, const Polyline& way) {
-  std::optional<PassingOrder> closest;
-  for (std::size_t j = 0; j + 1 < vehicle.states.size(); ++j) {
-    const VehicleState& state = vehicle.states[j];
-    if (state.velocity.norm() < kMovingSpeed) continue;
-    const Vec2 a = state.centre, along = vehicle.states[j + 1].centre - a;
-    const double near = along.norm() + 1.0;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-      const Vec2 to = a - way[i], step = way[i + 1] - way[i];
-      if (to.squaredNorm() > near * near) continue;
-      const double area = cross(step, along);
-      if (area == 0.0) continue;
-      const double walked = cross(to, along) / area, driven = cross(to, step) / area;
-      if (walked < 0.0 || walked >= 1.0 || driven < 0.0 || driven >= 1.0) continue;
-      const PassingOrder found =
-          passing_at(vehicle, a + driven * along, first + static_cast<double>(i) + walked,
-                     vehicle.first + static_cast<double>(j) + driven, j);
-      if (!closest || found.gap < closest->gap) closest = found;
-    }
-  }
-  return closest;
-}
-
 double deviation(const PersonTrack& track, const Polyline& way) {
   const Vec2 line = track.places.back() - track.places.front();
   if (line.norm() <= 0.0) return 0.0;
@@ -117,14 +77,17 @@ double signed_clearance(const VehicleState& vehicle, const Vec2& point) {
   return clearance(approach_of(vehicle, point, vehicle.velocity, 0.0));
 }
 
-Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way) {
+Measures measure(const Clip& clip, const VehicleWays& ways, const PersonTrack& track,
+                 const Polyline& way) {
   Measures measures;
   measures.unpushed = least_clearance(clip, track, way);
   measures.clearance = std::max(0.0, measures.unpushed);
   measures.least_ttc = kInfinite;
   const int count = static_cast<int>(way.size());
   for (const VehicleTrack& vehicle : clip.vehicles) {
-    for (int i = 0; i < count; ++i) {
+    const int from = std::max(0, vehicle.first - track.first);
+    const int to = std::min(count, vehicle.last() + 1 - track.first);
+    for (int i = from; i < to; ++i) {
       const VehicleState* state = at_frame(vehicle, track.first + i);
       if (state == nullptr || state->velocity.norm() < kMovingSpeed) continue;
       const auto here = static_cast<std::size_t>(i);
@@ -135,11 +98,8 @@ Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way
       const auto ttc = time_to_contact(approach_of(*state, way[here], velocity, kBody));
       measures.least_ttc = std::min(measures.least_ttc, ttc.value_or(kInfinite));
     }
-    const auto passed = passing(vehicle, track.first, way);
-    if (passed && (!measures.passing || passed->gap < measures.passing->gap)) {
-      measures.passing = passed;
-    }
   }
+  measures.passing = ways.closest(track.first, way);
   measures.deviation = deviation(track, way);
   measure_speeds(track, way, measures);
   double sum = 0.0;
@@ -152,9 +112,10 @@ Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way
   return measures;
 }
 
-Measures measure(const Clip& clip, std::size_t person, const Replayed& replayed) {
+Measures measure(const Clip& clip, const VehicleWays& ways, std::size_t person,
+                 const Replayed& replayed) {
   const PersonTrack& track = clip.persons[person];
-  Measures measures = measure(clip, track, replayed.ways[person]);
+  Measures measures = measure(clip, ways, track, replayed.ways[person]);
   if (replayed.pushes.empty()) return measures;
   measures.push = replayed.pushes[person];
   measures.unpushed = least_clearance(clip, track, replayed.unpushed[person]);

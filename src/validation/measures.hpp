@@ -3,19 +3,10 @@
 
 #include <optional>
 
+#include "validation/passing_order.hpp"
 #include "validation/replay.hpp"
 
 namespace pedzone {
-
-/// Vehicles slower than this do not count as moving [m/s] (validation.md, protocol).
-inline constexpr double kMovingSpeed = 0.5;
-
-/// Who passed first where a person's way and that of a vehicle's centre cross.
-struct PassingOrder {
-  bool person_first = false;  ///< by the centres
-  double gap = 0.0;  ///< [s] post-encroachment time: from the person there to the vehicle's front,
-                     ///< or from its rear to the person; 0 when the person was there in between
-};
 
 struct Measures {
   double clearance = 0.0;    ///< [m] least distance from the person's centre to the rectangle of a
@@ -34,13 +25,12 @@ struct Measures {
                                 ///< first second's end on
 };
 
-/// Measures of a way with the frames of `track` (one place for each), which nobody was pushed on.
-/// Start and goal are taken from the track.
-Measures measure(const Clip& clip, const PersonTrack& track, const Polyline& way);
+/// Measures of a way with the frames of `track` (one place for each), which nobody was pushed on,
+/// past the vehicles of `clip`, of which `ways` is. Start and goal are taken from the track.
+Measures measure(const Clip& clip, const VehicleWays& ways, const PersonTrack& track,
+                 const Polyline& way);
 /// Measures of the clip's person as it was walked again.
-Measures measure(const Clip& clip, std::size_t person, const Replayed& replayed);
-
-/// Distance [m] from a point to a vehicle's rectangle; negative inside (depth).
-double signed_clearance(const VehicleState& vehicle, const Vec2& point);
+Measures measure(const Clip& clip, const VehicleWays& ways, std::size_t person,
+                 const Replayed& replayed);
 
 }  // namespace pedzone

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "validation/page_parts.hpp"
+#include "validation/tuned_clips.hpp"
 
 namespace pedzone {
 
@@ -52,7 +53,7 @@ bool is_whole(const ValidationResult& result, const std::string& group) {
          std::ranges::any_of(result.data, [&](const Clip& clip) { return clip.site == group; });
 }
 
-/// The groups of a set: first all and sites, then their manoeuvres, which the page folds.
+/// The groups of a set: first all and sites, then their manoeuvres, whose curves the page folds.
 Json set_data(const ValidationResult& result, PersonSet set) {
   Json whole = Json::array(), manoeuvres = Json::array();
   std::size_t index = 0;
@@ -78,12 +79,38 @@ std::size_t persons_in(const ValidationResult& result, PersonSet set) {
              : members(result, result.runs.front(), 0, set, "all").size();
 }
 
-/// The group of the key figures; none where nobody met a vehicle.
+/// All and each site, of whom the key figures are told; none where nobody met a vehicle.
+std::vector<std::string> glance_groups(const ValidationResult& result) {
+  auto groups = shown_groups(result, PersonSet::kRecorded);
+  std::erase_if(groups, [&](const std::string& group) { return !is_whole(result, group); });
+  return groups;
+}
+
 Json glance_data(const ValidationResult& result) {
-  const auto groups = shown_groups(result, PersonSet::kRecorded);
-  if (groups.empty()) return false;
-  const ValidationRow& row = *rows_of(result, PersonSet::kRecorded, groups.front()).front();
-  return {{"name", row.group}, {"persons", row.persons}};
+  Json groups = Json::array();
+  for (const std::string& group : glance_groups(result)) {
+    const ValidationRow& row = *rows_of(result, PersonSet::kRecorded, group).front();
+    groups.push_back({{"index", groups.size()},
+                      {"name", row.group},
+                      {"persons", row.persons},
+                      {"clips", row.clips}});
+  }
+  return groups;
+}
+
+/// What the default was tuned on, and which of the clips that are scored it was not.
+Json tuned_data(const ValidationResult& result) {
+  const auto named = [](const std::vector<ClipName>& clips) -> Json {
+    if (clips.empty()) return false;
+    return {{"count", clips.size()}, {"names", listed(clips)}};
+  };
+  const ShownClips shown = shown_clips(scored_clips(result.data));
+  Json tuned = named(shown.tuned);
+  if (!shown.tuned.empty()) tuned["some"] = shown.tuned.size() < tuned_clips().size();
+  return {{"all", named(tuned_clips())},
+          {"shown", tuned},
+          {"held_back", named(shown.held_back)},
+          {"scored", shown.tuned.size() + shown.held_back.size()}};
 }
 
 Json worst_data(const std::vector<DrawnCase>& worst) {
@@ -102,6 +129,7 @@ Json shown_data(const ValidationResult& result, const std::vector<DrawnCase>& wo
           {"persons", result.persons},
           {"scored", result.scored},
           {"seeds", result.seeds},
+          {"tuned", tuned_data(result)},
           {"glance", glance_data(result)},
           {"first_persons", persons_in(result, PersonSet::kRecorded)},
           {"second_persons", persons_in(result, PersonSet::kStraight)},
@@ -113,11 +141,13 @@ Json shown_data(const ValidationResult& result, const std::vector<DrawnCase>& wo
 }
 
 Json drawn_data(const ValidationResult& result) {
-  const auto groups = shown_groups(result, PersonSet::kRecorded);
+  Json glance = Json::array();
+  for (const std::string& group : glance_groups(result)) {
+    glance.push_back(key_figures(result, PersonSet::kRecorded, group));
+  }
   return {
       {"models", result.models},
-      {"glance",
-       groups.empty() ? Json::array() : key_figures(result, PersonSet::kRecorded, groups.front())},
+      {"glance", glance},
       {"measures", curve_measures()},
       {"drawn", curve_models(result)},
       {"sets", {curve_set(result, PersonSet::kRecorded), curve_set(result, PersonSet::kStraight)}}};

@@ -22,7 +22,7 @@ constexpr std::array<Block, 7> kBlocks{{{"Contact", 2},
                                         {"Smallest clearance", 3},
                                         {"Lateral deviation", 2},
                                         {"Speed", 3},
-                                        {"Order and time", 4},
+                                        {"Order and time", 8},
                                         {"Distance to recording", 2}}};
 static_assert(std::accumulate(kBlocks.begin(), kBlocks.end(), std::size_t{0},
                               [](std::size_t sum, const Block& b) { return sum + b.figures; }) ==
@@ -48,7 +48,8 @@ std::string shown(const FigureInfo& info, double value) {
 }
 
 std::string interval(const FigureInfo& info, const ValidationRow& row, std::size_t figure) {
-  if (std::isnan(row.low[figure]) || std::isnan(row.high[figure])) return "";
+  if (!info.has_interval() || std::isnan(row.value[figure])) return "";
+  if (std::isnan(row.low[figure]) || std::isnan(row.high[figure])) return "—";  // too few clips
   return shown(info, row.low[figure]) + "–" + shown(info, row.high[figure]);
 }
 
@@ -84,7 +85,9 @@ Json table_columns() {
                          {"edge", edge_of(f)},
                          {"title", info.title},
                          {"unit", info.unit},
-                         {"scale", info.unit.empty() ? "0–1" : info.unit},
+                         {"scale", info.kind == FigureInfo::Kind::kCount ? "persons"
+                                   : info.unit.empty()                   ? "0–1"
+                                                                         : info.unit},
                          {"meaning", info.meaning}});
     }
   }

@@ -16,17 +16,26 @@ constexpr double kLeastWay = 2.0;                    // [m]
 constexpr double kClose = 0.25;                      // [m]
 constexpr double kPetCounts = 5.0, kPetClose = 2.0;  // [s]
 
-/// Share of those recorded with |PET| ≤ `limit` who are first or second as recorded.
-double order_right(std::span<const ScoredPerson* const> persons, double limit) {
-  int right = 0, all = 0;
-  for (const ScoredPerson* p : persons) {
-    const auto &recorded = p->recorded.passing, &walked = p->walked.passing;
-    if (!recorded || recorded->gap > limit || !walked) continue;
-    ++all;
-    if (recorded->person_first == walked->person_first) ++right;
+/// Of those whose recorded way crosses that of a vehicle with |PET| ≤ `limit`.
+struct Crossings {
+  int all = 0;     ///< recorded
+  int walked = 0;  ///< the walked way crosses one, too
+  int right = 0;   ///< and the person is first or second as recorded
+
+  Crossings(std::span<const ScoredPerson* const> persons, double limit) {
+    for (const ScoredPerson* p : persons) {
+      const auto &recorded = p->recorded.passing, &again = p->walked.passing;
+      if (!recorded || recorded->gap > limit) continue;
+      ++all;
+      if (!again) continue;
+      ++walked;
+      if (recorded->person_first == again->person_first) ++right;
+    }
   }
-  return all > 0 ? static_cast<double>(right) / all : kNothing;
-}
+  double right_of(int number) const {
+    return number > 0 ? static_cast<double>(right) / number : kNothing;
+  }
+};
 
 template <class Get>
 std::vector<double> column(std::span<const ScoredPerson* const> persons, bool recorded, Get get) {
@@ -57,6 +66,7 @@ void set_pushes(std::span<const ScoredPerson* const> persons, Figures& f) {
 }  // namespace
 
 const std::array<FigureInfo, kFigures>& figure_list() {
+  using Kind = FigureInfo::Kind;
   static constexpr std::array<FigureInfo, kFigures> kList{{
       {"inside", "inside", "%",
        "persons whose centre enters a moving vehicle's rectangle, where vehicles push nobody", 100,
@@ -64,8 +74,8 @@ const std::array<FigureInfo, kFigures>& figure_list() {
       {"close", "<0.25", "%",
        "persons whose centre comes within 0.25 m of it, where vehicles push nobody", 100, 1},
       {"pushed", "pushed", "%", "persons whom a moving vehicle pushes by 1 cm or more", 100, 1},
-      {"push_way", "far", "m", "longest way that one is pushed", 1, 2, true},
-      {"push_speed", "fast", "m/s", "greatest speed of it (3 at most)", 1, 2, true},
+      {"push_way", "far", "m", "longest way that one is pushed", 1, 2, Kind::kGreatest},
+      {"push_speed", "fast", "m/s", "greatest speed of it (3 at most)", 1, 2, Kind::kGreatest},
       {"run_into", "hit", "%",
        "persons run into: they would have to be pushed faster, or cannot be", 100, 1},
       {"clearance", "clear", "m", "smallest clearance of the centre to it, median", 1, 2},
@@ -77,7 +87,14 @@ const std::array<FigureInfo, kFigures>& figure_list() {
       {"least_speed", "least", "m/s", "least speed over 0.5 s until then, median", 1, 2},
       {"least_speed_ks", "K-S", "", "Kolmogorov-Smirnov distance of it to the recording", 1, 2},
       {"first", "first5", "%", "first or second as recorded, where recorded PET <= 5 s", 100, 1},
-      {"first_close", "first2", "%", "the same where recorded PET <= 2 s", 100, 1},
+      {"first_count", "n5", "", "of so many: recorded PET <= 5 s, and crossing in the replay, too",
+       1, 0, Kind::kCount},
+      {"first_of_all", "all5", "%", "first5 if who no longer crosses in the replay counts as wrong",
+       100, 1},
+      {"first_close", "first2", "%", "as first5, where recorded PET <= 2 s", 100, 1},
+      {"first_close_count", "n2", "", "of so many: as n5, where recorded PET <= 2 s", 1, 0,
+       Kind::kCount},
+      {"first_close_of_all", "all2", "%", "as all5, where recorded PET <= 2 s", 100, 1},
       {"pet", "PET", "s", "post-encroachment time, size, median", 1, 1},
       {"ttc", "TTC", "s", "least time to collision, median", 1, 1},
       {"ade", "ADE", "m", "mean distance to the recorded person, mean", 1, 2},
@@ -111,10 +128,15 @@ Figures figures_of(std::span<const ScoredPerson* const> persons, bool recorded) 
   set(Figure::kSpeed, mean(of([](const Measures& m) { return m.mean_speed; })));
   set(Figure::kLeastSpeed, median(of(least_speed)));
   set(Figure::kLeastSpeedKs, ks(least_speed));
+  const Crossings crossings(persons, kPetCounts), close(persons, kPetClose);
+  set(Figure::kFirstCount, recorded ? crossings.all : crossings.walked);
+  set(Figure::kFirstCloseCount, recorded ? close.all : close.walked);
   if (!recorded) {
     set_pushes(persons, f);
-    set(Figure::kFirst, order_right(persons, kPetCounts));
-    set(Figure::kFirstClose, order_right(persons, kPetClose));
+    set(Figure::kFirst, crossings.right_of(crossings.walked));
+    set(Figure::kFirstOfAll, crossings.right_of(crossings.all));
+    set(Figure::kFirstClose, close.right_of(close.walked));
+    set(Figure::kFirstCloseOfAll, close.right_of(close.all));
     set(Figure::kAde, mean(of([](const Measures& m) { return m.ade; })));
     set(Figure::kFde, mean(of([](const Measures& m) { return m.fde; })));
   }
@@ -139,6 +161,7 @@ static std::vector<ScoredPerson> recorded_persons(const std::vector<Clip>& clips
   straight.kind = ReplayModel::Kind::kStraight;
   const Clip& clip = clips[c];
   const std::vector<Polyline> ways = replay(clip, straight, 0).ways;
+  const VehicleWays vehicles(clip);
   std::vector<ScoredPerson> persons;
   for (std::size_t i = 0; i < clip.persons.size(); ++i) {
     const PersonTrack& track = clip.persons[i];
@@ -146,8 +169,8 @@ static std::vector<ScoredPerson> recorded_persons(const std::vector<Clip>& clips
     ScoredPerson person;
     person.clip = static_cast<std::uint32_t>(c);
     person.person = static_cast<std::uint32_t>(i);
-    person.recorded = measure(clip, track, track.places);
-    person.straight_clearance = measure(clip, track, ways[i]).clearance;
+    person.recorded = measure(clip, vehicles, track, track.places);
+    person.straight_clearance = measure(clip, vehicles, track, ways[i]).clearance;
     persons.push_back(person);
   }
   return persons;
@@ -161,9 +184,10 @@ ScoredRuns score(const std::vector<Clip>& clips, const ReplayModel& model, int s
     const std::size_t c = k % clips.size();
     const Clip& clip = clips[c];
     const Replayed replayed = replay(clip, model, k / clips.size() + 1);
+    const VehicleWays vehicles(clip);
     parts[k] = recorded[c];
     for (ScoredPerson& person : parts[k]) {
-      person.walked = measure(clip, person.person, replayed);
+      person.walked = measure(clip, vehicles, person.person, replayed);
     }
   });
   ScoredRuns scored(runs);

@@ -41,7 +41,11 @@ enum class Figure {
   kLeastSpeed,
   kLeastSpeedKs,
   kFirst,
+  kFirstCount,
+  kFirstOfAll,
   kFirstClose,
+  kFirstCloseCount,
+  kFirstCloseOfAll,
   kPet,
   kTtc,
   kAde,
@@ -55,8 +59,11 @@ struct FigureInfo {
   std::string_view key, title, unit, meaning;
   double scale;  ///< from what is stored to what tables print
   int digits;
-  bool greatest = false;  ///< of all persons, so of all seeds, too, and without an interval;
-                          ///< otherwise the mean over seeds counts
+  /// Of several seeds it is the mean; of a greatest value the greatest, and without an interval; a
+  /// number of persons has none either.
+  enum class Kind { kMean, kGreatest, kCount };
+  Kind kind = Kind::kMean;
+  bool has_interval() const { return kind == Kind::kMean; }
 };
 const std::array<FigureInfo, kFigures>& figure_list();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -70,15 +71,30 @@ Figures mean_figures(const ByClip& sample, const std::vector<std::size_t>& chose
     const Figures one = figures_of(persons, recorded);
     for (std::size_t f = 0; f < kFigures; ++f) {
       if (std::isnan(one[f])) continue;
-      sum[f] = figure_list()[f].greatest ? std::max(sum[f], one[f]) : sum[f] + one[f];
+      const bool greatest = figure_list()[f].kind == FigureInfo::Kind::kGreatest;
+      sum[f] = greatest ? std::max(sum[f], one[f]) : sum[f] + one[f];
       ++numbers[f];
     }
   }
   for (std::size_t f = 0; f < kFigures; ++f) {
-    const bool divided = !figure_list()[f].greatest || numbers[f] == 0;
-    if (divided) sum[f] /= numbers[f];  // none: not a number
+    const bool greatest = figure_list()[f].kind == FigureInfo::Kind::kGreatest;
+    if (!greatest || numbers[f] == 0) sum[f] /= numbers[f];  // none: not a number
   }
   return sum;
+}
+
+/// Which figures have an interval: not what fewer than kLeastClips tell of.
+std::array<bool, kFigures> have_interval(const ByClip& sample, bool recorded) {
+  std::array<std::size_t, kFigures> clips{};
+  for (std::size_t c = 0; c < sample.persons.size(); ++c) {
+    const Figures one = mean_figures(sample, {c}, recorded);
+    for (std::size_t f = 0; f < kFigures; ++f) clips[f] += std::isnan(one[f]) ? 0 : 1;
+  }
+  std::array<bool, kFigures> have{};
+  for (std::size_t f = 0; f < kFigures; ++f) {
+    have[f] = figure_list()[f].has_interval() && clips[f] >= kLeastClips;
+  }
+  return have;
 }
 
 void fill_row(const ByClip& sample, bool recorded, int resamples, ValidationRow& row) {
@@ -88,6 +104,10 @@ void fill_row(const ByClip& sample, bool recorded, int resamples, ValidationRow&
   row.persons = sample.count;
   row.clips = clips;
   row.value = mean_figures(sample, chosen, recorded);
+  row.low.fill(std::numeric_limits<double>::quiet_NaN());
+  row.high = row.low;
+  if (clips < kLeastClips) return;
+  const auto have = have_interval(sample, recorded);
   std::vector<std::vector<double>> spread(kFigures);
   for (int r = 0; r < resamples; ++r) {
     for (std::size_t i = 0; i < clips; ++i) {
@@ -97,10 +117,11 @@ void fill_row(const ByClip& sample, bool recorded, int resamples, ValidationRow&
     }
     const Figures one = mean_figures(sample, chosen, recorded);
     for (std::size_t f = 0; f < kFigures; ++f) {
-      if (!std::isnan(one[f]) && !figure_list()[f].greatest) spread[f].push_back(one[f]);
+      if (!std::isnan(one[f]) && have[f]) spread[f].push_back(one[f]);
     }
   }
   for (std::size_t f = 0; f < kFigures; ++f) {
+    if (!have[f]) continue;
     row.low[f] = quantile(spread[f], 0.025);
     row.high[f] = quantile(spread[f], 0.975);
   }

@@ -17,6 +17,9 @@ enum class PersonSet {
 };
 const char* name_of(PersonSet set);  ///< "recorded", "straight"
 
+/// From fewer clips the bootstrap by clip says nothing: of two it knows three mixtures (ours).
+inline constexpr std::size_t kLeastClips = 5;
+
 struct ValidationOptions {
   std::vector<ReplayModel> models;  ///< besides the reference rows
   int seeds = 5;                    ///< at least 5 jittered seeds (protocol 6)
@@ -30,7 +33,8 @@ struct ValidationRow {
   std::string group;  ///< "all", a site, or a site and manoeuvre ("citr: back")
   std::string model;
   std::size_t persons = 0, clips = 0;
-  Figures value, low, high;  ///< mean over seeds, and the 95 % bootstrap interval by clip
+  Figures value, low, high;  ///< mean over seeds, and the 95 % bootstrap interval by clip: not a
+                             ///< number from fewer than kLeastClips, and of counts
 };
 
 /// A person as a model walked it, for drawing.

@@ -77,9 +77,33 @@ class Page(page_case.PageCase):
             rows = [row for row in self.rows if row["set"] == "recorded" and row["group"] == name]
             self.assertEqual([line[0] for line in lines], ["recorded"] + MODELS)
             for line, row in zip(lines, rows, strict=True):
-                for text, key in ((line[3], "clearance"), (line[15], "ade")):
+                keys = list(row["figures"])
+                for key, digits in (("clearance", 2), ("first_count", 0), ("ade", 2)):
                     value = row["figures"][key]["value"]
-                    self.assertEqual(text, "–" if value is None else f"{value:.2f}")
+                    self.assertEqual(line[1 + keys.index(key)],
+                                     "–" if value is None else f"{value:.{digits}f}", key)
+
+    def test_what_must_be_seen_at_once_is_open(self):
+        self.open()
+        seen = self.ask("""[...document.querySelectorAll("#tables .figures")].map(
+            (table) => table.getBoundingClientRect().height > 50)""")
+        self.assertEqual(seen, [True] * len(self.groups), "the manoeuvres' tables, too")
+        sites = self.ask("""[...document.querySelectorAll("#glance h3")].map(
+            (heading) => heading.firstChild.textContent.trim())""")
+        self.assertEqual(sites, ["all", HOSTILE, "here"])
+        first = self.ask("document.querySelector('header p:not(.kind)').textContent")
+        self.assertIn("tuned on 27 clips", first)
+        self.assertIn("None of them is scored here", first)
+        self.assertIn("4 of the 4 clips scored here it was not tuned on", first)
+        self.assertIn(HOSTILE, first)
+
+    def test_four_clips_have_no_intervals(self):
+        self.open()
+        small = self.ask("""[...document.querySelectorAll("#tables td")].filter(
+            (cell) => cell.firstChild.textContent !== "–").map(
+            (cell) => cell.querySelector("small").textContent)""")
+        self.assertEqual(set(small), {"—", ""}, "a dash, and nothing below a count")
+        self.assertGreater(small.count("—"), small.count(""))
 
     def test_every_row_has_a_dot_at_its_value(self):
         self.open()
@@ -88,7 +112,7 @@ class Page(page_case.PageCase):
                 [getComputedStyle(dot).fill, dot.getBoundingClientRect().x]),
               texts: [...chart.querySelectorAll(".mark-text text")].map(
                 (text) => text.textContent).filter((text) => /^[0-9.]+$/.test(text))}))""")
-        self.assertEqual(len(charts), 4)
+        self.assertEqual(len(charts), 4 * 3, "of all, and of two sites")
         rows = [row for row in self.rows if row["set"] == "recorded" and row["group"] == "all"]
         values = [row["figures"]["clearance"]["value"] for row in rows]
         self.assertEqual(len({colour for colour, _ in charts[0]["dots"]}), 1 + len(MODELS))

@@ -4,7 +4,7 @@ import itertools
 
 import numpy
 
-from experiment_tracks import RADIUS, STEP
+from experiment_tracks import RADIUS, STEP, Run
 
 ASIDE = 0.3      # [m] so far from its line somebody gives way
 STANDS = 0.2     # [m/s] slower than this somebody waits ...
@@ -12,6 +12,11 @@ WALKS = 0.6      # [m/s] ... and faster it walks on
 WAIT = 1.0       # [s] a shorter stand is no wait
 AROUND = 10.0    # [s] before and after an encounter
 ORDER = 0.3      # [m] so far ahead of another somebody is before it
+TURNED = 0.05    # [m] so far from where it would be alone somebody has begun to turn
+TOUCH = 2 * RADIUS + 0.01    # [m] two centres so near each other: bodies touch
+FORESEEN = (1.0, 1.5)        # [s] before a contact it is foreseen
+COURSE = 0.5     # [s] over which a course is taken
+NEAR = 20.0      # [m] gap from which a vehicle is near
 NONE = float("nan")
 
 
@@ -35,6 +40,54 @@ def onset(run, control, person, vehicle):
     if len(first) == 0:
         return 0.0, 0.0
     return float(gap[first[0]]), float(t[nearest] - t[first[0]])
+
+
+def smooth(values, over=COURSE):
+    """Mean over so long [s] on, at each step from which there are so many."""
+    count = round(over / STEP)
+    return numpy.convolve(values, numpy.ones(count) / count, "valid")
+
+
+def sharpest(run, person, vehicle):
+    """Greatest change of a person's velocity [m/s^2], from its mean over COURSE to that over the
+    next COURSE, while the vehicle is NEAR until 2 s after it is nearest."""
+    track, count = run.persons[person], round(COURSE / STEP)
+    vx, vy = (smooth(numpy.gradient(values, STEP)) for values in (track.x, track.y))
+    change = numpy.hypot(vx[count:] - vx[:-count], vy[count:] - vy[:-count]) / COURSE
+    times = track.t[count:count + len(change)]
+    t, gap = run.gaps(person, vehicle)
+    there = (times >= t[gap < NEAR][0]) & (times <= t[gap.argmin()] + 2.0)
+    return float(change[there].max())
+
+
+def foreseen(run, times):
+    """Of each contact of two persons that comes FORESEEN from now if both keep their course:
+    the least distance [m] of their centres from then until 2 s after it would come."""
+    x, y = places(run, times)
+    back = round(COURSE / STEP)
+    found = []
+    for i, j in itertools.combinations(range(len(x)), 2):
+        away = numpy.stack([x[j] - x[i], y[j] - y[i]])
+        course, away = (away[:, back:] - away[:, :-back]) / COURSE, away[:, back:]
+        distance, k = numpy.hypot(*away), 0
+        until = time_to_contact(away, course)
+        while k < len(until):
+            end = k + round((min(until[k], FORESEEN[1]) + 2.0) / STEP)
+            if FORESEEN[0] < until[k] <= FORESEEN[1] and end < len(until):
+                found.append(float(distance[k:end].min()))
+                k = end
+            k += 1
+    return found
+
+
+def time_to_contact(away, course):
+    """[s] until two bodies touch, of relative places and velocities (2 x times); inf: never."""
+    square, along = (course * course).sum(axis=0), (away * course).sum(axis=0)
+    room = (away * away).sum(axis=0) - (2 * RADIUS) ** 2
+    root = along * along - square * room
+    with numpy.errstate(invalid="ignore", divide="ignore"):
+        return numpy.where((root > 0) & (along < 0) & (room > 0),
+                           (-along - numpy.sqrt(root)) / square, numpy.inf)
 
 
 def likeness(run, lines, vehicle):
@@ -165,8 +218,35 @@ def shares(run, lines):
     return {person: abs(most(run.persons[person].y - line)) for person, line in lines.items()}
 
 
+def distances(run, one, other):
+    """t, and the distance of two persons' centres, while both are there."""
+    t = common_times(Run({key: run.persons[key] for key in (one, other)}, {}))
+    (x0, y0), (x1, y1) = run.persons[one].at(t), run.persons[other].at(t)
+    return t, numpy.hypot(x0 - x1, y0 - y1)
+
+
 def nearest(run, one, other):
     """Least distance of two persons' centres."""
-    t = run.persons[one].t
-    (x0, y0), (x1, y1) = run.persons[one].at(t), run.persons[other].at(t)
-    return float(numpy.nanmin(numpy.hypot(x0 - x1, y0 - y1)))
+    return float(distances(run, one, other)[1].min())
+
+
+def turns(run, control, one, other, aside=TURNED):
+    """Distance [m] of two at which the first of them is so far `aside` [m] from where it is in
+    `control` (persons, each without the other); 0 where neither is before they are nearest."""
+    t, gap = distances(run, one, other)
+    first = [numpy.abs(run.persons[p].at(t)[1] - control[p].at(t)[1]) > aside for p in (one, other)]
+    before = numpy.flatnonzero((first[0] | first[1])[:gap.argmin()])
+    return float(gap[before[0]]) if len(before) else 0.0
+
+
+def kept_speed(run, one, other):
+    """The least speed (mean over COURSE) of two who meet, from 4 s before to 1.5 s after they are
+    nearest, as a share of that one's median."""
+    t, gap = distances(run, one, other)
+    met, shares = t[gap.argmin()], []
+    for track in (run.persons[one], run.persons[other]):
+        speed = smooth(track.speed[1:])
+        times = track.t[1:1 + len(speed)] + COURSE / 2
+        there = (times >= met - 4.0) & (times <= met + 1.5)
+        shares.append(float(speed[there].min() / numpy.median(track.speed)))
+    return min(shares)

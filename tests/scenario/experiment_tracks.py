@@ -123,6 +123,22 @@ def start(pedzone, scenario, zone, seed, folder, words=(), sumo=()):
     return fcd
 
 
+def only(scenario, ending, folder):
+    """The scenario's routes with those persons only whose id ends so."""
+    tree = ET.parse(SCENARIOS / f"{scenario}.rou.xml")
+    for person in tree.getroot().findall("person"):
+        if not person.get("id").endswith(ending):
+            tree.getroot().remove(person)
+    tree.write(Path(folder) / "only.rou.xml")
+    return Path(folder) / "only.rou.xml"
+
+
+def run_only(pedzone, scenario, zone, seed, words, ending):
+    with tempfile.TemporaryDirectory() as folder:
+        routes = only(scenario, ending, folder)
+        return run(pedzone, scenario, zone, seed, words, ("--route-files", str(routes)), routes)
+
+
 def run(pedzone, scenario, zone, seed, words=(), sumo=(), routes=None):
     with tempfile.TemporaryDirectory() as folder:
         persons, vehicles = read_fcd(start(pedzone, scenario, zone, seed, folder, words, sumo))

@@ -150,11 +150,11 @@ EQUATIONS = {"Eq. 1": {"equation": 1}, "Eq. 2": {"equation": 2}}
 SWEEPS = {
     "steering": Sweep(
         "5.1: how far the vehicle is steered at them", "steering",
-        (0.0, 0.25, 0.5, 0.75, 1.0, 1.25), encounter, "steering",
+        (0.0, 0.2, 0.4, 0.6, 0.8, 1.0), encounter, "steering",
         {"deviation": "deviation [m]", "clearance": "least clearance [m]"}, {"heuristic": {}},
-        (Claim("the more it is steered at them, the farther they go", "deviation", 0.0, 0.5),
-         Claim("... and farther", "deviation", 0.5, 1.0),
-         Claim("... and farther", "deviation", 1.0, 1.25)), ("outside",)),
+        (Claim("the more it is steered at them, the farther they go", "deviation", 0.0, 0.4),
+         Claim("... and farther", "deviation", 0.4, 0.6),
+         Claim("... and farther", "deviation", 0.6, 1.0)), ("outside",)),
     "spacing": Sweep(
         "5.1: how far apart waypoints are", "distance between waypoints [m]",
         (2.5, 5.0, 10.0, 20.0, 35.0, 70.0), encounter, "spacing",
@@ -180,7 +180,7 @@ SWEEPS = {
         "length", {"time": "time until it is passed [s]"}, EQUATIONS,
         (Claim("by Eq. 1 what is long holds people up", "time", 2.0, 12.0, 1, "Eq. 1"),)),
     "vehicle": Sweep(
-        "5.1 by both equations, vehicles as in the paper", "steering", (0.0, 0.5, 1.0, 1.5, 2.0),
+        "5.1 by both equations, vehicles as in the paper", "steering", (0.0, 0.25, 0.5, 0.75, 1.0),
         encounter, "steering",
         {"deviation": "deviation [m]", "clearance": "least clearance [m]"},
         {name: {"model": "plain", "parameters": words} for name, words in EQUATIONS.items()}),

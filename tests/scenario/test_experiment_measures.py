@@ -8,7 +8,8 @@ import unittest
 import numpy
 
 import experiment_measures as m
-from experiment_tracks import SCENARIOS, STEP, Run, Track
+from experiment_checks import Mean, Share
+from experiment_tracks import SCENARIOS, STEP, Run, Track, stars, vehicle_sizes
 from line_chart import ticks
 
 sys.path.insert(0, str(SCENARIOS))
@@ -115,16 +116,76 @@ class Measures(unittest.TestCase):
         past = track(lambda t: t, lambda t: 5.0)
         self.assertAlmostEqual(m.box_distance(past, (20, 0, 30, 4)), 1.0 - 0.239)
 
+    def test_sharpest(self):
+        # From 1 m/s to 3 m/s at once, beside the vehicle: 2 m/s in COURSE.
+        sudden = track(lambda t: t + 2.0 * max(0.0, t - 20.0), lambda t: 3.0)
+        slow = track(lambda t: t + 0.1 * max(0.0, t - 10.0) ** 2, lambda t: 3.0)
+        vehicle = westbound(60.0)
+        self.assertAlmostEqual(m.sharpest(run({"a": sudden}, vehicle), "a", "av"), 4.0, delta=0.5)
+        self.assertAlmostEqual(m.sharpest(run({"a": slow}, vehicle), "a", "av"), 0.2, delta=0.01)
+        late = track(lambda t: t + 2.0 * max(0.0, t - 50.0), lambda t: 3.0)
+        self.assertAlmostEqual(m.sharpest(run({"a": late}, vehicle), "a", "av"), 0.0, delta=0.01)
+
+    def test_foreseen(self):
+        # One walks towards who stands 30 m ahead: through it, past it from 2 s and from 1.2 s before.
+        stands = track(lambda t: 30.0, lambda t: 0.0)
+        gap = 2 * m.RADIUS
+        for aside, expected in ((99.0, [0.0]), (30.0 - gap - 2.0, []), (30.0 - gap - 1.2, [1.0])):
+            walks = walker(y=lambda t, since=aside: 1.0 if t >= since else 0.0)
+            found = m.foreseen(run({"a": walks, "b": stands}), TIMES)
+            self.assertEqual(len(found), len(expected), aside)
+            for value, right in zip(found, expected):
+                self.assertAlmostEqual(value, right, delta=0.06)
+        beside = run({"a": walker(y=lambda t: gap + 0.01), "b": stands})
+        self.assertEqual(m.foreseen(beside, TIMES), [])
+
+    def test_turns_and_kept_speed(self):
+        def westward(y, speed=lambda t: 1.0):
+            return track(lambda t: 40.0 - t * speed(t), y, 270.0)
+
+        alone = {"a": walker(), "b": westward(lambda t: 0.0)}
+        # They meet at 20 s; b is aside from 17 s on, 6 m before.
+        met = run({"a": walker(), "b": westward(lambda t: 1.0 if t >= 17.0 else 0.0)})
+        self.assertAlmostEqual(m.turns(met, alone, "a", "b"), 6.0, delta=0.3)
+        self.assertEqual(m.turns(run(alone), alone, "a", "b"), 0.0)
+        self.assertAlmostEqual(m.kept_speed(run(alone), "a", "b"), 1.0)
+        held_up = track(lambda t: min(t, 19.0) + 0.25 * min(2.0, max(0.0, t - 19.0))
+                        + max(0.0, t - 21.0), lambda t: 0.0)
+        self.assertAlmostEqual(m.kept_speed(run({"a": held_up, "b": alone["b"]}), "a", "b"), 0.25,
+                               delta=0.01)
+
     def test_shares(self):
         one = run({"a": walker(y=lambda t: 0.3), "b": walker(y=lambda t: 2.0 - 0.1 * (t > 9))})
         shares = m.shares(one, {"a": 0.0, "b": 2.0})
         self.assertAlmostEqual(shares["a"] / sum(shares.values()), 0.75)
 
 
+class Checks(unittest.TestCase):
+    def test_seeds_that_were_not_asked_do_not_count(self):
+        rows = [{"x": 1.0}, {"x": None}, {"x": 3.0}]
+        self.assertTrue(Share("", "x", least=0.5).result(rows)[0])
+        self.assertFalse(Share("", "x", least=2.0).result(rows)[0])
+        self.assertFalse(Share("", "x", least=0.5).result([{"x": None}])[0])  # nobody was asked
+
+    def test_failed_beyond_doubt(self):
+        rows = [{"x": value} for value in (1.0, 1.1, 0.9, 1.0, 1.0)]
+        self.assertTrue(Mean("", "x", least=2.0).failed(rows))
+        self.assertFalse(Mean("", "x", least=1.0).failed(rows))  # the interval reaches over it
+        self.assertTrue(Share("", "x", least=1.05).failed(rows))
+        self.assertFalse(Share("", "x", least=1.0).failed(rows))
+
+
 class Files(unittest.TestCase):
     def test_paths_are_those_of_their_source(self):
         for name, steering in paths.STEERINGS.items():
             self.assertEqual((SCENARIOS / f"5.1-{name}.csv").read_text(), paths.steered(steering))
+
+    def test_fully_steered_the_shuttle_drives_at_them(self):
+        at = stars("5.1")
+        last = float(paths.steered(1.0).splitlines()[-1].split(",")[2])
+        self.assertAlmostEqual(last, at["goal.a"][1])
+        _, width = vehicle_sizes(SCENARIOS / "5.1.rou.xml")["av"]
+        self.assertLess(abs(last - at["goal.b"][1]), width / 2)
 
     def test_ticks_are_round_and_cover(self):
         for low, high in ((0, 1.25), (0, 130), (2.5, 70), (-0.3, 0.4), (0, 0.012), (3, 3)):

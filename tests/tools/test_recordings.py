@@ -1,6 +1,7 @@
 """tools/recordings.py on small data sets of known motion, and on damaged ones."""
 import csv
 import math
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -134,7 +135,8 @@ class Recordings(unittest.TestCase):
         self.citr()
         done = self.convert("citr", self.original, self.out)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("2 clips, 3 people, 1 vehicles; left out: 1 tracks", done.stdout)
+        self.assertIn("2 clips, 3 people, 1 vehicles; left out: 0 clips with a "
+                      "missing file, 1 tracks", done.stdout)
         self.assertEqual(sorted(path.name for path in self.out.rglob("*") if path.is_file()),
                          ["back_01.csv", "bidirection_no_vehicle_01.csv"])
         tracks = self.tracks("citr/back_01.csv")
@@ -268,17 +270,46 @@ class Recordings(unittest.TestCase):
         self.expect_error(self.damage("citr", name, lambda text: text.split("\n")[0]), name,
                           "no rows")
 
+    def expect_left_out(self, done, site, written, name):
+        """The other clips are there, and one line names the missing file."""
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual([path.name for path in (self.out / site).iterdir()], written)
+        self.assertRegex(done.stderr, rf"\AWarning: .*{name}: is missing; .*\n\Z")
+        self.assertIn("left out: 1 clips with a missing file", done.stdout)
+
     def test_missing_vehicle_file(self):
         self.citr()
         name = f"{FILTERED}/vci_back/back_01_traj_veh_filtered.csv"
         (self.original / name).unlink()
-        self.expect_error(self.convert("citr", self.original, self.out), name, "No such file")
+        self.expect_left_out(self.convert("citr", self.original, self.out), "citr",
+                             ["bidirection_no_vehicle_01.csv"], name)
 
     def test_missing_file_of_people(self):
         self.dut()
         Original(self.original, DUT_FPS).vehicles("roundabout_02", (0, 1, 9, 0, 0, 0, 1, 0))
-        self.expect_error(self.convert("dut", self.original, self.out),
-                          "roundabout_02_traj_ped_filtered.csv")
+        self.expect_left_out(self.convert("dut", self.original, self.out), "dut",
+                             ["intersection_01.csv"], "roundabout_02_traj_ped_filtered.csv")
+
+    def test_missing_corners_and_scale(self):
+        for name in ("data/trajectories/roundabout_02_traj_veh.csv",
+                     "data/ratios/roundabout_02_ratio_pixel2meter.txt"):
+            with self.subTest(name):
+                shutil.rmtree(self.original, ignore_errors=True)
+                shutil.rmtree(self.out, ignore_errors=True)
+                data = self.dut()
+                data.people("roundabout_02", (0, 41, 140, 2, 3, 1.4, -0.2))
+                data.vehicles("roundabout_02", (0, 60, 140, 5, 6, 0.5, 3, 0))
+                data.corners("roundabout_02", (0, 4.3, 1.4, 0.5))
+                (self.original / name).unlink()
+                self.expect_left_out(self.convert("dut", self.original, self.out), "dut",
+                                     ["intersection_01.csv"], name)
+
+    def test_no_clip_is_complete(self):
+        self.dut()
+        name = "data/ratios/intersection_01_ratio_pixel2meter.txt"
+        (self.original / name).unlink()
+        self.expect_error(self.convert("dut", self.original, self.out), name, "is missing",
+                          "no other clip")
 
     def test_missing_or_wrong_scale(self):
         name = "data/ratios/intersection_01_ratio_pixel2meter.txt"
@@ -286,8 +317,6 @@ class Recordings(unittest.TestCase):
             with self.subTest(bad):
                 self.expect_error(self.damage("dut", name, lambda text, bad=bad: bad), name,
                                   f"'{bad}'", "above 0")
-        (self.original / name).unlink()
-        self.expect_error(self.convert("dut", self.original, self.out), name, "No such file")
 
     def test_vehicle_without_marks(self):
         done = self.damage("dut", "data/trajectories/intersection_01_traj_veh.csv",

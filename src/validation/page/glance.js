@@ -33,7 +33,7 @@ const glance = {
   },
 
   draw_all(data, element) {
-    for (const figure of data.glance) {
+    for (const figure of data.glance[Number(element.dataset.glance)]) {
       const chart = document.createElement("div");
       chart.className = "chart";
       element.append(chart);

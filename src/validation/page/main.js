@@ -10,8 +10,9 @@ function draw_curves() {
   }
 }
 
-const glance_place = document.getElementById("glance-charts");
-if (glance_place) glance.draw_all(report.data, glance_place);
+for (const element of document.querySelectorAll("[data-glance]")) {
+  glance.draw_all(report.data, element);
+}
 for (const element of document.querySelectorAll(".curve-keys")) {
   palette.show_keys(curves.named(report.data), element);
 }

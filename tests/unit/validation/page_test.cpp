@@ -12,6 +12,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "validation/tuned_clips.hpp"
+
 namespace pedzone::test {
 namespace {
 
@@ -193,6 +195,89 @@ TEST_F(Page, is_well_formed_where_nobody_met_a_vehicle_and_with_empty_ways) {
   const std::string shown = between("<main>", "</main>");
   EXPECT_THAT(shown, Not(HasSubstr("nan")));
   EXPECT_THAT(shown, Not(HasSubstr("inf")));
+}
+
+TEST_F(Page, gives_intervals_from_five_clips_on_and_none_of_counts) {
+  const auto intervals = [&](int clips) {
+    std::vector<Clip> several;
+    for (int c = 0; c < clips; ++c) several.push_back(clip("a", "front", 2 + c % 2));
+    replay(std::move(several), 0);
+    std::set<std::string> found;
+    for (const auto& cell : document_.select_nodes("//section[@id='tables']//tbody/tr[4]/td")) {
+      found.insert(cell.node().child("small").text().get());
+    }
+    return found;
+  };
+  EXPECT_THAT(intervals(4), ::testing::IsSubsetOf({"—", ""}));
+  EXPECT_THAT(intervals(5), Not(::testing::Contains("—")));
+  for (const ValidationRow& row : result_.rows) {
+    for (std::size_t f = 0; f < kFigures; ++f) {
+      EXPECT_TRUE(figure_list()[f].has_interval() || std::isnan(row.low[f])) << figure_list()[f].key;
+    }
+  }
+}
+
+TEST_F(Page, tells_in_its_first_paragraph_what_the_default_was_tuned_on) {
+  const auto first = [&] {
+    pugi::xml_document header;
+    EXPECT_TRUE(header.load_string(("<p " + between("<p class=\"tuned\"", "</p>") + "</p>").c_str()));
+    std::string text;
+    for (const auto& node : header.select_nodes("//text()")) text += node.node().value();
+    return text;
+  };
+  ASSERT_GE(tuned_clips().size(), 2u);
+  const auto& [site, name] = tuned_clips().front();
+  Clip known = clip(site, "front", 1), other = clip("elsewhere", "front", 1);
+  known.name = name;
+  other.name = "ours_07";
+  replay({known, other}, 0);
+  EXPECT_THAT(first(), HasSubstr("Scored here are 1 of them (" + site + ": " + name + ")"));
+  EXPECT_THAT(first(), HasSubstr("1 of the 2 clips scored here it was not tuned on (elsewhere: "
+                                 "ours_07)"));
+  replay({known}, 0);
+  EXPECT_THAT(first(), HasSubstr("No other clip is scored here"));
+  replay({other}, 0);
+  EXPECT_THAT(first(), HasSubstr("None of them is scored here"));
+}
+
+TEST(TunedClips, are_listed_with_what_differs_in_a_number_once) {
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({{"a", "back_01"}, {"a", "back_02"}, {"a", "front"}, {"b", "front_1"},
+                    {"b", "7"}}),
+            "a: back_01, 02, front; b: front_1, 7");
+}
+
+/// The crossings of one person whose recorded way and walked way pass a vehicle so long after it.
+Figures crossings(std::optional<double> recorded, std::optional<double> walked,
+                  bool as_recorded = true) {
+  ScoredPerson person;
+  if (recorded) person.recorded.passing = PassingOrder{true, *recorded};
+  if (walked) person.walked.passing = PassingOrder{as_recorded, *walked};
+  const ScoredPerson right = [] {
+    ScoredPerson one;
+    one.recorded.passing = one.walked.passing = PassingOrder{false, 1.0};
+    return one;
+  }();
+  const ScoredPerson* persons[] = {&person, &right};
+  return figures_of(persons);
+}
+
+TEST(Scores, count_who_crosses_and_who_no_longer_does) {
+  const auto of = [](const Figures& f, Figure figure) { return f[static_cast<std::size_t>(figure)]; };
+  struct Case {
+    Figures figures;
+    double first, count, of_all;
+  };
+  for (const Case& c : {Case{crossings(1.0, 9.0), 1.0, 2, 1.0},                // right again
+                        Case{crossings(1.0, 1.0, false), 0.5, 2, 0.5},         // the other way round
+                        Case{crossings(1.0, std::nullopt), 1.0, 1, 0.5},       // not any longer
+                        Case{crossings(std::nullopt, 1.0), 1.0, 1, 1.0},       // never recorded
+                        Case{crossings(3.0, std::nullopt), 1.0, 1, 1.0}}) {    // not within 2 s
+    EXPECT_EQ(of(c.figures, Figure::kFirstClose), c.first);
+    EXPECT_EQ(of(c.figures, Figure::kFirstCloseCount), c.count);
+    EXPECT_EQ(of(c.figures, Figure::kFirstCloseOfAll), c.of_all);
+  }
+  EXPECT_EQ(of(crossings(3.0, std::nullopt), Figure::kFirstOfAll), 0.5);
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ TEST(ReplayedPush, tells_who_is_pushed_and_where_it_would_have_been) {
   const Clip one = clip(1.0, 0.3);
   const Replayed replayed = replay(one, model("constant-velocity"), 0);
   ASSERT_EQ(replayed.pushes.size(), 2u);
-  const Measures pushed = measure(one, 0, replayed), alone = measure(one, 1, replayed);
+  const Measures pushed = measure(one, VehicleWays(one), 0, replayed),
+                 alone = measure(one, VehicleWays(one), 1, replayed);
   EXPECT_GT(pushed.push->way, 1.0);
   EXPECT_LE(pushed.push->speed, 3.0 + 1e-9);
   EXPECT_FALSE(pushed.push->run_into);
@@ -65,7 +66,8 @@ TEST(ReplayedPush, tells_who_is_pushed_and_where_it_would_have_been) {
 
 TEST(ReplayedPush, of_a_fast_vehicle_runs_into_who_does_not_make_way) {
   const Clip one = clip(6.0, 0.3);
-  const Measures hit = measure(one, 0, replay(one, model("constant-velocity"), 0));
+  const Measures hit =
+      measure(one, VehicleWays(one), 0, replay(one, model("constant-velocity"), 0));
   EXPECT_TRUE(hit.push->run_into);
   EXPECT_NEAR(hit.push->speed, 3.0, 1e-9);
   EXPECT_LT(hit.clearance, 0.24);
@@ -76,7 +78,7 @@ TEST(ReplayedPush, is_none_where_people_make_way_by_themselves) {
   const Replayed replayed = replay(one, model("heuristic"), 0);
   EXPECT_EQ(replayed.pushes[0].way, 0.0);
   EXPECT_EQ(replayed.ways[0], replayed.unpushed[0]);
-  EXPECT_GT(measure(one, 0, replayed).unpushed, 0.25);
+  EXPECT_GT(measure(one, VehicleWays(one), 0, replayed).unpushed, 0.25);
 }
 
 TEST(PushFigures, tell_what_the_guard_hides) {
