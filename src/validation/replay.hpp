@@ -21,6 +21,7 @@ struct ReplayModel {
 /// The ways of all persons of the clip, in its order, one place for each recorded frame: in their
 /// first second they follow the recording, then they walk to their last recorded place with the
 /// speed of that second, varied by 3 % (of `seed`; straight and constant-velocity ways too).
+/// Who walks together in the recording (companions.hpp) is a group here, too.
 /// People walk in open space through Crowd::step, the vehicles follow the recording. Seed 0: no
 /// variation of speeds.
 std::vector<Polyline> replay(const Clip& clip, const ReplayModel& model, std::uint64_t seed);
