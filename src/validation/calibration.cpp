@@ -205,8 +205,21 @@ class Search {
     return finalists;
   }
 
+  /// How far each is from the best of them, in the fold in which it is farthest.
+  void find_regrets(const std::vector<ScoredRuns>& scored, std::vector<Finalist>& finalists) const {
+    for (const Fold& fold : folds_) {
+      std::vector<double> misfits;
+      for (const ScoredRuns& runs : scored) misfits.push_back(misfit(clips_, runs, fold.tuned));
+      const double least = *std::ranges::min_element(misfits);
+      for (std::size_t i = 0; i < finalists.size(); ++i) {
+        finalists[i].regret = std::max(finalists[i].regret, misfits[i] - least);
+      }
+    }
+  }
+
   /// Sorts by misfit and tells which are within noise of the best.
-  void find_valley(const std::vector<ScoredRuns>& scored, std::vector<Finalist>& finalists) {
+  void find_valley(const std::vector<ScoredRuns>& scored, std::vector<Finalist>& finalists) const {
+    find_regrets(scored, finalists);
     std::vector<std::vector<double>> resampled(finalists.size());
     for_each_parallel(finalists.size(), [&](std::size_t i) {
       for (int r = 1; r <= options_.resamples; ++r) {
@@ -229,9 +242,7 @@ class Search {
                      [](const Finalist& a, const Finalist& b) { return a.misfit < b.misfit; });
     Finalist* chosen = &finalists.front();
     for (Finalist& finalist : finalists) {
-      const bool bolder =
-          clearance_wanted(finalist.parameters) < clearance_wanted(chosen->parameters);
-      if (finalist.in_valley && bolder) chosen = &finalist;
+      if (finalist.in_valley && finalist.regret < chosen->regret) chosen = &finalist;
     }
     chosen->chosen = true;
   }

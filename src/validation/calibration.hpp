@@ -7,9 +7,10 @@
 // best of all clips are scored again with seeds that the search did not use.
 //
 // Choice: the misfit is flat along a valley, in which the best single point is an accident of the
-// clips. So that point is taken which keeps least clearance (m0 + m_v·3 m/s) among those that are
-// within one standard error of the best: of the difference of the two, by bootstrap over clips
-// (Breiman et al. 1984, the one standard error rule). The whole valley is reported.
+// clips. So of the points within one standard error of the best (of the difference of the two, by
+// bootstrap over clips; Breiman et al. 1984, the one standard error rule) that one is taken on which
+// the folds agree most: whose worst fold, a site or a manoeuvre left out, is nearest to the best of
+// that fold. The whole valley is reported.
 #pragma once
 
 #include <functional>
@@ -56,6 +57,7 @@ struct Finalist {
   Parameters parameters;
   double misfit = 0.0;
   double error = 0.0;  ///< standard error of what it has more than the best
+  double regret = 0.0;  ///< how much more misfit than the best, in the fold where that is most
   bool in_valley = false, chosen = false;
 };
 

@@ -102,6 +102,7 @@ Scene crossed(double later, double behind, double slowing_cost) {
   constexpr double kSpeed = 3.0;
   Scene scene = walker_and(vehicle({1.34 * later, -kSpeed * later - behind}, kPi / 2, kSpeed));
   scene.parameters.slowing_cost = slowing_cost;
+  scene.parameters.hurry_cost = 100.0;  // nobody hurries
   return scene;
 }
 
