@@ -71,7 +71,7 @@ constexpr ParameterInfo kParameters[] = {
      "w: what slowing down costs against going round", "calibrated (pedzone calibrate)"},
     {"hurryCost", &P::hurry_cost, 1.0, 0.0, 100.0, "",
      "what walking faster than preferred costs, as w for slowing down",
-     "assumed: a fifth more speed costs as much as 16 degrees aside"},
+     "assumed: a fifth more speed costs as much as 23 degrees aside"},
     {"marginSpread", &P::margin_spread, calibrated_marginSpread, 0.0, 2.0, "",
      "sigma: by how much people differ in that margin (of its logarithm)",
      "calibrated (pedzone calibrate)"},
