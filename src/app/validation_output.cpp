@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -116,8 +117,26 @@ std::string validation_json(const ValidationResult& result) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// The good points of all clips, the best first.
+static std::string valley_table(const CalibrationResult& result) {
+  std::string text =
+      "Good points, scored with other seeds: misfit, standard error of what it has more than the\n"
+      "best, most that it has more than the best in any fold; v: within the error of the best (the\n"
+      "valley), *: of these the one on which the folds agree most, taken\n";
+  for (const Finalist& finalist : result.finalists) {
+    text += fmt::format("  {:.3f} {:.3f} {:.3f} {}{}", finalist.misfit, finalist.error,
+                        finalist.regret, finalist.in_valley ? 'v' : ' ', finalist.chosen ? '*' : ' ');
+    for (const Searched& searched : searched_parameters()) {
+      text += fmt::format(" {}={}", searched.key,
+                          finalist.parameters.*find_parameter(searched.key)->member);
+    }
+    text += "\n";
+  }
+  return text + "\n";
+}
+
 std::string calibration_table(const CalibrationResult& result) {
-  std::string text;
+  std::string text = valley_table(result);
   for (const FoldResult& fold : result.folds) {
     text += fmt::format("Tuned on {}, misfit {:.3f}:", fold.fold.name, fold.misfit);
     for (const Searched& searched : searched_parameters()) {
@@ -147,6 +166,14 @@ std::string calibration_json(const CalibrationResult& result) {
                              {"parameters", parameters_json(fold.parameters)},
                              {"scored_on", rows}});
   }
+  for (const Finalist& finalist : result.finalists) {
+    json["finalists"].push_back({{"misfit", finalist.misfit},
+                                 {"error", finalist.error},
+                                 {"regret", finalist.regret},
+                                 {"in_valley", finalist.in_valley},
+                                 {"chosen", finalist.chosen},
+                                 {"parameters", parameters_json(finalist.parameters)}});
+  }
   json["evaluations"] = result.evaluations;
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -172,6 +199,17 @@ std::string calibrated_include(const CalibrationResult& result, const Calibratio
       text += fmt::format("{:>7}", printed(row.value[k], figure_list()[k]));
     }
     text += "\n";
+  }
+  text += "// The valley: from and to of each parameter, among points within noise of the best.\n";
+  for (const Searched& searched : searched_parameters()) {
+    double least = searched.most, most = searched.least;
+    for (const Finalist& finalist : result.finalists) {
+      if (!finalist.in_valley) continue;
+      const double value = finalist.parameters.*find_parameter(searched.key)->member;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    text += fmt::format("// {:<24}{:>8} to {}\n", searched.key, least, most);
   }
   for (const Searched& searched : searched_parameters()) {
     text += fmt::format("calibrated({}, {})\n", searched.key,

@@ -93,7 +93,7 @@ struct DirectionChoice {
 /// A direction and the speed in it.
 struct PacedChoice {
   DirectionChoice direction;
-  double share = 1.0;  ///< of the preferred speed, [0, 1]
+  double share = 1.0;  ///< of the preferred speed, [0, 1]; above 1: in a hurry
 };
 
 /// Of two candidates the smaller value wins; then the one nearer to the goal; then the lower index,
@@ -120,7 +120,7 @@ struct VehicleFelt {
 /// present velocity v has relaxed (which carries it by (v − wanted)·glide), until something stops
 /// it.
 struct PacedWalk {
-  float share = 1.0F;           ///< of the preferred speed, [0, 1]
+  float share = 1.0F;           ///< of the preferred speed, >= 0
   float time = 4.0F;            ///< [s] how far ahead it looks
   float glide = 0.5F;           ///< [s] relaxation time
   float vx = 0.0F, vy = 0.0F;   ///< [m/s] present velocity

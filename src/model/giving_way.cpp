@@ -7,7 +7,9 @@
 namespace pedzone {
 namespace {
 
-constexpr float kShares[] = {1.0F, 0.75F, 0.5F, 0.25F, 0.0F};
+constexpr float kSlow[] = {0.5F, 0.0F};  // shares of the speed
+constexpr float kHurry = 1.2F;  // assumed: the most that people hurry; 0.3 m/s of a usual speed
+constexpr float kPassReach = 8.0F;  // [m] measured (CITR, back): farther away nobody slows down
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr float kSlack = 1e-5F;           // numerical: share of d_max² that rounding may take
 constexpr float kFullMarginSpeed = 0.5F;  // [m/s] slower vehicles have smaller margins (vehicle.md)
@@ -38,12 +40,14 @@ bool GivingWay::notice(const Walker& walker, std::span<const VehicleView> vehicl
     const VehicleShape& s = *view.shape;
     const float usual = static_cast<float>(parameters.discomfort_margin) +
                         static_cast<float>(parameters.discomfort_margin_time) * s.speed;
-    const float margin = usual * caution * std::min(1.0F, s.speed / kFullMarginSpeed);
+    const float behind =
+        1.0F + static_cast<float>(parameters.room_behind) * drives_along(s, walker);
+    const float margin = usual * behind * caution * std::min(1.0F, s.speed / kFullMarginSpeed);
     if (margin <= 0.0F) continue;
     // The person from the vehicle's centre, in the world's frame.
     const float x = view.x * s.cos - view.y * s.sin, y = view.x * s.sin + view.y * s.cos;
     const float reach = s.reach + margin;
-    const float anywhere = reach + walker.speed * (time + glide) + glide * walker.pace();
+    const float anywhere = reach + kHurry * walker.speed * (time + glide) + glide * walker.pace();
     if (!comes_near(x, y, -s.vx, -s.vy, anywhere, time)) continue;
     near = near || free_time < time ||
            comes_near(x + lag_x, y + lag_y, walk_x - s.vx, walk_y - s.vy, reach, time);
@@ -67,6 +71,19 @@ void GivingWay::worst_of(const DirectionTask& task, float share, const Parameter
   }
 }
 
+double GivingWay::pace_while_passed(const Walker& walker, std::span<const VehicleView> vehicles,
+                                    const Parameters& parameters) {
+  float most = 0.0F;
+  for (const VehicleView& view : vehicles) {
+    if (has_passed(view)) continue;
+    const float along = drives_along(*view.shape, walker);
+    const float faster = std::min(1.0F, along * view.shape->speed / walker.speed);
+    const float near = std::max(0.0F, 1.0F - view.distance / kPassReach);
+    most = std::max(most, along * faster * near);
+  }
+  return 1.0 - parameters.letting_pass * static_cast<double>(most);
+}
+
 bool GivingWay::comfortable(const DirectionTask& task, const DirectionChoice& known,
                             const Parameters& parameters, const DirectionKernel& kernel) {
   const std::size_t first = known.index / kDirectionGroup * kDirectionGroup;
@@ -81,30 +98,46 @@ bool GivingWay::comfortable(const DirectionTask& task, const DirectionChoice& kn
   return discomfort_[known.index] == 0.0F;
 }
 
+void GivingWay::try_pace(const DirectionTask& task, float share, float pace,
+                         const Parameters& parameters, std::size_t first,
+                         const DirectionKernel& kernel) {
+  const float unit = task.horizon * task.horizon;
+  const float discomfort = unit * static_cast<float>(parameters.discomfort);
+  worst_of(task, share, parameters, first, kDirectionGroup, kernel);
+  for (std::size_t k = first; k < first + kDirectionGroup; ++k) {
+    const float cost = task.cost[k] + discomfort * discomfort_[k] + pace;
+    const bool better = cost < cost_[k];
+    cost_[k] = better ? cost : cost_[k];
+    share_[k] = better ? share : share_[k];
+  }
+}
+
 void GivingWay::price(const DirectionTask& task, const Parameters& parameters, std::size_t first,
                       float most, const DirectionKernel& kernel) {
   kernel.times_of(task, task.still_discs, task.still_faces, first, kDirectionGroup, stop_);
   const float unit = task.horizon * task.horizon;  // d_max² over V²
-  const float discomfort = unit * static_cast<float>(parameters.discomfort);
   const float slowing = unit * static_cast<float>(parameters.slowing_cost);
-  for (const float share : kShares) {
-    const float slow = slowing * (1.0F - share) * (1.0F - share);
+  const auto too_dear = [&](float pace) {
     const float dearest = *std::max_element(cost_ + first, cost_ + first + kDirectionGroup);
-    // Slower still costs more than what there is, or more than may be spent.
-    if (slow >= dearest || slow > most) return;
-    worst_of(task, share, parameters, first, kDirectionGroup, kernel);
-    for (std::size_t k = first; k < first + kDirectionGroup; ++k) {
-      const float cost = task.cost[k] + discomfort * discomfort_[k] + slow;
-      const bool better = cost < cost_[k];
-      cost_[k] = better ? cost : cost_[k];
-      share_[k] = better ? share : share_[k];
-    }
+    return pace >= dearest || pace > most;  // than what there is, or than may be spent
+  };
+  try_pace(task, 1.0F, 0.0F, parameters, first, kernel);
+  const float hurrying = unit * static_cast<float>(parameters.hurry_cost) * (hurry_ - 1.0F) *
+                         (hurry_ - 1.0F);
+  if (hurry_ > 1.0F && !too_dear(hurrying)) {
+    try_pace(task, hurry_, hurrying, parameters, first, kernel);
+  }
+  for (const float share : kSlow) {
+    const float slow = slowing * (1.0F - share) * (1.0F - share);
+    if (too_dear(slow)) return;
+    try_pace(task, share, slow, parameters, first, kernel);
   }
 }
 
 PacedChoice GivingWay::choose(const Candidates& candidates, const DirectionTask& task,
                               const Parameters& parameters, DirectionChoice known,
-                              const DirectionKernel& kernel) {
+                              double most_share, const DirectionKernel& kernel) {
+  hurry_ = std::min(kHurry, static_cast<float>(most_share));
   std::fill(cost_, cost_ + candidates.padded(), kNever);
   // First the group of what is known: its value is a bound from then on.
   const std::size_t start = known.index / kDirectionGroup * kDirectionGroup;

@@ -2,14 +2,20 @@
 // before contact. Source: the formulation of vehicle.md, fitted to recordings by `pedzone
 // calibrate`.
 //
-// Eq. 1 or 2 gets a further term. Of directions α and speed shares s ∈ {1, ¾, ½, ¼, 0} that pair is
-// chosen for which
+// Eq. 1 or 2 gets a further term. Of directions α and speed shares s ∈ {1, 1.2, ½, 0} (1.2 as far as
+// the person can walk so fast) that pair is chosen for which
 //     d(α) + d_max²·[k·h(α, s) + w·(1 − s)²]
-// is smallest, h being the worst discomfort that any vehicle is within the next T, if it keeps its
+// is smallest, w being another one for hurrying (s > 1) than for slowing down, h the worst discomfort that any vehicle is within the next T, if it keeps its
 // velocity and the person is taken to stop where something that stands blocks its way (a wall it
-// cannot walk through is no way out), with the margin m = (m0 + m_v·|v|)·exp(σ·z), z
-// each person's own standard normal number. A slow vehicle's margin fades: a parked one is passed
-// close. With k = 0 nothing is left of it.
+// cannot walk through is no way out), with the margin m = (m0 + m_v·|v|)·(1 + r·a)·exp(σ·z), z
+// each person's own standard normal number, a = max(0, cos) of the angle between the vehicle's
+// velocity and the person's heading: what comes from behind cannot be watched. A slow vehicle's
+// margin fades: a parked one is passed close. With k = 0 nothing is left of it.
+//
+// Who has chosen so walks on before or beside a car of little more than its own speed for as long as
+// that drives, since every choice looks T ahead only. So it slows down until such a car is past: by
+// the share p·a·min(1, a·|v|/V)·(1 − c/8 m), c its distance now. On the recordings (CITR, back)
+// people slow down from about 6 m on, to 0.87 of their speed beside it.
 #pragma once
 
 #include <span>
@@ -34,20 +40,28 @@ class GivingWay {
   bool comfortable(const DirectionTask& task, const DirectionChoice& known,
                    const Parameters& parameters, const DirectionKernel& kernel);
 
-  /// Over the whole circle, after notice(). `known`: the choice that knows nothing of discomfort.
+  /// Share of the speed that is left to who lets vehicles pass, [0, 1].
+  static double pace_while_passed(const Walker& walker, std::span<const VehicleView> vehicles,
+                                  const Parameters& parameters);
+
+  /// Over the whole circle, after notice(). `most_share`: of the speed, at most, >= 1. `known`: the choice that knows nothing of discomfort.
   PacedChoice choose(const Candidates& candidates, const DirectionTask& task,
-                     const Parameters& parameters, DirectionChoice known,
+                     const Parameters& parameters, DirectionChoice known, double most_share,
                      const DirectionKernel& kernel);
 
  private:
   void worst_of(const DirectionTask& task, float share, const Parameters& parameters,
                 std::size_t first, std::size_t count, const DirectionKernel& kernel);
+  /// The costs of one pace in a group of directions, `pace` [s²] by itself.
+  void try_pace(const DirectionTask& task, float share, float pace, const Parameters& parameters,
+                std::size_t first, const DirectionKernel& kernel);
   /// Costs of a group of directions, each at its best share of the speed; right up to `most` [s²].
   void price(const DirectionTask& task, const Parameters& parameters, std::size_t first, float most,
              const DirectionKernel& kernel);
 
   std::vector<VehicleFelt> vehicles_;
   float vx_ = 0.0F, vy_ = 0.0F;       ///< [m/s] of the person
+  float hurry_ = 1.0F;                ///< the share of the speed in a hurry; 1: none
   float stop_[kMaxDirections];        ///< [s] until something that stands blocks the way
   float discomfort_[kMaxDirections];  ///< h
   float cost_[kMaxDirections];        ///< [s²] of the best speed share

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/random.hpp"
 #include "core/vec.hpp"
@@ -136,6 +137,7 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
   }
   const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
   if (vehicles.empty()) return {best, 1.0};
+  const double pace = GivingWay::pace_while_passed(self, vehicles, parameters);
   const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
   const double own = snapshot_.attention ? snapshot_.attention->persons[i].caution : 1.0;
   const auto caution = static_cast<float>(own * std::exp(parameters.margin_spread * z));
@@ -143,10 +145,19 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
   const Heading way = heading_of(task, best);
   if (!giving_way.notice(self, vehicles, parameters, caution, way.x, way.y, best.time) ||
       giving_way.comfortable(task, best, parameters, kernel_)) {
-    return {best, 1.0};
+    return {best, pace};
   }
   choose_by_second();
-  return giving_way.choose(candidates_, task, parameters, best, kernel_);
+  PacedChoice chosen =
+      giving_way.choose(candidates_, task, parameters, best, most_share(i), kernel_);
+  if (chosen.share <= 1.0) chosen.share *= pace;  // who hurries does not let it pass
+  return chosen;
+}
+
+double HeuristicModel::most_share(std::size_t i) const {
+  if (snapshot_.attention == nullptr) return std::numeric_limits<double>::infinity();
+  const double speed = snapshot_.persons->preferred_speed[i];
+  return speed > 0.0 ? snapshot_.attention->persons[i].top_speed / speed : 1.0;
 }
 
 PacedChoice HeuristicModel::plain(std::size_t i, const Walker& self, double to_goal,

@@ -18,7 +18,7 @@
 namespace pedzone {
 
 /// Version of WalkingModel, Snapshot and what they hold: to be raised with every change of meaning.
-inline constexpr std::uint32_t kModelInterface = 2;
+inline constexpr std::uint32_t kModelInterface = 3;
 
 /// What changes where somebody changes them and forgets to raise it.
 inline constexpr std::uint32_t kModelLayout = static_cast<std::uint32_t>(

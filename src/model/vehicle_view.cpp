@@ -221,6 +221,18 @@ float time_to_leave_its_way(const VehicleView& view, float vx, float vy) {
   return sideways == 0.0F ? kNever : way / (side * sideways);
 }
 
+float drives_along(const VehicleShape& vehicle, const Walker& person) {
+  if (!vehicle.moving()) return 0.0F;
+  const float along = vehicle.vx * person.heading_cos + vehicle.vy * person.heading_sin;
+  return std::max(along / vehicle.speed, 0.0F);
+}
+
+bool has_passed(const VehicleView& view) {
+  const VehicleShape& s = *view.shape;
+  const float forward = to_vehicle(s, s.vx, s.vy).x >= 0.0F ? 1.0F : -1.0F;
+  return forward * view.x < -s.half_length;
+}
+
 // A vehicle moves along its own axis (reversing: against it), so its swept area is the rectangle
 // stretched that way; `forward` is the side of its leading end.
 float distance_in_its_way(const VehicleView& view, const Walker& person, float margin) {

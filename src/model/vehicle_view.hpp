@@ -87,6 +87,13 @@ float time_to_standing(const VehicleView& view, const Walker& person, float dx, 
 /// infinity when it never is.
 float time_to_leave_its_way(const VehicleView& view, float vx, float vy);
 
+/// How much the vehicle drives the way that the person faces: cosine of the angle between, 0 where
+/// it comes towards it or stands.
+float drives_along(const VehicleShape& vehicle, const Walker& person);
+
+/// Whether it has driven past the person, its rear included.
+bool has_passed(const VehicleView& view);
+
 inline constexpr float kNotInItsWay = std::numeric_limits<float>::infinity();
 
 /// How far [m] ahead of the vehicle the person stands in its way, the band that it sweeps, its own

@@ -14,7 +14,7 @@ namespace pedzone {
 
 struct Decision {
   double direction = 0.0;      ///< [rad] chosen walking direction
-  double speed = 0.0;          ///< [m/s] [0, preferred speed]
+  double speed = 0.0;          ///< [m/s] [0, preferred speed]; of the default model more in a hurry
   double free_distance = 0.0;  ///< [m] [0, sight] f(α) in the chosen direction
   bool waits = false;          ///< stands for a vehicle that is about to cross
   bool turns = false;          ///< its shoulders, for want of room among people

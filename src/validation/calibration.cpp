@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <set>
 
 #include "core/error.hpp"
-#include "validation/evaluation_log.hpp"
+#include "core/random.hpp"
 #include "core/statistics.hpp"
+#include "crowd/state/parallel.hpp"
+#include "validation/evaluation_log.hpp"
 
 namespace pedzone {
 namespace {
@@ -17,8 +19,12 @@ constexpr Searched kSearched[] = {
     {"discomfort", 0.7, 6.0, true},     {"discomfortMargin", 0.0, 0.6},
     {"discomfortMarginTime", 0.2, 1.0}, {"discomfortHorizon", 2.5, 5.5},
     {"slowingCost", 0.06, 0.8, true},   {"marginSpread", 0.0, 0.5},
+    {"roomBehind", 0.0, 0.8},           {"lettingPass", 0.1, 0.5},
 };
 constexpr std::size_t kDimensions = std::size(kSearched);
+constexpr double kUsualSpeed = 3.0;  // [m/s] of vehicles in shared space
+constexpr double kAlike = 0.1;       // [m] finalists whose wanted clearance differs less are alike
+constexpr int kMostAlike = 3;
 using Point = std::array<double, kDimensions>;  ///< [0, 1] each
 
 /// Generalised golden ratio of that many dimensions (Roberts 2018, "The unreasonable effectiveness
@@ -54,6 +60,11 @@ Parameters parameters_of(const Point& point) {
     parameters.*find_parameter(kSearched[d].key)->member = value_of(kSearched[d], point[d]);
   }
   return parameters;
+}
+
+/// [m] to a vehicle of a usual speed: what tells the bold from the shy.
+double clearance_wanted(const Parameters& parameters) {
+  return parameters.discomfort_margin + parameters.discomfort_margin_time * kUsualSpeed;
 }
 
 std::vector<Fold> folds_of(const std::vector<Clip>& clips) {
@@ -114,7 +125,9 @@ class Search {
       refine(f, found);
       std::stable_sort(found.begin(), found.end(),
                        [](const auto& a, const auto& b) { return a.first < b.first; });
-      result.folds.push_back(f == 0 ? final_of(found) : fold_result(f, found.front()));
+      if (f == 0) result.finalists = finalists_of(found);
+      result.folds.push_back(f == 0 ? fold_result(0, chosen_of(result.finalists))
+                                    : fold_result(f, found.front()));
     }
     result.evaluations = evaluations_;
     result.reused = reused_;
@@ -168,26 +181,101 @@ class Search {
     }
   }
 
-  /// The best of the finalists, scored with other seeds too: the least of many noisy figures is not
-  /// the figure of the best.
-  FoldResult final_of(const std::vector<std::pair<double, Point>>& found) {
-    std::pair<double, Point> best{std::numeric_limits<double>::infinity(), found.front().second};
-    const auto count =
-        std::min(found.size(), static_cast<std::size_t>(std::max(1, options_.finalists)));
-    for (std::size_t i = 0; i < count; ++i) {
-      ScoredRuns runs = score(clips_, model_of(parameters_of(found[i].second)), 4 * options_.seeds);
+  /// The best points, but no more than three that keep about the same clearance; scored with seeds
+  /// that the search did not use: the least of many noisy figures is not the figure of the best.
+  std::vector<Finalist> finalists_of(const std::vector<std::pair<double, Point>>& found) {
+    std::map<int, int> alike;
+    std::vector<Finalist> finalists;
+    std::vector<ScoredRuns> scored;
+    for (const auto& [searched_misfit, point] : found) {
+      if (static_cast<int>(finalists.size()) == options_.finalists) break;
+      Finalist finalist;
+      finalist.parameters = parameters_of(point);
+      const double shyness = clearance_wanted(finalist.parameters);
+      if (++alike[static_cast<int>(std::floor(shyness / kAlike))] > kMostAlike) continue;
+      ScoredRuns runs = score(clips_, model_of(finalist.parameters), 3 * options_.seeds);
       runs.erase(runs.begin(), runs.begin() + options_.seeds);
-      const double value = misfit(clips_, runs, folds_[0].tuned);
-      if (value < best.first) best = {value, found[i].second};
+      finalist.misfit = misfit(clips_, runs, folds_[0].tuned);
+      finalists.push_back(finalist);
+      scored.push_back(std::move(runs));
       ++evaluations_;
+      progressed_(std::min(1.0, static_cast<double>(evaluations_) / total_));
     }
-    return fold_result(0, best);
+    find_valley(scored, finalists);
+    return finalists;
+  }
+
+  /// How far each is from the best of them, in the fold in which it is farthest.
+  void find_regrets(const std::vector<ScoredRuns>& scored, std::vector<Finalist>& finalists) const {
+    for (const Fold& fold : folds_) {
+      std::vector<double> misfits;
+      for (const ScoredRuns& runs : scored) misfits.push_back(misfit(clips_, runs, fold.tuned));
+      const double least = *std::ranges::min_element(misfits);
+      for (std::size_t i = 0; i < finalists.size(); ++i) {
+        finalists[i].regret = std::max(finalists[i].regret, misfits[i] - least);
+      }
+    }
+  }
+
+  /// Sorts by misfit and tells which are within noise of the best.
+  void find_valley(const std::vector<ScoredRuns>& scored, std::vector<Finalist>& finalists) const {
+    find_regrets(scored, finalists);
+    std::vector<std::vector<double>> resampled(finalists.size());
+    for_each_parallel(finalists.size(), [&](std::size_t i) {
+      for (int r = 1; r <= options_.resamples; ++r) {
+        resampled[i].push_back(misfit(clips_, scored[i], drawn_clips(r)));
+      }
+    });
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < finalists.size(); ++i) {
+      if (finalists[i].misfit < finalists[best].misfit) best = i;
+    }
+    for (std::size_t i = 0; i < finalists.size(); ++i) {
+      std::vector<double> more;
+      for (std::size_t r = 0; r < resampled[i].size(); ++r) {
+        more.push_back(resampled[i][r] - resampled[best][r]);
+      }
+      finalists[i].error = standard_deviation(more, mean(more));
+      finalists[i].in_valley = finalists[i].misfit - finalists[best].misfit <= finalists[i].error;
+    }
+    std::stable_sort(finalists.begin(), finalists.end(),
+                     [](const Finalist& a, const Finalist& b) { return a.misfit < b.misfit; });
+    Finalist* chosen = &finalists.front();
+    for (Finalist& finalist : finalists) {
+      if (finalist.in_valley && finalist.regret < chosen->regret) chosen = &finalist;
+    }
+    chosen->chosen = true;
+  }
+
+  /// How often each clip is drawn: as many as there are of each site and manoeuvre, from these.
+  std::vector<int> drawn_clips(int resample) const {
+    std::map<std::string, std::vector<std::size_t>> groups;
+    for (std::size_t c = 0; c < clips_.size(); ++c) groups[group_of(clips_[c])].push_back(c);
+    std::vector<int> times(clips_.size());
+    for (const auto& [group, members] : groups) {
+      for (std::size_t k = 0; k < members.size(); ++k) {
+        const double share = random_uniform(static_cast<std::uint64_t>(resample), person_key(group),
+                                            k, Purpose::kBootstrap);
+        const auto drawn = static_cast<std::size_t>(share * static_cast<double>(members.size()));
+        ++times[members[std::min(drawn, members.size() - 1)]];
+      }
+    }
+    return times;
+  }
+
+  static std::pair<double, Parameters> chosen_of(const std::vector<Finalist>& finalists) {
+    const auto chosen = std::ranges::find(finalists, true, &Finalist::chosen);
+    return {chosen->misfit, chosen->parameters};
   }
 
   FoldResult fold_result(std::size_t f, const std::pair<double, Point>& best) {
+    return fold_result(f, std::pair{best.first, parameters_of(best.second)});
+  }
+
+  FoldResult fold_result(std::size_t f, const std::pair<double, Parameters>& best) {
     FoldResult result;
     result.fold = folds_[f];
-    result.parameters = parameters_of(best.second);
+    result.parameters = best.second;
     result.misfit = best.first;
     std::vector<Clip> rest;
     for (std::size_t c = 0; c < clips_.size(); ++c) {

@@ -1,5 +1,6 @@
 // How far a model is from the recording: what is wanted as one number to be made small.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -11,7 +12,8 @@ namespace {
 
 double squared(double x) { return x * x; }
 
-/// Means over seeds of the persons that `in` takes, walked and recorded.
+/// Means of the persons, each as often as `in` says, walked and recorded, each figure over the seeds that have
+/// it: where nobody's way crosses a vehicle's in one seed, the others still tell the order.
 struct Mean {
   Figures walked{}, recorded{};
   bool any = false;
@@ -30,19 +32,24 @@ struct Mean {
 template <class In>
 Mean mean_of(const ScoredRuns& runs, const In& in) {
   Mean mean;
+  std::array<double, kFigures> seeds{};
   for (const std::vector<ScoredPerson>& run : runs) {
     std::vector<const ScoredPerson*> persons;
     for (const ScoredPerson& person : run) {
-      if (person.recorded.clearance < kInteracting && in(person)) persons.push_back(&person);
+      if (person.recorded.clearance >= kInteracting) continue;
+      persons.insert(persons.end(), static_cast<std::size_t>(in(person)), &person);
     }
     if (persons.empty()) return mean;
     const Figures walked = figures_of(persons);
     for (std::size_t f = 0; f < kFigures; ++f) {
-      mean.walked[f] += walked[f] / static_cast<double>(runs.size());
+      if (std::isnan(walked[f])) continue;
+      mean.walked[f] += walked[f];
+      seeds[f] += 1.0;
     }
     mean.recorded = figures_of(persons, true);
     mean.any = true;
   }
+  for (std::size_t f = 0; f < kFigures; ++f) mean.walked[f] /= seeds[f];  // 0/0: not a number
   return mean;
 }
 
@@ -61,32 +68,40 @@ double of_site(const Mean& m) {
 
 /// Tolerances of one manoeuvre by itself.
 double of_manoeuvre(const Mean& m) {
-  return (squared(m.off(Figure::kClearance) / 0.2) + squared(m.off(Figure::kDeviation) / 0.35)) /
-         2.0;
+  double sum =
+      squared(m.off(Figure::kClearance) / 0.12) + squared(m.of(Figure::kClearanceKs) / 0.3);
+  sum += squared(m.off(Figure::kDeviation) / 0.2) + squared(m.of(Figure::kDeviationKs) / 0.3);
+  sum += squared(m.of(Figure::kLeastSpeedKs) / 0.45);
+  return sum / 5.0;
 }
 
 }  // namespace
 
 double misfit(const std::vector<Clip>& clips, const ScoredRuns& runs,
               const std::vector<bool>& used) {
+  return misfit(clips, runs, std::vector<int>(used.begin(), used.end()));
+}
+
+double misfit(const std::vector<Clip>& clips, const ScoredRuns& runs,
+              const std::vector<int>& times) {
   std::set<std::string> sites, manoeuvres;
   for (std::size_t c = 0; c < clips.size(); ++c) {
-    if (!used[c]) continue;
+    if (times[c] == 0) continue;
     sites.insert(clips[c].site);
     manoeuvres.insert(group_of(clips[c]));
   }
   double sum = 0.0, groups = 0.0;
   for (const std::string& site : sites) {
-    const Mean mean = mean_of(
-        runs, [&](const ScoredPerson& p) { return used[p.clip] && clips[p.clip].site == site; });
+    const Mean mean = mean_of(runs, [&](const ScoredPerson& p) {
+      return clips[p.clip].site == site ? times[p.clip] : 0;
+    });
     if (!mean.any) continue;
     sum += of_site(mean);
     groups += 1.0;
   }
   for (const std::string& manoeuvre : manoeuvres) {
     const Mean mean = mean_of(runs, [&](const ScoredPerson& p) {
-      const Clip& clip = clips[p.clip];
-      return used[p.clip] && group_of(clip) == manoeuvre;
+      return group_of(clips[p.clip]) == manoeuvre ? times[p.clip] : 0;
     });
     if (!mean.any) continue;
     // A manoeuvre weighs half a site.

@@ -5,6 +5,7 @@
 
 #include "core/random.hpp"
 #include "crowd/crowd.hpp"
+#include "validation/companions.hpp"
 
 namespace pedzone {
 namespace {
@@ -79,6 +80,7 @@ class Replay {
         seed_(seed),
         zone_(open_space(clip, model)),
         crowd_(zone_, seed),
+        groups_(companions(clip)),
         handles_(clip.persons.size()),
         ways_(clip.persons.size()) {
     for (const PersonTrack& person : clip.persons) {
@@ -148,6 +150,7 @@ class Replay {
     person.radius = kRadius;
     person.preferred_speed = preferred_speed(clip_, track, seed_);
     person.destination = {track.places.back(), track.places.back()};
+    person.group = groups_[i];
     handles_[i] = crowd_.add(person);
   }
 
@@ -164,6 +167,7 @@ class Replay {
   std::uint64_t seed_;
   Zone zone_;
   Crowd crowd_;
+  std::vector<std::uint64_t> groups_;
   std::vector<std::optional<Crowd::Handle>> handles_;
   std::vector<Polyline> ways_;
   std::vector<SeenPerson> seen_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pedzone {
@@ -12,6 +13,7 @@ struct Perception {
   double field_of_view = 90.0;  ///< [deg] (0, 180] half angle
   double hearing = 8.0;         ///< [m] ≥ 0, of a car that drives slowly
   double caution = 1.0;         ///< > 0 factor of the clearance wanted to vehicles
+  double top_speed = std::numeric_limits<double>::infinity();  ///< [m/s] > 0, in a hurry
 };
 
 /// Of all persons whom pedzone walks, in the order of Persons.

@@ -64,7 +64,8 @@ void set_moves(CrowdState& crowd, double dt) {
         move = limited(wanted * dt + lag * relaxation.glide, direction, decision.free_distance);
         velocity = limited(wanted + lag * relaxation.keep, direction, decision.free_distance / dt);
         const double speed = velocity.norm();
-        if (speed > persons.preferred_speed[i]) velocity *= persons.preferred_speed[i] / speed;
+        const double most = std::max(persons.preferred_speed[i], decision.speed);
+        if (speed > most) velocity *= most / speed;
         persons.heading[i] = turned(persons.heading[i], velocity, decision, turning.keep);
       }
       persons.vx[i] = velocity.x();

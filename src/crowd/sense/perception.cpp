@@ -220,7 +220,8 @@ Perception perception_of(const CrowdState& crowd, std::size_t i) {
   const ActivityInfo& activity = info_of(crowd.activities[walker.handle].activity);
   Perception p{crowd.zone.parameters.field_of_view, crowd.zone.parameters.hearing, 1.0};
   if (walker.profile != nullptr) {
-    p = {walker.profile->field_of_view, walker.profile->hearing, walker.profile->caution};
+    p = {walker.profile->field_of_view, walker.profile->hearing, walker.profile->caution,
+         walker.profile->top_speed};
   }
   p.field_of_view *= activity.field_of_view * crowd.zone.weather->field_of_view;
   p.hearing *= activity.hearing;

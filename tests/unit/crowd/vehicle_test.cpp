@@ -75,6 +75,39 @@ TEST(Vehicle, from_behind_it_is_heard_and_made_way_for) {
   EXPECT_EQ(scene.arrived(), 1u);
 }
 
+/// [m/s] the fastest that somebody of 1.3 m/s crosses the ways of vehicles that come soon or later.
+double fastest_before_vehicles(double top_speed) {
+  Profile adult = *Profiles().find("adult");
+  adult.top_speed = top_speed;
+  adult.reaction_time = 0.0;
+  const Zone zone = zone_of(box(0, 0, 60, 40));
+  double fastest = 0.0;
+  for (double later = 3.0; later <= 6.0; later += 0.25) {
+    Scene scene(zone);
+    NewPerson person;
+    person.position = {20.0, 20.0};
+    person.velocity = {1.3, 0.0};
+    person.preferred_speed = 1.3;
+    person.destination = line_at_x(40, 5, 35);
+    person.profile = &adult;
+    person.aware = true;
+    const std::size_t i = scene.add(person);
+    scene.vehicles = {vehicle_at({25.0, 20.0 - 4.0 * later}, kPi / 2, 4.0)};
+    for (int k = 0; k < 60; ++k) {
+      scene.step();
+      fastest = std::max(fastest, scene.people[i].view.velocity.norm());
+    }
+  }
+  return fastest;
+}
+
+TEST(Vehicle, people_hurry_before_one_but_not_beyond_their_top_speed) {
+  EXPECT_GT(fastest_before_vehicles(5.0), 1.4);
+  EXPECT_LE(fastest_before_vehicles(5.0), 1.2 * 1.3 + 1e-6);
+  EXPECT_LE(fastest_before_vehicles(1.35), 1.35 + 1e-6);
+  EXPECT_LE(fastest_before_vehicles(1.0), 1.3 + 1e-9);
+}
+
 TEST(Vehicle, a_parked_one_is_passed_close) {
   const Zone zone = zone_of(box(0, 0, 40, 12), {}, true);
   Scene scene(zone);

@@ -102,6 +102,7 @@ Scene crossed(double later, double behind, double slowing_cost) {
   constexpr double kSpeed = 3.0;
   Scene scene = walker_and(vehicle({1.34 * later, -kSpeed * later - behind}, kPi / 2, kSpeed));
   scene.parameters.slowing_cost = slowing_cost;
+  scene.parameters.hurry_cost = 100.0;  // nobody hurries
   return scene;
 }
 
@@ -130,6 +131,83 @@ TEST(GivingWay, says_that_a_person_waits_when_it_stands_for_a_vehicle) {
     stand += d.waits ? 1 : 0;
   }
   EXPECT_GT(stand, 0);
+}
+
+/// A car that comes from behind, so far to the left that nobody needs to step aside for it.
+Scene overtaken(double ahead, double speed, double heading = 0.0) {
+  Scene scene = walker_and(vehicle({ahead, 4.0}, heading, speed));
+  scene.parameters.discomfort_margin = 0.1;
+  scene.parameters.discomfort_margin_time = 0.1;
+  return scene;
+}
+
+TEST(GivingWay, slows_down_while_a_car_that_drives_its_way_passes) {
+  const double own = 1.34;
+  const double beside = overtaken(0.0, 2.3).first().speed;
+  EXPECT_LT(beside, 0.9 * own);
+  // Nearer means slower; a car farther away than 8 m, one that has passed, and one that comes
+  // towards the person are none to be let past.
+  const double behind = overtaken(-6.0, 2.3).first().speed;
+  EXPECT_GT(behind, beside);
+  EXPECT_LT(behind, own);
+  EXPECT_EQ(overtaken(-12.0, 2.3).first().speed, own);
+  EXPECT_EQ(overtaken(2.6, 2.3).first().speed, own);
+  EXPECT_EQ(overtaken(2.0, 2.3, kPi).first().speed, own);
+  // Nor is one that never passes.
+  EXPECT_GT(overtaken(0.0, 0.4).first().speed, beside);
+  Scene scene = overtaken(0.0, 2.3);
+  scene.parameters.letting_pass = 0.0;
+  EXPECT_EQ(scene.first().speed, own);
+}
+
+TEST(GivingWay, does_not_walk_along_before_a_slow_car_that_comes_from_behind) {
+  // A car of 2 m/s that drives 10 degrees off the person's way, into it from the right: whoever
+  // keeps beside it is led away from the goal for as long as it drives.
+  const auto led = [](double letting_pass) {
+    const double heading = 12.0 * kDegree;
+    Scene scene = walker_and(vehicle(Vec2(8.0, 0.0) - 11.0 * unit(heading), heading, 2.0));
+    scene.parameters.letting_pass = letting_pass;
+    Walkthrough walk(scene, {{24.0, 0.0}});
+    double most = 0.0;
+    while (walk.at(0).x() < 23.0 && walk.time() < 60.0) {
+      walk.step();
+      most = std::max(most, std::abs(walk.at(0).y()));
+    }
+    EXPECT_LT(walk.time(), 60.0);
+    return most;
+  };
+  const double now = led(Parameters().letting_pass);
+  EXPECT_LT(now, 3.0);
+  EXPECT_GT(led(0.0), now + 0.5);
+}
+
+TEST(GivingWay, keeps_more_room_to_a_vehicle_that_comes_from_behind) {
+  Scene scene = walker_and(vehicle({-8.0, 1.8}, 0.0, 3.0));
+  const double now = scene.first().direction;
+  EXPECT_LT(now, -2.0 * kDegree);
+  scene.parameters.room_behind = 0.0;
+  EXPECT_GT(scene.first().direction, now + 1.0 * kDegree);
+  // One that comes towards the person is seen: the same room whatever the parameter.
+  Scene ahead = walker_and(vehicle({14.0, 1.8}, kPi, 3.0));
+  const Decision seen = ahead.first();
+  ahead.parameters.room_behind = 1.0;
+  expect_same(ahead.first(), seen);
+}
+
+TEST(GivingWay, hurries_before_a_vehicle_as_far_as_it_costs_little_and_the_person_can) {
+  int hurried = 0;
+  for (double later = 2.0; later <= 4.0; later += 0.25) {
+    for (double behind = -2.0; behind <= 6.0; behind += 0.5) {
+      Scene scene = crossed(later, behind, 100.0);
+      scene.parameters.hurry_cost = 0.3;
+      const Decision free = scene.first();
+      EXPECT_LE(free.speed, 1.2 * 1.34 + 1e-6);
+      hurried += free.speed > 1.01 * 1.34 ? 1 : 0;
+      scene.parameters.hurry_cost = 100.0;
+      EXPECT_LE(scene.first().speed, 1.34 + 1e-9);
+    }
+  }
+  EXPECT_GT(hurried, 10);
 }
 
 TEST(GivingWay, steps_aside_for_a_vehicle_that_it_hears_and_for_none_beyond_hearing) {

@@ -15,7 +15,7 @@
 namespace pedzone::test {
 namespace {
 
-constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25, 0.0};
+constexpr double kShares[] = {1.0, 1.2, 0.5, 0.0};
 
 class Numbers {
  public:
@@ -103,7 +103,7 @@ TEST_P(Discomfort, is_that_of_the_least_clearance_on_the_way) {
     c.margin = number.chance(0.3) ? number(0.05, 0.5) : number(0.5, 6.0);
     c.time = number.chance(0.1) ? 0.0 : number(0.1, 8.0);
     c.lag = number(0.05, 1.0);
-    c.share = kShares[i % 5];
+    c.share = kShares[i % 4];
     for (float& stop : c.stop) {
       stop = static_cast<float>(number.chance(0.5) ? 10.0 / c.person.speed : number(0.01, 4.0));
     }
@@ -182,7 +182,9 @@ Scene with_one_vehicle(Numbers& number, bool wall) {
   Scene scene;
   scene.parameters.equation = number.chance(0.25) ? 1.0 : 2.0;
   scene.parameters.slowing_cost = number(0.05, 0.8);
+  scene.parameters.hurry_cost = number(0.1, 2.0);
   scene.parameters.discomfort = number(0.3, 4.0);
+  scene.parameters.letting_pass = 0.0;
   PersonSpec p = walking_to({0, 0}, number(-kPi, kPi));
   p.key = static_cast<std::uint64_t>(number(1.0, 1e6));
   p.speed = number(0.8, 1.8);
@@ -218,7 +220,7 @@ double value_of(const Scene& scene, const std::vector<Obstacle>& around, const D
   double least = 1e300;
   for (const double share : kShares) {
     const double speed =
-        std::min(share * p.speed, d.free_distance / scene.parameters.collision_time);
+        std::min(static_cast<double>(static_cast<float>(share)) * p.speed, d.free_distance / scene.parameters.collision_time);
     if (std::abs(speed - d.speed) > 1e-9) continue;
     const double offset = wrap_angle(d.direction - p.heading);
     least = std::min(least, total_value(scene, around, offset, share, caution).least);
@@ -241,7 +243,7 @@ double best_value(const Scene& scene, const std::vector<Obstacle>& around, doubl
 
 /// Of cases in which the direction that would be taken anyway is a discomfort.
 struct Compared {
-  int all = 0, slower = 0, elsewhere = 0;
+  int all = 0, slower = 0, faster = 0, elsewhere = 0;
 };
 Compared compare_with_best_value(bool wall) {
   constexpr double kTolerance = 0.2;  // [m²] of 100 and more: 5 mm of free way
@@ -265,6 +267,7 @@ Compared compare_with_best_value(bool wall) {
     EXPECT_LE(chosen, best_value(scene, around, caution) + kTolerance) << "case " << i;
     ++compared.all;
     compared.slower += d.speed < 0.8 * std::min(scene.people[0].speed, d.free_distance / 0.5);
+    compared.faster += d.speed > 1.01 * scene.people[0].speed;
     const double off = wrap_angle(d.direction - scene.people[0].heading - anyway.offset);
     compared.elsewhere += std::abs(off) > 0.01;
   }
@@ -274,14 +277,15 @@ Compared compare_with_best_value(bool wall) {
 TEST(GivingWay, chooses_the_best_of_all_directions_and_speeds) {
   const Compared compared = compare_with_best_value(false);
   EXPECT_GT(compared.all, 80);
-  EXPECT_GT(compared.slower, 25);
+  EXPECT_GT(compared.slower, 15);
+  EXPECT_GT(compared.faster, 10);
   EXPECT_GT(compared.elsewhere, 25);
 }
 
 TEST(GivingWay, takes_who_comes_to_a_wall_to_stand_there) {
   const Compared compared = compare_with_best_value(true);
   EXPECT_GT(compared.all, 80);
-  EXPECT_GT(compared.slower, 25);
+  EXPECT_GT(compared.slower, 15);
   EXPECT_GT(compared.elsewhere, 25);
 }
 

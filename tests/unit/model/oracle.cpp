@@ -300,7 +300,9 @@ Bounds total_value(const Scene& scene, const std::vector<Obstacle>& around, doub
   for (const Obstacle& o : around) {
     if (o.kind != Obstacle::Kind::kVehicle) continue;
     const double v = o.speed();
-    const double margin = (p.discomfort_margin + p.discomfort_margin_time * v) * caution *
+    const double along = o.vehicle.velocity.normalized().dot(unit(self.heading));
+    const double margin = (p.discomfort_margin + p.discomfort_margin_time * v) *
+                          (1.0 + p.room_behind * std::max(0.0, along)) * caution *
                           std::min(1.0, v / kFullMarginSpeed);
     const auto h = [&](double stop) {
       const Stride way = stride(self.at, self.velocity, share * self.speed * unit(heading),
@@ -312,7 +314,8 @@ Bounds total_value(const Scene& scene, const std::vector<Obstacle>& around, doub
              std::max({worst.most, soon.most, late.most})};
   }
   const double unit2 = p.sight * p.sight;
-  const double slow = unit2 * p.slowing_cost * (1.0 - share) * (1.0 - share);
+  const double weight = share > 1.0 ? p.hurry_cost : p.slowing_cost;
+  const double slow = unit2 * weight * (1.0 - share) * (1.0 - share);
   // d falls until f is at its lowest point, then rises.
   const double from_goal = wrap_angle(self.goal - heading);
   const auto d = [&](double f) {

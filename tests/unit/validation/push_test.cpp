@@ -106,7 +106,8 @@ TEST(PushFigures, are_none_where_no_crowd_walks) {
 
 TEST(PushFigures, have_the_longest_push_of_all_seeds) {
   const ValidationResult result =
-      validate({clip(1.0, 0.3, "a"), clip(1.0, 0.5, "b")},
+      validate({clip(1.0, 0.3, "a"), clip(1.0, 0.5, "b"), clip(1.0, 0.4, "c"), clip(1.0, 0.6, "d"),
+                clip(1.0, 0.2, "e")},
                {{model("constant-velocity")}, 4, 20, false}, [](double) {});
   double longest = 0.0, mean = 0.0;
   for (const auto& run : result.runs.front()) {
