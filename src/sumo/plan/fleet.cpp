@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/random.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
@@ -21,6 +22,8 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.slowed = old.slowed;
   vehicle.commanded = old.commanded;
   vehicle.pull = old.pull;
+  const bool told = old.commanded >= 0.0 && old.commanded < kHaltingSpeed;
+  vehicle.waits = !told && std::max(old.speed, vehicle.speed) < kHaltingSpeed;
   const Vec2 moved = vehicle.centre() - old.centre();
   if (dt > 0.0 && moved.norm() > kMoved) vehicle.velocity = moved.normalized() * vehicle.speed;
 }
@@ -66,7 +69,7 @@ bool meets_at_junction(const Network& network, const FleetVehicle& vehicle,
 double next_speed(const FleetVehicle& vehicle, double dt) {
   double next = std::min(vehicle.speed + vehicle.traits.accel * dt,
                          std::max(vehicle.allowed_speed, vehicle.speed));
-  if (vehicle.stopped) next = 0.0;
+  if (vehicle.stopped || vehicle.waits) next = 0.0;  // as long as it does not drive off
   if (vehicle.commanded >= 0.0) next = std::min(next, vehicle.commanded);
   return next;
 }
