@@ -12,26 +12,34 @@ constexpr double kMoment = 0.1;  // [s] numerical: bodies are compared so often
 constexpr double kReach = 2.0;   // [m] numerical: bodies of persons, and a body's swing in a bend
 constexpr int kHalvings = 4;     // numerical: of the span from decel to emergency_decel
 
-/// Whether the vehicle's front runs into a person who is now at `person` [m].
-bool runs_into(const Rectangle& body, const Vec2& person, double radius) {
-  if (body.signed_distance(person) >= radius) return false;
-  return (person - body.centre).dot(body.axis) > body.half.x();
+/// Whether the vehicle's front runs into a person on its way from `before` to `body`. The person
+/// was at `then` [m], and is at `now`.
+bool runs_into(const Rectangle& before, const Vec2& then, const Rectangle& body, const Vec2& now,
+               double radius) {
+  if (body.signed_distance(now) >= radius) return false;
+  return (then - before.centre).dot(before.axis) > before.half.x();
 }
 
 /// Whether it runs into anybody, braking with `deceleration` [m/s²] from now on.
 bool meets_anybody(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
                    double deceleration, double dt) {
-  double travelled = 0.0, time = 0.0;
-  double speed = std::max(0.0, vehicle.speed - deceleration * dt);
   const int moments = std::max(1, static_cast<int>(std::ceil(dt / kMoment)));
+  const double moment = dt / moments;
+  double travelled = 0.0, time = 0.0;
+  Rectangle before = body_of(vehicle);
+  double speed = std::max(0.0, vehicle.speed - deceleration * dt);
   while (speed > 0.0) {
-    for (int moment = 0; moment < moments; ++moment) {
-      time += dt / moments;
-      travelled += speed * dt / moments;
+    for (int i = 0; i < moments; ++i) {
+      travelled += speed * moment;
       const Rectangle body = body_after(vehicle, travelled);
       for (const PersonAhead& person : people) {
-        if (runs_into(body, person.position + person.velocity * time, person.radius)) return true;
+        const Vec2 then = person.position + person.velocity * time;
+        if (runs_into(before, then, body, then + person.velocity * moment, person.radius)) {
+          return true;
+        }
       }
+      time += moment;
+      before = body;
     }
     speed = std::max(0.0, speed - deceleration * dt);
   }

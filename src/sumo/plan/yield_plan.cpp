@@ -84,12 +84,16 @@ double look_ahead(const FleetVehicle& vehicle, const Parameters& parameters) {
   return std::max(usual, room_behind(vehicle, parameters.yield_gap));
 }
 
-/// Towards the speed that people allow, down no faster than it likes to brake, up with `kEase`.
+/// Towards the speed that people allow: down no faster than it likes to brake, up the more gently
+/// the harder it braked before.
 YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt) {
-  const double wished = dt > 0.0 ? (safe - vehicle.speed) / dt : 0.0;
-  const double eased = vehicle.commanded < 0.0 ? vehicle.traits.accel : vehicle.pull + kEase * dt;
-  vehicle.pull = std::clamp(wished, -vehicle.traits.decel, std::min(eased, vehicle.traits.accel));
-  return {std::max(0.0, vehicle.speed + vehicle.pull * dt), false};
+  const VehicleTraits& traits = vehicle.traits;
+  const double eased = vehicle.commanded < 0.0 ? traits.accel : vehicle.pull + kEase * dt;
+  const double most = vehicle.speed + std::min(eased, traits.accel) * dt;
+  const double least = std::max(0.0, vehicle.speed - traits.decel * dt);
+  const double speed = std::max(least, std::min(safe, most));
+  vehicle.pull = dt > 0.0 ? (speed - vehicle.speed) / dt : 0.0;
+  return {speed, false};
 }
 
 /// After people have held it: it is let go step by step.
