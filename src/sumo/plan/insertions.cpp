@@ -9,10 +9,13 @@
 namespace pedzone {
 namespace {
 
-constexpr double kNotice = 4.0;     // [s] assumed: a step aside takes less
-constexpr double kBehind = 0.6;     // [m] assumed: room behind its rear
-constexpr double kBar = 0.02;       // [m] numerical: length of what claims the room; it is no body
-constexpr double kSample = 1.0;     // [m] numerical
+constexpr double kNotice = 4.0;  // [s] assumed: a step aside takes less
+constexpr double kBehind = 0.6;  // [m] assumed: room behind its rear
+constexpr double kBar = 0.02;    // [m] numerical: length of what claims the room; it is no body
+constexpr double kSample = 1.0;  // [m] numerical
+// [m] people keep so much less to each side than of a vehicle that drives past: who has room beside
+// it on a lane of 3.2 m is left where it is.
+constexpr double kSides = 0.25;
 
 /// From `begin` to `end` [m] along a lane, and straight on before its begin.
 Polyline along(const Lane& lane, double begin, double end) {
@@ -39,7 +42,7 @@ void Insertions::add_claim(const Departure& departure, int lane, std::vector<Veh
   state.centre = ways_.back().front() + 0.5 * kBar * unit(state.heading);
   state.claim = length_of(ways_.back()) + kBehind;
   state.length = kBar;
-  state.width = departure.width;
+  state.width = std::max(kBar, departure.width - 2.0 * kSides);
   state.key = person_key(departure.vehicle);
   state.way = ways_.back();
   out.push_back(state);
