@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace pedzone {
 namespace {
@@ -34,6 +35,10 @@ std::string run_into_text(const std::vector<RunIntoRecord>& events) {
   return text;
 }
 
+std::span<const LateBraking> first_of(const std::vector<LateBraking>& all) {
+  return std::span(all).first(std::min(all.size(), kNamed));
+}
+
 }  // namespace
 
 std::string summary_table(const RunSummary& summary) {
@@ -60,9 +65,11 @@ std::string summary_table(const RunSummary& summary) {
   line("mean delay", fmt::format("{:.1f} s", vehicles.mean_delay_s));
   line("smallest clearance to a person", metres(vehicles.min_clearance_m));
   line("contacts (person-vehicle pairs)", std::to_string(vehicles.contacts));
+  line("  by vehicles put onto somebody", std::to_string(vehicles.insertion_contacts));
   line("persons pushed", push_text(summary));
   line("ran into a person", std::to_string(summary.run_into.size()));
   text += run_into_text(summary.run_into);
+  line("braked hard for a late step", std::to_string(summary.late_brakings.size()));
   text += "Time\n";
   line("simulated", fmt::format("{:.0f} s", time.simulated_s));
   line("wall", fmt::format("{:.1f} s (SUMO {:.1f} s, pedzone {:.1f} s)", time.wall_s, time.sumo_s,
@@ -91,6 +98,8 @@ std::string summary_json(const RunSummary& summary) {
                       {"yielding", vehicles.yielding},
                       {"min_clearance_m", vehicles.min_clearance_m},
                       {"contacts", vehicles.contacts},
+                      {"insertion_contacts", vehicles.insertion_contacts},
+                      {"late_brakings", summary.late_brakings.size()},
                       {"mean_delay_s", vehicles.mean_delay_s}};
   // JSON has no infinity: no vehicle ever came near.
   if (!std::isfinite(vehicles.min_clearance_m)) json["vehicles"]["min_clearance_m"] = nullptr;
@@ -114,6 +123,14 @@ std::string summary_json(const RunSummary& summary) {
                                 {"x", event.position.x()},
                                 {"y", event.position.y()},
                                 {"speed_mps", event.speed}});
+  }
+  json["late_brakings"] = nlohmann::ordered_json::array();
+  for (const LateBraking& braking : first_of(summary.late_brakings)) {
+    json["late_brakings"].push_back({{"time", braking.time},
+                                     {"vehicle", braking.vehicle},
+                                     {"x", braking.front.x()},
+                                     {"y", braking.front.y()},
+                                     {"deceleration_mps2", braking.deceleration}});
   }
   json["time"] = {{"simulated_s", time.simulated_s},
                   {"wall_s", time.wall_s},

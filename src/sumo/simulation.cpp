@@ -11,6 +11,7 @@
 #include "sumo/files/path_vehicles.hpp"
 #include "sumo/files/people_file.hpp"
 #include "sumo/live/sumo_vehicle.hpp"
+#include "sumo/plan/insertions.hpp"
 #include "sumo/plan/stand_off.hpp"
 #include "sumo/plan/steering.hpp"
 #include "sumo/plan/yielding.hpp"
@@ -106,6 +107,7 @@ struct Simulation::Parts {
         vehicles(network),
         fleet(network, zones),
         yielding(zones),
+        insertions(network, read_departures(panel_people.scenario(), network, zone_edges())),
         stand_offs(zones),
         seed(options.seed ? *options.seed
                           : static_cast<std::uint64_t>(number_option(session, "seed"))),
@@ -132,6 +134,12 @@ struct Simulation::Parts {
     return made;
   }
 
+  std::vector<int> zone_edges() const {
+    std::vector<int> edges;
+    for (const Zone& zone : zones) edges.insert(edges.end(), zone.edges.begin(), zone.edges.end());
+    return edges;
+  }
+
   void read(double dt);
   void walk_and_yield(double dt);
 
@@ -147,6 +155,7 @@ struct Simulation::Parts {
   Fleet fleet;
   SafeSpeeds safe_speeds = sumo_vehicle::safe_speeds();
   Yielding yielding;
+  Insertions insertions;
   StandOffs stand_offs;
   std::uint64_t seed;
   Profiles profiles;
@@ -175,10 +184,11 @@ void Simulation::Parts::read(double dt) {
 void Simulation::Parts::walk_and_yield(double dt) {
   read(dt);
   takeover.people(people);
-  sumo_vehicle::send(yielding.plan(fleet.vehicles(), people, safe_speeds, dt));
+  sumo_vehicle::send(yielding.plan(fleet.vehicles(), people, safe_speeds, session.time(), dt));
   takeover.add_bystanders(people);
   sumo_vehicle::send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);
+  insertions.add_claims(session.time(), fleet, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
   for (const std::string& id : pushes.take(session.time(), dt)) yielding.stop(id);
   takeover.write(session.time(), dt, fleet);
@@ -252,7 +262,7 @@ std::vector<Insight> Simulation::insights() {
 
 RunSummary Simulation::summary() const {
   RunSummary summary =
-      parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding.yielded().size(),
+      parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding,
                              sumo_person::ids().size());
   summary.time.simulated_s = time();
   summary.time.wall_s = seconds_since(parts_->started);

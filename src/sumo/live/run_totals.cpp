@@ -26,13 +26,15 @@ void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
       if ((guest.position - body.centre).norm() > kRange) continue;
       const double clearance = body.signed_distance(guest.position) - guest.radius;
       min_clearance_ = std::min(min_clearance_, clearance);
-      if (clearance < -kContact) contacts_.emplace(guest.id, vehicle.id);
+      if (clearance >= -kContact) continue;
+      const bool first = contacts_.emplace(guest.id, vehicle.id).second;
+      if (first && is_new) ++insertion_contacts_;  // it was nowhere before
     }
   }
 }
 
 RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushes,
-                              std::size_t yielding, std::size_t walking) const {
+                              const Yielding& yielding, std::size_t walking) const {
   RunSummary summary;
   const WalkTotals& walks = takeover.totals();
   const double persons = static_cast<double>(std::max(1L, walks.controlled));
@@ -52,7 +54,9 @@ RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushe
   summary.persons.mean_delay_s = (walks.time - walks.free_time) / persons;
   summary.persons.mean_waiting_s = walks.waiting / persons;
   summary.vehicles.seen = static_cast<long>(delays_.size());
-  summary.vehicles.yielding = static_cast<long>(yielding);
+  summary.vehicles.yielding = static_cast<long>(yielding.yielded().size());
+  summary.late_brakings = yielding.late_brakings();
+  summary.vehicles.insertion_contacts = insertion_contacts_;
   summary.vehicles.contacts = static_cast<long>(contacts_.size());
   summary.vehicles.min_clearance_m = min_clearance_;
   for (const auto& [id, delay] : delays_) summary.vehicles.mean_delay_s += delay.last - delay.first;

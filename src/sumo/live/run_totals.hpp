@@ -8,6 +8,8 @@
 #include <unordered_set>
 
 #include "sumo/live/push_records.hpp"
+#include "sumo/live/takeover.hpp"
+#include "sumo/plan/yielding.hpp"
 
 namespace pedzone {
 
@@ -22,8 +24,10 @@ struct RunSummary {
   struct {
     long seen = 0, yielding = 0, contacts = 0;
     double min_clearance_m = std::numeric_limits<double>::infinity();
-    double mean_delay_s = 0.0;  ///< [s] SUMO's timeLoss gathered near the zones
+    double mean_delay_s = 0.0;    ///< [s] SUMO's timeLoss gathered near the zones
+    long insertion_contacts = 0;  ///< of the contacts: of a vehicle that SUMO put onto somebody
   } vehicles;
+  std::vector<LateBraking> late_brakings;  ///< in time
   struct {
     long persons = 0;                           ///< whom a vehicle that drives pushed
     double longest_m = 0.0, fastest_mps = 0.0;  ///< of all their pushes
@@ -46,8 +50,8 @@ class RunTotals {
   /// Distances between guests and vehicles now; delays of vehicles.
   void observe(const Fleet& fleet, const Takeover& takeover);
 
-  /// Figures so far. `yielding`: vehicles that ever gave way; `walking`: persons in SUMO now.
-  RunSummary summary(const Takeover& takeover, const PushRecords& pushes, std::size_t yielding,
+  /// Figures so far. `walking`: persons in SUMO now.
+  RunSummary summary(const Takeover& takeover, const PushRecords& pushes, const Yielding& yielding,
                      std::size_t walking) const;
 
  private:
@@ -57,6 +61,7 @@ class RunTotals {
   long departed_ = 0, arrived_ = 0, person_steps_ = 0;
   double min_clearance_ = std::numeric_limits<double>::infinity();
   std::set<std::pair<std::string, std::string>> contacts_;
+  long insertion_contacts_ = 0;
   std::unordered_map<std::string, Delay> delays_;
 };
 

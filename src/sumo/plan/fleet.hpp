@@ -12,6 +12,7 @@ namespace pedzone {
 
 class Fleet {
  public:
+  /// The network must outlive it.
   Fleet(const Network& network, const std::vector<Zone>& zones);
 
   /// Whether a vehicle with its front at `point` [m] belongs to it.
@@ -37,6 +38,7 @@ class Fleet {
   const FleetVehicle* waiting_beside(const Vec2& point, double margin) const;
 
  private:
+  const Network& network_;
   WayAhead ways_;
   double grip_ = 1.0;
   std::vector<std::pair<Vec2, Vec2>> boxes_;  ///< zones' bounds, grown

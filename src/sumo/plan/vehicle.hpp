@@ -36,17 +36,28 @@ struct VehicleSeen {
   int route_index = 0;         ///< of the edge of its route that it reached last
 };
 
+/// The junction that a vehicle is in, or comes to first on its way.
+struct JunctionAhead {
+  int junction = -1;   ///< index into Network::junctions; -1: none
+  double begin = 0.0;  ///< [m] from the front to its stop line; ≤ 0: it is in the junction
+  double end = 0.0;    ///< [m] from the front to where its way leaves the junction
+  bool shared = false; ///< another vehicle is in it or comes to it from elsewhere
+};
+
 /// A vehicle near a zone.
 struct FleetVehicle : VehicleSeen {
   Vec2 velocity = Vec2::Zero();  ///< [m/s] from its last two places: reversing and side-slip too
   double yaw_rate = 0.0;         ///< [rad/s] of a steered one (steering.hpp)
   Polyline way;                  ///< [m] from its rear along its own next lanes
+  JunctionAhead junction;
   int zone = 0;                  ///< index of the zone it is in or comes to first
   double commanded = -1.0;       ///< [m/s] speed set by us for the next step; -1: SUMO's own
+  double pull = 0.0;             ///< [m/s²] that this speed asks for; of use while it is commanded
   double held_up = 0.0;          ///< [s] how long people have held it up
   double slowed = 0.0;           ///< [s] people have made it slower without a break
   double claim = 0.0;            ///< [m] see VehicleState
   bool creeping = false;
+  bool waits = false;            ///< it stands, as it did before, and not since we told it to
 
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };

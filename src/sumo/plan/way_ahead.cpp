@@ -74,13 +74,31 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   int zone = -1;
   double offset = project_on(network_.lanes[lane].shape, vehicle.front).offset;
   double left = distance;
+  JunctionAhead& junction = vehicle.junction;
+  junction = {};
+  bool passed = false;
   while (lane >= 0 && left > 0.0) {
+    const Edge& edge = network_.edges[network_.lanes[lane].edge];
+    const bool inside = edge.function == EdgeFunction::kInternal;
+    const double begin = distance - left;
     append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, way);
+    if (inside && !passed) {
+      if (junction.junction < 0) junction = {junction_after(vehicle.route, index), begin};
+      junction.end = distance - left;
+    }
+    passed = passed || (!inside && junction.junction >= 0);
     if (zone < 0) zone = zone_of_lane_[lane];
     offset = 0.0;
     lane = next_lane(lane, vehicle.route, index);
   }
   vehicle.zone = std::max(0, zone);
+}
+
+/// The junction before the edge that a route comes to after route[index]; -1: none.
+int WayAhead::junction_after(std::span<const int> route, int index) const {
+  if (index + 1 >= static_cast<int>(route.size()) || route[index + 1] < 0) return -1;
+  const auto found = network_.junction_index.find(network_.edges[route[index + 1]].from);
+  return found == network_.junction_index.end() ? -1 : found->second;
 }
 
 }  // namespace pedzone

@@ -13,11 +13,12 @@ class WayAhead {
   /// The network must outlive it.
   WayAhead(const Network& network, const std::vector<Zone>& zones);
 
-  /// Sets a vehicle's way, `distance` [m] beyond its front or to its route's end, and its zone: the
-  /// first on that way, else the first of all. One that is on no lane goes straight on.
+  /// Sets a vehicle's way, `distance` [m] beyond its front or to its route's end, the first junction
+  /// on it, and its zone: the first on that way, else the first of all. One that is on no lane goes straight on.
   void look(FleetVehicle& vehicle, double distance) const;
 
  private:
+  int junction_after(std::span<const int> route, int index) const;
   int next_lane(int lane, std::span<const int> route, int& index) const;
 
   const Network& network_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sumo/plan/late_braking.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
@@ -13,6 +14,8 @@ constexpr double kCleared = 2.0;  // [m/s] numerical: faster than this a jam is 
 constexpr double kClaimAfter =
     2.0;                        // [s] assumed: slowed for so long, a vehicle asks people for room
 constexpr double kClaim = 8.0;  // [m] recorded onset of avoidance, median
+constexpr double kObeyed = 0.05;  // [m/s] numerical: slower than told by more, traffic holds it
+constexpr double kEase = 5.0;  // [m/s³] assumed: from braking to driving off in less than 1.5 s
 constexpr double kCreepMargin = 0.05;  // [m] numerical: a creeping vehicle passes people close
 
 /// Whether the body comes within `margin` of a person when its front has gone `travelled`.
@@ -38,6 +41,22 @@ std::optional<double> contact_distance(const FleetVehicle& vehicle, const Vec2& 
   return std::nullopt;
 }
 
+/// [m] from the front to where it must come to have its rear out of the junction, and room before
+/// somebody there.
+double room_behind(const FleetVehicle& vehicle, double keep) {
+  return vehicle.junction.end + vehicle.traits.length + keep;
+}
+
+/// Whether it stays out of a junction since people would make it stand there, in the way of other
+/// vehicles. SUMO's vehicles take it for granted that whoever enters gets through: they run into one
+/// that does not. No longer so once it creeps, and not where it could not stop in comfort.
+bool waits_before_junction(const FleetVehicle& vehicle, const Obstruction& ahead, double keep) {
+  const double begin = vehicle.junction.begin;
+  if (!vehicle.junction.shared || vehicle.creeping || begin <= 0.0) return false;
+  if (vehicle.speed * vehicle.speed > 2.0 * vehicle.traits.decel * begin) return false;
+  return ahead.distance > begin && ahead.distance < room_behind(vehicle, keep);
+}
+
 /// [m/s] before that one.
 double safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
                   const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
@@ -45,12 +64,43 @@ double safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
   const double gap = std::max(0.0, ahead.distance - keep);
   double safe = ahead.speed > kHaltingSpeed ? safe_speeds.follow(vehicle, gap, ahead.speed)
                                             : safe_speeds.stop(vehicle, gap);
+  if (waits_before_junction(vehicle, ahead, keep)) {
+    safe = std::min(safe, safe_speeds.stop(vehicle, vehicle.junction.begin));
+  }
   if (vehicle.creeping) {
     // What is left to the person must be left after the step, too.
     safe = std::min({std::max(safe, ahead.distance > keep ? parameters.creep_speed : 0.0),
                      parameters.creep_speed, gap / std::max(dt, 1e-3)});
   }
   return std::max(0.0, safe);
+}
+
+/// [m] how far a vehicle looks for people: as far as it needs to stop, and farther; where it comes
+/// to a junction, as far as it must go to be out of it again.
+double look_ahead(const FleetVehicle& vehicle, const Parameters& parameters) {
+  const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
+  const double usual = braking + vehicle.speed + parameters.yield_horizon;
+  if (!vehicle.junction.shared || vehicle.junction.begin > usual) return usual;
+  return std::max(usual, room_behind(vehicle, parameters.yield_gap));
+}
+
+/// Towards the speed that people allow: down no faster than it likes to brake, up the more gently
+/// the harder it braked before.
+YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt) {
+  const VehicleTraits& traits = vehicle.traits;
+  const double eased = vehicle.commanded < 0.0 ? traits.accel : vehicle.pull + kEase * dt;
+  const double most = vehicle.speed + std::min(eased, traits.accel) * dt;
+  const double least = std::max(0.0, vehicle.speed - traits.decel * dt);
+  const double speed = std::max(least, std::min(safe, most));
+  vehicle.pull = dt > 0.0 ? (speed - vehicle.speed) / dt : 0.0;
+  return {speed, false};
+}
+
+/// After people have held it: it is let go step by step.
+std::optional<YieldOrder> let_go(FleetVehicle& vehicle, double dt) {
+  vehicle.slowed = 0.0;
+  if (vehicle.commanded < 0.0 || vehicle.pull + kEase * dt >= vehicle.traits.accel) return {};
+  return comfortable_order(vehicle, vehicle.allowed_speed, dt);
 }
 
 }  // namespace
@@ -89,32 +139,32 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
                                      const Parameters& parameters, const SafeSpeeds& safe_speeds,
                                      double dt) {
   vehicle.claim = 0.0;
-  const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
   const auto ahead =
       first_in_way(vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin,
-                   braking + vehicle.speed + parameters.yield_horizon);
+                   look_ahead(vehicle, parameters));
   if (!ahead) {
     vehicle.creeping = false;
-    vehicle.held_up = vehicle.slowed = 0.0;
-    return std::nullopt;
+    vehicle.held_up = 0.0;
+    return let_go(vehicle, dt);
   }
   const bool held = vehicle.commanded >= 0.0;
-  if (held && vehicle.speed < kHaltingSpeed) vehicle.held_up += dt;
+  const bool by_traffic = held && vehicle.commanded > vehicle.speed + kObeyed;
+  if (held && !by_traffic && vehicle.speed < kHaltingSpeed) vehicle.held_up += dt;
   if (vehicle.speed > kCleared) vehicle.held_up = 0.0;
   vehicle.creeping = vehicle.held_up >= parameters.creep_after;
   const double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
-  if (safe >= vehicle.allowed_speed) {
-    vehicle.slowed = 0.0;
-    return std::nullopt;
-  }
-  vehicle.slowed += dt;
+  if (safe >= vehicle.allowed_speed) return let_go(vehicle, dt);
+  // People who made room for one that traffic holds would wait for nothing, and for each other.
+  vehicle.slowed = by_traffic ? 0.0 : vehicle.slowed + dt;
   if (vehicle.slowed > kClaimAfter) vehicle.claim = kClaim;
-  const double comfortable = std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
-  if (safe < comfortable &&
-      vehicle.speed * vehicle.speed > 2.0 * vehicle.traits.decel * ahead->distance) {
-    return YieldOrder{std::max(0.0, vehicle.speed - vehicle.traits.emergency_decel * dt), true};
+  if (safe < vehicle.speed - vehicle.traits.decel * dt) {
+    const double needed = needed_deceleration(vehicle, people, dt);
+    if (needed > vehicle.traits.decel) {
+      vehicle.pull = -needed;
+      return YieldOrder{std::max(0.0, vehicle.speed - needed * dt), true};
+    }
   }
-  return YieldOrder{safe, false};
+  return comfortable_order(vehicle, safe, dt);
 }
 
 }  // namespace pedzone

@@ -8,6 +8,7 @@ namespace pedzone {
 namespace {
 
 constexpr double kStandsAfter = 5.0;  // [s] assumed: a driver looks after whom it has run into
+constexpr double kOnce = 1.0;  // [s] numerical: braking again so soon is the same braking
 
 }  // namespace
 
@@ -44,9 +45,18 @@ void Yielding::give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out) {
   if (in_emergency_.erase(vehicle.id) > 0) out.push_back({vehicle.id, SpeedMode::kDefault});
 }
 
+void Yielding::note(const FleetVehicle& vehicle, double time) {
+  const auto [last, is_new] = braked_late_.try_emplace(vehicle.id, time);
+  if (is_new || time > last->second + kOnce) {
+    late_brakings_.push_back({time, vehicle.id, vehicle.front, -vehicle.pull});
+  }
+  last->second = time;
+}
+
 std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
                                        std::span<const PersonAhead> people,
-                                       const SafeSpeeds& safe_speeds, double dt) {
+                                       const SafeSpeeds& safe_speeds, double time,
+                                       double dt) {
   std::vector<SpeedOrder> orders;
   for (FleetVehicle& vehicle : vehicles) {
     if (const auto stop = plan_stop(vehicle, dt); stop && !vehicle.traits.external) {
@@ -59,6 +69,7 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
     }
     const auto order =
         plan_yield(vehicle, people, zones_[vehicle.zone].parameters, safe_speeds, dt);
+    if (order && order->emergency) note(vehicle, time);
     if (order) {
       command(vehicle, *order, orders);
       yielded_.insert(vehicle.id);

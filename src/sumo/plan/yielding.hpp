@@ -5,6 +5,7 @@
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "sumo/plan/vehicle_order.hpp"
 #include "sumo/plan/yield_plan.hpp"
@@ -12,15 +13,23 @@
 
 namespace pedzone {
 
+/// A vehicle that braked harder than it likes to, for somebody who stepped in late.
+struct LateBraking {
+  double time = 0.0;  ///< [s] when it began
+  std::string vehicle;
+  Vec2 front = Vec2::Zero();  ///< [m] then
+  double deceleration = 0.0;  ///< [m/s²] that it began with
+};
+
 class Yielding {
  public:
   explicit Yielding(const std::vector<Zone>& zones) : zones_(zones) {}
 
   /// The speed that each vehicle takes in the next step of `dt` [s], by its plan (yield_plan.hpp);
-  /// those that no longer need one are given back.
+  /// those that no longer need one are given back. `time` [s]: at the step's begin.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, const SafeSpeeds& safe_speeds,
-                               double dt);
+                               double time, double dt);
 
   /// The vehicle has run into somebody, or still overlaps whom it did. Whether it gives way to
   /// people or not, it brakes as hard as it can until it stands, and stands for 5 s. Those that
@@ -29,15 +38,20 @@ class Yielding {
 
   /// Ids of all vehicles that ever gave way.
   const std::unordered_set<std::string>& yielded() const { return yielded_; }
+  /// In time. Of a vehicle that does so again within a second, only the first.
+  const std::vector<LateBraking>& late_brakings() const { return late_brakings_; }
 
  private:
   void command(FleetVehicle& vehicle, const YieldOrder& order, std::vector<SpeedOrder>& out);
   std::optional<YieldOrder> plan_stop(const FleetVehicle& vehicle, double dt);
   void give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out);
+  void note(const FleetVehicle& vehicle, double time);
 
   const std::vector<Zone>& zones_;
   std::unordered_set<std::string> held_, yielded_, in_emergency_;
   std::unordered_map<std::string, double> stopping_;  ///< [s] for which it stands already
+  std::unordered_map<std::string, double> braked_late_;  ///< [s] when last
+  std::vector<LateBraking> late_brakings_;
 };
 
 }  // namespace pedzone

@@ -162,17 +162,101 @@ TEST(PlanYield, is_nothing_where_nobody_is_in_the_way) {
   EXPECT_EQ(vehicle.held_up, 0.0);
 }
 
-TEST(PlanYield, brakes_harder_than_it_likes_only_where_it_must) {
-  const Parameters parameters;
+/// What a vehicle of 8 m/s is told before one person, in steps of `dt` [s].
+std::optional<YieldOrder> told(const PersonAhead& person, double dt, double speed = 8.0) {
   const EvenBraking own;
-  const std::vector<PersonAhead> people{{{4.0, 0.0}, {0.0, 0.0}, 0.24}};
-  FleetVehicle fast = driving(8.0), slow = driving(2.0);
-  const auto hard = plan_yield(fast, people, parameters, own.speeds(), 0.5);
-  ASSERT_TRUE(hard);
-  EXPECT_TRUE(hard->emergency);
-  EXPECT_NEAR(hard->speed, 8.0 - 9.0 * 0.5, 1e-9);
-  const auto soft = plan_yield(slow, people, parameters, own.speeds(), 0.5);
-  EXPECT_TRUE(!soft || !soft->emergency);
+  FleetVehicle vehicle = driving(speed);
+  return plan_yield(vehicle, std::vector{person}, Parameters(), own.speeds(), dt);
+}
+
+TEST(PlanYield, brakes_harder_than_it_likes_only_where_it_must) {
+  for (const double dt : {0.1, 0.5}) {
+    const auto hard = told({{3.0, 0.0}, {0.0, 0.0}, 0.24}, dt);
+    ASSERT_TRUE(hard);
+    EXPECT_TRUE(hard->emergency);
+    EXPECT_LT(hard->speed, 8.0 - 4.5 * dt);
+    EXPECT_GE(hard->speed, 8.0 - 9.0 * dt - 1e-9);
+    const auto soft = told({{3.0, 0.0}, {0.0, 0.0}, 0.24}, dt, 2.0);
+    EXPECT_TRUE(!soft || !soft->emergency);
+  }
+}
+
+TEST(PlanYield, asks_for_no_more_than_comfort_where_only_the_gap_would_be_lost) {
+  // 7.1 m to stop from 8 m/s at 4.5 m/s²: without a contact, with less than yieldGap left.
+  const auto order = told({{7.6, 0.0}, {0.0, 0.0}, 0.24}, 0.1);
+  ASSERT_TRUE(order);
+  EXPECT_FALSE(order->emergency);
+  EXPECT_NEAR(order->speed, 8.0 - 4.5 * 0.1, 1e-9);
+}
+
+TEST(PlanYield, does_not_brake_hard_for_who_will_be_across) {
+  const PersonAhead stays{{4.0, 0.9}, {0.0, 0.0}, 0.24}, leaves{{4.0, 0.9}, {0.0, 2.0}, 0.24};
+  EXPECT_TRUE(told(stays, 0.1)->emergency);
+  EXPECT_FALSE(told(leaves, 0.1)->emergency);
+}
+
+TEST(PlanYield, does_not_brake_hard_for_who_walks_against_its_side) {
+  const auto order = told({{-1.0, 1.6}, {0.0, -1.3}, 0.24}, 0.1);
+  EXPECT_TRUE(!order || !order->emergency);
+}
+
+TEST(PlanYield, brakes_as_hard_as_it_needs_to) {
+  // From 8 m/s, contact after 4.76 m: 8² / (2 · 4.76) = 6.7 m/s², less what SUMO's steps add.
+  const auto order = told({{5.0, 0.0}, {0.0, 0.0}, 0.24}, 0.1);
+  ASSERT_TRUE(order);
+  EXPECT_TRUE(order->emergency);
+  EXPECT_NEAR((8.0 - order->speed) / 0.1, 6.5, 0.6);
+}
+
+/// A vehicle 10 m before a junction of 14 m that others come to as well.
+FleetVehicle before_junction(bool shared) {
+  FleetVehicle vehicle = driving(5.0);
+  vehicle.junction = {0, 10.0, 24.0, shared};
+  return vehicle;
+}
+
+TEST(PlanYield, stays_out_of_a_junction_in_which_it_would_have_to_stand) {
+  for (const double at : {16.0, 25.0}) {
+    const std::vector<PersonAhead> people{{{at, 0.0}, {0.0, 0.0}, 0.24}};
+    for (const bool shared : {true, false}) {
+      const EvenBraking own;
+      FleetVehicle vehicle = before_junction(shared);
+      plan_yield(vehicle, people, Parameters(), own.speeds(), 0.1);
+      EXPECT_EQ(testing::Value(own.gaps, testing::Contains(10.0)), shared) << at << " m";
+    }
+  }
+}
+
+TEST(PlanYield, enters_a_junction_that_it_can_leave_or_is_in_or_after_waiting) {
+  const EvenBraking own;
+  const std::vector<PersonAhead> beyond{{{31.0, 0.0}, {0.0, 0.0}, 0.24}},
+      inside{{{16.0, 0.0}, {0.0, 0.0}, 0.24}};
+  FleetVehicle leaves = before_junction(true);  // 24 + 4 + 1 m have it out of it
+  plan_yield(leaves, beyond, Parameters(), own.speeds(), 0.1);
+  FleetVehicle is_in = before_junction(true);
+  is_in.junction.begin = 0.0;
+  plan_yield(is_in, inside, Parameters(), own.speeds(), 0.1);
+  FleetVehicle creeps = before_junction(true);
+  creeps.speed = 0.0;
+  creeps.creeping = true;
+  creeps.commanded = 0.0;
+  creeps.held_up = 30.0;
+  plan_yield(creeps, inside, Parameters(), own.speeds(), 0.1);
+  EXPECT_THAT(own.gaps, testing::Not(testing::Contains(10.0)));
+}
+
+TEST(PlanYield, claims_no_room_while_traffic_holds_it) {
+  const EvenBraking own;
+  const std::vector<PersonAhead> people{{{6.0, 0.0}, {0.0, 0.0}, 0.24}};
+  for (const double commanded : {0.0, 2.0}) {
+    FleetVehicle vehicle = driving(0.0);
+    for (int step = 0; step < 50; ++step) {
+      vehicle.commanded = commanded;  // and it still stands
+      plan_yield(vehicle, people, Parameters(), own.speeds(), 0.1);
+    }
+    EXPECT_EQ(vehicle.claim > 0.0, commanded == 0.0) << commanded;
+    EXPECT_EQ(vehicle.held_up > 0.0, commanded == 0.0) << commanded;
+  }
 }
 
 }  // namespace

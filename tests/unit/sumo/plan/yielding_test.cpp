@@ -9,7 +9,10 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+constexpr double kStep = 0.1;  // [s]
 const std::vector<PersonAhead> kNear{{{4.0, 0.0}, {0.0, 0.0}, 0.24}};
+/// No braking from 8 m/s is enough.
+const std::vector<PersonAhead> kTooNear{{{2.0, 0.0}, {0.0, 0.0}, 0.24}};
 
 class YieldingTest : public testing::Test {
  protected:
@@ -25,11 +28,14 @@ class YieldingTest : public testing::Test {
   std::vector<SpeedOrder> plan(const std::vector<PersonAhead>& people) {
     const SafeSpeeds safe{[this](const FleetVehicle&, double) { return safe_; },
                           [this](const FleetVehicle&, double, double) { return safe_; }};
-    return yielding_.plan(std::span(&vehicle_, 1), people, safe, 0.1);
+    const auto orders = yielding_.plan(std::span(&vehicle_, 1), people, safe, time_, kStep);
+    time_ += kStep;
+    return orders;
   }
 
   FleetVehicle vehicle_;
   double safe_ = 0.9;  ///< [m/s]
+  double time_ = 0.0;  ///< [s]
   std::vector<Zone> zones_{1};
   Yielding yielding_{zones_};
 };
@@ -44,25 +50,59 @@ TEST_F(YieldingTest, tells_the_safe_speed_while_somebody_is_in_the_way) {
 TEST_F(YieldingTest, gives_a_vehicle_back_once_when_its_way_is_free) {
   EXPECT_THAT(plan({}), IsEmpty()) << "it was never told a speed";
   plan(kNear);
-  EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed}));
+  while (vehicle_.commanded >= 0.0 && time_ < 10.0) plan({});
   EXPECT_EQ(vehicle_.commanded, kOwnSpeed);
   EXPECT_THAT(plan({}), IsEmpty());
 }
 
+TEST_F(YieldingTest, lets_a_vehicle_go_without_a_jump) {
+  safe_ = 0.0;
+  vehicle_.speed = 8.0;
+  plan({{{12.0, 0.0}, {0.0, 0.0}, 0.24}});
+  double before = (vehicle_.commanded - vehicle_.speed) / kStep;
+  EXPECT_NEAR(before, -vehicle_.traits.decel, 1e-9);
+  while (time_ < 10.0) {
+    vehicle_.speed = vehicle_.commanded;
+    const auto orders = plan({});
+    if (orders == std::vector{SpeedOrder{"shuttle", kOwnSpeed}}) break;
+    const double now = (vehicle_.commanded - vehicle_.speed) / kStep;
+    EXPECT_GT(now, before);
+    EXPECT_LE(now, before + 0.6) << "m/s² more in a step";
+    before = now;
+  }
+  EXPECT_GT(before, vehicle_.traits.accel - 0.6) << "from here on SUMO drives as it did";
+  EXPECT_LT(time_, 2.0);
+}
+
 TEST_F(YieldingTest, lets_a_vehicle_brake_harder_only_for_as_long_as_it_must) {
   vehicle_.speed = 8.0;
-  const double hard = 8.0 - 9.0 * 0.1;  // the traits' emergency deceleration
-  EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", SpeedMode::kEmergency},
-                                       SpeedOrder{"shuttle", hard}));
-  EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", hard})) << "SUMO knows the mode";
+  const double hard = 8.0 - 9.0 * kStep;  // the traits' emergency deceleration
+  EXPECT_THAT(plan(kTooNear), ElementsAre(SpeedOrder{"shuttle", SpeedMode::kEmergency},
+                                          SpeedOrder{"shuttle", hard}));
+  EXPECT_THAT(plan(kTooNear), ElementsAre(SpeedOrder{"shuttle", hard})) << "SUMO knows the mode";
   vehicle_.speed = 1.0;
-  EXPECT_THAT(plan(kNear),
-              ElementsAre(SpeedOrder{"shuttle", SpeedMode::kDefault}, SpeedOrder{"shuttle", 0.9}));
+  EXPECT_THAT(plan(kNear), testing::Contains(SpeedOrder{"shuttle", SpeedMode::kDefault}));
+}
+
+TEST_F(YieldingTest, tells_who_braked_hard_once_with_time_and_place) {
+  vehicle_.speed = 8.0;
+  plan({});
+  plan(kTooNear);
+  plan(kTooNear);
+  ASSERT_EQ(yielding_.late_brakings().size(), 1U);
+  const LateBraking& braking = yielding_.late_brakings()[0];
+  EXPECT_EQ(braking.vehicle, "shuttle");
+  EXPECT_NEAR(braking.time, kStep, 1e-9);
+  EXPECT_EQ(braking.deceleration, 9.0);
+  time_ += 5.0;
+  plan(kTooNear);
+  EXPECT_EQ(yielding_.late_brakings().size(), 2U);
 }
 
 TEST_F(YieldingTest, gives_a_vehicle_that_brakes_hard_back_as_it_was) {
   vehicle_.speed = 8.0;
-  plan(kNear);
+  plan(kTooNear);
+  vehicle_.stopped = true;
   EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed},
                                     SpeedOrder{"shuttle", SpeedMode::kDefault}));
 }
@@ -119,7 +159,7 @@ TEST_F(YieldingTest, does_not_touch_one_that_others_drive_whomever_it_runs_into)
 
 TEST_F(YieldingTest, knows_who_ever_gave_way) {
   plan(kNear);
-  plan({});
+  while (vehicle_.commanded >= 0.0 && time_ < 10.0) plan({});
   EXPECT_THAT(yielding_.yielded(), ElementsAre("shuttle"));
 }
 

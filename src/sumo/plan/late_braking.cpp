@@ -1,0 +1,71 @@
+#include "sumo/plan/late_braking.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "sumo/plan/yield_plan.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kMoment = 0.1;  // [s] numerical: bodies are compared so often
+constexpr double kReach = 2.0;   // [m] numerical: bodies of persons, and a body's swing in a bend
+constexpr int kHalvings = 4;     // numerical: of the span from decel to emergency_decel
+
+/// Whether the vehicle's front runs into a person on its way from `before` to `body`. The person
+/// was at `then` [m], and is at `now`.
+bool runs_into(const Rectangle& before, const Vec2& then, const Rectangle& body, const Vec2& now,
+               double radius) {
+  if (body.signed_distance(now) >= radius) return false;
+  return (then - before.centre).dot(before.axis) > before.half.x();
+}
+
+/// Whether it runs into anybody, braking with `deceleration` [m/s²] from now on.
+bool meets_anybody(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                   double deceleration, double dt) {
+  const int moments = std::max(1, static_cast<int>(std::ceil(dt / kMoment)));
+  const double moment = dt / moments;
+  double travelled = 0.0, time = 0.0;
+  Rectangle before = body_of(vehicle);
+  double speed = std::max(0.0, vehicle.speed - deceleration * dt);
+  while (speed > 0.0) {
+    for (int i = 0; i < moments; ++i) {
+      travelled += speed * moment;
+      const Rectangle body = body_after(vehicle, travelled);
+      for (const PersonAhead& person : people) {
+        const Vec2 then = person.position + person.velocity * time;
+        if (runs_into(before, then, body, then + person.velocity * moment, person.radius)) {
+          return true;
+        }
+      }
+      time += moment;
+      before = body;
+    }
+    speed = std::max(0.0, speed - deceleration * dt);
+  }
+  return false;
+}
+
+}  // namespace
+
+double needed_deceleration(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                           double dt) {
+  double enough = vehicle.traits.emergency_decel, little = vehicle.traits.decel;
+  const double duration = vehicle.speed / little, distance = 0.5 * vehicle.speed * duration;
+  std::vector<PersonAhead> near;
+  for (const PersonAhead& person : people) {
+    const double walk = person.velocity.norm() * duration;
+    const double reach = distance + walk + vehicle.traits.width + kReach;
+    if ((person.position - vehicle.front).norm() < reach) near.push_back(person);
+  }
+  const auto meets = [&](double b) { return meets_anybody(vehicle, near, b, dt); };
+  if (dt <= 0.0 || !meets(little)) return little;
+  if (meets(enough)) return enough;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (little + enough);
+    (meets(middle) ? little : enough) = middle;
+  }
+  return enough;
+}
+
+}  // namespace pedzone

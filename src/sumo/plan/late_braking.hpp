@@ -1,0 +1,19 @@
+// How hard a vehicle must brake for people who stepped in late.
+#pragma once
+
+#include <span>
+
+#include "sumo/plan/vehicle.hpp"
+
+namespace pedzone {
+
+struct PersonAhead;
+
+/// [m/s²] The least braking, kept up to the standstill, with which the vehicle's front touches none
+/// of `people` if they walk on as they do: the type's decel where that is enough, its
+/// emergency_decel where nothing is. `dt` [s]: of the step, in which SUMO drives at one speed.
+/// Who walks against the vehicle's side is not helped by braking and does not count.
+double needed_deceleration(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                           double dt);
+
+}  // namespace pedzone

@@ -1,0 +1,86 @@
+// When and where vehicles begin, as route files say.
+#include "sumo/files/departures.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace pedzone {
+namespace {
+
+class DeparturesTest : public testing::Test {
+ protected:
+  DeparturesTest() {
+    for (const std::string id : {"a", "b"}) {
+      Edge edge;
+      edge.id = id;
+      for (int i = 0; i < 2; ++i) {  // a footway and a lane
+        Lane lane;
+        lane.id = id + "_" + std::to_string(i);
+        lane.edge = static_cast<int>(network_.edges.size());
+        lane.vehicles = i == 1;
+        edge.lanes.push_back(static_cast<int>(network_.lanes.size()));
+        network_.lane_index[lane.id] = edge.lanes.back();
+        network_.lanes.push_back(lane);
+      }
+      network_.edge_index[id] = static_cast<int>(network_.edges.size());
+      network_.edges.push_back(edge);
+    }
+  }
+  ~DeparturesTest() override { std::filesystem::remove(file_); }
+
+  std::vector<Departure> read(const std::string& routes) {
+    std::ofstream(file_) << "<routes>" << routes << "</routes>";
+    Scenario scenario;
+    scenario.route_files = {file_};
+    return read_departures(scenario, network_, {0});
+  }
+
+  Network network_;
+  std::string file_ = testing::TempDir() + "departures_test.rou.xml";
+};
+
+TEST_F(DeparturesTest, are_those_of_vehicles_and_trips_that_begin_on_the_edges) {
+  const auto found = read(R"(<vType id="van" length="7" width="2"/><route id="r" edges=" a b"/>
+    <vehicle id="own" depart="3"><route edges="a b"/></vehicle>
+    <vehicle id="named" type="van" depart="00:01:02.5" route="r" departPos="20" departLane="1"/>
+    <trip id="trip" depart="7" from="a" to="b"/>
+    <trip id="other" depart="8" from="b" to="a"/>
+    <vehicle id="elsewhere" depart="9"><route edges="b a"/></vehicle>)");
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].vehicle, "own");
+  EXPECT_EQ(found[0].time, 3.0);
+  EXPECT_EQ(found[0].lane, 1) << "the first for vehicles";
+  EXPECT_NEAR(found[0].position, 5.1, 1e-9);
+  EXPECT_EQ(found[1].vehicle, "trip");
+  EXPECT_EQ(found[2].time, 62.5);
+  EXPECT_EQ(found[2].position, 20.0);
+  EXPECT_EQ(std::tuple(found[2].length, found[2].width, found[2].lane), std::tuple(7.0, 2.0, 1));
+}
+
+TEST_F(DeparturesTest, are_those_of_a_flow_one_by_one) {
+  for (const std::string rate : {R"(period="20")", R"(vehsPerHour="180")", R"(number="3")"}) {
+    const auto found =
+        read(R"(<flow id="f" begin="10" end="70" from="a" to="b" )" + rate + "/>");
+    ASSERT_EQ(found.size(), 3U) << rate;
+    EXPECT_EQ(found[2].vehicle, "f.2");
+    EXPECT_NEAR(found[2].time, 50.0, 1e-9);
+  }
+}
+
+TEST_F(DeparturesTest, leave_out_what_only_sumo_knows) {
+  EXPECT_TRUE(read(R"(<flow id="f" begin="0" end="9" probability="0.5" from="a" to="b"/>
+    <trip id="r" depart="1" from="a" to="b" departPos="random"/>
+    <vehicle id="t" depart="triggered"><route edges="a"/></vehicle>)")
+                  .empty());
+}
+
+TEST_F(DeparturesTest, leave_the_lane_open_where_sumo_chooses_it) {
+  const auto found = read(R"(<trip id="r" depart="1" from="a" to="b" departLane="best"/>)");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].lane, -1);
+}
+
+}  // namespace
+}  // namespace pedzone
