@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "crowd/sense/vehicle_motion.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
@@ -65,6 +66,12 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
   return best;
 }
 
+/// [m] to which a vehicle gets to a body: past one that stands, people go with turned shoulders.
+double reach_of(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
+  const bool stands = vehicle.velocity.norm() < kStaticSpeed;
+  return stands ? crowd.persons.present_radius[i] : crowd.persons.radius[i];
+}
+
 /// Lists who may be reached by which vehicle, ordered by person.
 void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits) {
   const Persons& persons = crowd.persons;
@@ -101,7 +108,7 @@ void keep_out_of_vehicles(const CrowdState& crowd, double dt, std::vector<Vehicl
     const double longest = kStep + (now.velocity.norm() + turn) * dt;
     const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
     const Vec2 at =
-        moved_out(crowd.zone.walls, later, here, crowd.persons.radius[hit.person], longest);
+        moved_out(crowd.zone.walls, later, here, reach_of(crowd, hit.person, now), longest);
     moves.x[hit.person] = at.x();
     moves.y[hit.person] = at.y();
   }
