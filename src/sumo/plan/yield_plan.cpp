@@ -53,6 +53,18 @@ double safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
   return std::max(0.0, safe);
 }
 
+/// [m/s] at most creepSpeed: past people who have stepped aside where there is little room. Whom
+/// the body would touch, or nearly so, it stops for all the same.
+double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                    const Obstruction& ahead, double distance, const Parameters& parameters,
+                    const SafeSpeeds& safe_speeds, double dt) {
+  const auto close = first_in_way(vehicle, people, kCreepMargin, distance);
+  if (close && close->distance <= ahead.distance) return 0.0;
+  const double safe = close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt)
+                            : parameters.creep_speed;
+  return std::min(safe, parameters.creep_speed);
+}
+
 }  // namespace
 
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
@@ -90,9 +102,9 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
                                      double dt) {
   vehicle.claim = 0.0;
   const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
-  const auto ahead =
-      first_in_way(vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin,
-                   braking + vehicle.speed + parameters.yield_horizon);
+  const double distance = braking + vehicle.speed + parameters.yield_horizon;
+  const auto ahead = first_in_way(
+      vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin, distance);
   if (!ahead) {
     vehicle.creeping = false;
     vehicle.held_up = vehicle.slowed = 0.0;
@@ -102,7 +114,11 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   if (held && vehicle.speed < kHaltingSpeed) vehicle.held_up += dt;
   if (vehicle.speed > kCleared) vehicle.held_up = 0.0;
   vehicle.creeping = vehicle.held_up >= parameters.creep_after;
-  const double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
+  double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
+  if (vehicle.slowed > kClaimAfter) {
+    safe = std::max(safe, speed_beside(vehicle, people, *ahead, distance, parameters, safe_speeds,
+                                       dt));
+  }
   if (safe >= vehicle.allowed_speed) {
     vehicle.slowed = 0.0;
     return std::nullopt;
