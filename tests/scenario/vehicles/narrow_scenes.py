@@ -143,7 +143,7 @@ def stopped(forward: bool, kind: str = "car") -> Scene:
     return scene
 
 
-def zone_end(seed: int) -> Scene:
+def zone_end(seed: int, people: int = 20, vans: int = 10) -> Scene:
     """A zone of one street ends at a junction that it shares with two ordinary ones: vans come
     through the junction, people leave the zone over it."""
     import random
@@ -155,14 +155,14 @@ def zone_end(seed: int) -> Scene:
         edges[f"{other}m"] = (other, "m", walk)
         edges[f"m{other}"] = ("m", other, walk)
     scene = Scene(nodes, edges, "sm ms", sidewalks=True)
-    for k in range(30):
+    for k in range(people):
         goal = rng.choice("wen")
         depart = round(rng.uniform(0, 120), 1)
         if rng.random() < 0.5:
             scene.person(f"out{k}", depart, f"sm m{goal}", departPos="10", arrivalPos="50")
         else:
             scene.person(f"in{k}", depart, f"{goal}m ms", departPos="40", arrivalPos="60")
-    for k in range(20):
+    for k in range(vans):
         start, end = rng.sample("wens", 2)
         scene.vehicle(f"van{k}", round(rng.uniform(0, 150), 1), f"{start}m m{end}", "van")
     return scene
@@ -180,5 +180,5 @@ for _count in (1, 3):
 for _kind in ("car", "van", "bus"):
     SCENES[f"stopped-forward-{_kind}"] = stopped(True, _kind)
     SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
-for _seed in range(3):
+for _seed in range(24):
     SCENES[f"zone-end-{_seed}"] = zone_end(_seed)
