@@ -70,7 +70,7 @@ double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> pe
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
                                         double distance) {
-  if (vehicle.way.size() < 3) return std::nullopt;
+  if (!goes_on(vehicle)) return std::nullopt;
   const Rectangle body = body_of(vehicle);
   std::optional<Obstruction> first;
   const double range = distance + vehicle.traits.length + 2.0;
