@@ -6,6 +6,7 @@
 
 #include "crowd/behaviour/claims.hpp"
 #include "crowd/behaviour/way.hpp"
+#include "crowd/sense/claim_room.hpp"
 #include "crowd/sense/side_room.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
 #include "crowd/state/parallel.hpp"
@@ -14,12 +15,13 @@
 namespace pedzone {
 namespace {
 
-constexpr double kThere = 0.05;      // [m] numerical: so near to its place somebody stands there
-constexpr double kApproach = 0.5;    // [s] assumed: time constant with which a place is approached
-constexpr double kBefore = 2.0;      // [m] assumed: so far before it a vehicle is gone round
-constexpr double kAlong = 0.5;       // cosine: whoever crosses a vehicle's axis does not go past it
-constexpr double kAimAhead = 0.6;    // [m] numerical: what is aimed at beside the vehicle
-constexpr double kPastShare = 0.6;   // assumed: of its speed is left to who goes sideways
+constexpr double kThere = 0.05;     // [m] numerical: so near to its place somebody stands there
+constexpr double kApproach = 0.5;   // [s] assumed: time constant with which a place is approached
+constexpr double kBefore = 2.0;     // [m] assumed: so far before it a vehicle is gone round
+constexpr double kAlong = 0.5;      // cosine: whoever crosses a vehicle's axis does not go past it
+constexpr double kAimAhead = 0.6;   // [m] numerical: what is aimed at beside the vehicle
+constexpr double kNextStep = 0.3;   // [m] numerical: a step, as one sees it before one makes it
+constexpr double kPastShare = 0.6;  // assumed: of its speed is left to who goes sideways
 
 BodyBeside body_of(const CrowdState& crowd, std::size_t i) {
   return {crowd.persons.radius[i], crowd.persons.turned_radius[i]};
@@ -105,8 +107,7 @@ class Passing {
   bool goes_back(std::size_t j) const {
     const double own = frame_.half.x() + u();
     const double other = frame_.half.x() - sign_ * frame_.into_frame(crowd_.position(j)).x();
-    return own < other ||
-           (own == other && crowd_.persons.key[i_] < crowd_.persons.key[j]);
+    return own < other || (own == other && crowd_.persons.key[i_] < crowd_.persons.key[j]);
   }
 
   const CrowdState& crowd_;
@@ -117,9 +118,26 @@ class Passing {
   Vec2 local_ = Vec2::Zero();
 };
 
+/// Out of what a held-up vehicle is about to sweep with its rear, when it turns; who is out of it
+/// does not step into it.
+std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
+                                 const VehicleState& vehicle, const Decision& decided) {
+  if (vehicle.claim <= 0.0) return std::nullopt;
+  const Vec2 here = crowd.position(i);
+  const double radius = crowd.persons.radius[i], heading = crowd.persons.heading[i];
+  if (swings_over(vehicle, here, radius)) {
+    const auto place = place_clear(crowd.zone.walls, vehicle, here, body_of(crowd, i));
+    if (!place) return std::nullopt;
+    return step_to(*place - here, heading, crowd.persons.preferred_speed[i]);
+  }
+  const Vec2 next = here + unit(decided.direction) * kNextStep;
+  if (!swings_over(vehicle, next, radius)) return std::nullopt;
+  return step_to(Vec2::Zero(), heading, 0.0);
+}
+
 /// What person i does about the vehicle; nothing: what it has decided.
 std::optional<Decision> decision_about(const CrowdState& crowd, std::size_t i,
-                                       const VehicleState& vehicle) {
+                                       const VehicleState& vehicle, const Decision& decided) {
   if (lacks_wide_side(crowd, i, vehicle)) {
     const Vec2 here = crowd.position(i);
     const auto place = place_aside(crowd.zone.walls, vehicle, here, body_of(crowd, i),
@@ -127,6 +145,10 @@ std::optional<Decision> decision_about(const CrowdState& crowd, std::size_t i,
     if (place) {
       return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
     }
+  }
+  const double margin = room_beside_claims(crowd, i);
+  if (!place_in_claim(vehicle, crowd.position(i), margin)) {
+    if (const auto decision = clear_of(crowd, i, vehicle, decided)) return decision;
   }
   const bool stands = vehicle.velocity.norm() < kStaticSpeed;
   return stands ? Passing(crowd, i, vehicle).decide() : std::nullopt;
@@ -146,7 +168,7 @@ void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
       if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;
       for (const VehicleState& vehicle : crowd.vehicles) {
         if (far_from(vehicle, crowd.position(i))) continue;
-        const auto decision = decision_about(crowd, i, vehicle);
+        const auto decision = decision_about(crowd, i, vehicle, decisions[i]);
         if (!decision) continue;
         decisions[i] = *decision;
         break;

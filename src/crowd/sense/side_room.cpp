@@ -9,16 +9,20 @@
 namespace pedzone {
 namespace {
 
-constexpr double kPast = 0.1;        // [m] assumed: left between a body and a vehicle that passes it:
-                                     // more than a creeping vehicle asks for (yield_plan.cpp)
-constexpr double kTouch = 0.03;      // [m] numerical: a turned body keeps so much on either side
-constexpr double kStraight = 0.25;   // [m] with so much room more, nobody need turn
-constexpr double kSideStep = 0.05;   // [m] numerical: places that are tried beside the way
-constexpr double kAlongStep = 0.5;   // [m] numerical: and along it
-constexpr double kFarthest = 10.0;   // [m] assumed: nobody walks farther to step aside
-constexpr double kNearest = 0.5;     // [m] assumed: nor so near to the bumper
-constexpr double kLook = 0.25;       // [m] numerical: sampling of the swept area
-constexpr double kPassedBy = 1.0;    // [m] numerical: swept area beyond and behind the point
+constexpr double kPast = 0.1;    // [m] assumed: left between a body and a vehicle that passes it:
+                                 // more than a creeping vehicle asks for (yield_plan.cpp)
+constexpr double kTouch = 0.03;  // [m] numerical: a turned body keeps so much on either side
+constexpr double kStraight = 0.25;      // [m] with so much room more, nobody need turn
+constexpr double kSideStep = 0.05;      // [m] numerical: places that are tried beside the way
+constexpr double kAlongStep = 0.5;      // [m] numerical: and along it
+constexpr double kFarthest = 10.0;      // [m] assumed: nobody walks farther to step aside
+constexpr double kNearest = 0.5;        // [m] assumed: nor so near to the bumper
+constexpr double kSwing = 0.05;         // [m] numerical: what counts as coming nearer
+constexpr double kRing = 0.25;          // [m] numerical: steps that are tried
+constexpr double kFarthestClear = 4.0;  // [m] assumed
+constexpr int kDirections = 16;         // numerical
+constexpr double kLook = 0.25;          // [m] numerical: sampling of the swept area
+constexpr double kPassedBy = 1.0;       // [m] numerical: swept area beyond and behind the point
 
 /// The vehicle's body once its rear is `travelled` [m] along its way.
 Rectangle body_on_way(const VehicleState& vehicle, double travelled) {
@@ -27,7 +31,8 @@ Rectangle body_on_way(const VehicleState& vehicle, double travelled) {
   const Vec2 along = front.point - rear;
   const double chord = along.norm();
   const Vec2 axis = chord > 0.1 ? Vec2(along / chord) : front.direction;
-  return {front.point - axis * (0.5 * vehicle.length), axis,
+  return {front.point - axis * (0.5 * vehicle.length),
+          axis,
           {0.5 * vehicle.length, 0.5 * vehicle.width}};
 }
 
@@ -43,8 +48,7 @@ std::optional<Vec2> place_at(const WallIndex& walls, const VehicleState& vehicle
   const LinePoint at = point_on(vehicle.way, offset);
   const double least = body.radius + kPast;
   for (double beyond = std::max(wanted, least); beyond > least - 1e-9; beyond -= kSideStep) {
-    const Vec2 place =
-        at.point + left_of(at.direction) * side * (0.5 * vehicle.width + beyond);
+    const Vec2 place = at.point + left_of(at.direction) * side * (0.5 * vehicle.width + beyond);
     if (!fits(walls, from, place, body.turned)) continue;
     if (least_distance(vehicle, place) >= least - 1e-9) return place;
   }
@@ -77,6 +81,26 @@ std::optional<Vec2> place_aside(const WallIndex& walls, const VehicleState& vehi
         if (place) return place;
       }
       if (away == 0.0) break;
+    }
+  }
+  return std::nullopt;
+}
+
+bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius) {
+  const double least = least_distance(vehicle, point);
+  return least < radius + kPast && least < distance_to(vehicle, point) - kSwing;
+}
+
+std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
+                                const Vec2& from, const BodyBeside& body) {
+  const Rectangle frame = rectangle_of(vehicle);
+  const double away = angle_of(from - frame.centre);
+  for (double step = kRing; step <= kFarthestClear; step += kRing) {
+    for (int k = 0; k < kDirections; ++k) {
+      const int turn = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // straight away from it first
+      const Vec2 to = from + unit(away + turn * 2.0 * kPi / kDirections) * step;
+      if (!fits(walls, from, to, body.turned) || runs_through(frame, from, to)) continue;
+      if (least_distance(vehicle, to) >= body.radius + kPast) return to;
     }
   }
   return std::nullopt;

@@ -31,6 +31,15 @@ double least_distance(const VehicleState& vehicle, const Vec2& point);
 std::optional<Vec2> place_aside(const WallIndex& walls, const VehicleState& vehicle,
                                 const Vec2& from, const BodyBeside& body, double wanted);
 
+/// Whether the vehicle, driving on along its way, comes nearer than now to a body at `point` [m]
+/// and touches it, or nearly so: the rear of a vehicle that turns.
+bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius);
+
+/// The nearest place to `from` [m] to which a turned body can step out of what the vehicle is about
+/// to sweep. Nothing where there is none within a few steps.
+std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
+                                const Vec2& from, const BodyBeside& body);
+
 /// A way along a standing vehicle from one end to the other.
 struct SideWay {
   double lateral = 0.0;  ///< [m] from the vehicle's axis, positive to the left

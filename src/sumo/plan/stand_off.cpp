@@ -7,13 +7,13 @@
 namespace pedzone {
 namespace {
 
-constexpr double kBeside = 3.0;   // [m] assumed: SUMO stops for people who are nearer
-constexpr double kFreeWay = 5.0;  // [m] assumed: so far it must be free
+constexpr double kBeside = 3.0;     // [m] assumed: SUMO stops for people who are nearer
+constexpr double kFreeWay = 5.0;    // [m] assumed: so far it must be free
 constexpr double kJunction = 20.0;  // [m] assumed: a junction's width and the way to it
 constexpr double kBorder = 5.0;     // [m] assumed: a crossing beside a zone is no farther from it
-constexpr double kSample = 0.5;   // [m] numerical
-constexpr double kGap = 0.3;      // [m] assumed: kept to other vehicles
-constexpr double kMargin = 0.05;  // [m] as a creeping vehicle's
+constexpr double kSample = 0.5;     // [m] numerical
+constexpr double kGap = 0.3;        // [m] assumed: kept to other vehicles
+constexpr double kMargin = 0.05;    // [m] as a creeping vehicle's
 
 bool meets(const Rectangle& body, const FleetVehicle& other) {
   const Rectangle its = body_of(other);

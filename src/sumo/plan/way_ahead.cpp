@@ -107,7 +107,8 @@ Polyline WayAhead::way_behind(const FleetVehicle& vehicle, double offset) const 
     append_before(shape, length_of(shape), vehicle.lateral, left, back);
   }
   const Vec2 chord = back.front() - back.back();
-  const bool fits = chord.norm() > kChord && std::abs(wrap_angle(angle_of(chord) - vehicle.heading)) < kFits;
+  const bool fits =
+      chord.norm() > kChord && std::abs(wrap_angle(angle_of(chord) - vehicle.heading)) < kFits;
   if (left > 0.0 || !fits) return straight;
   return {back.rbegin(), back.rend()};
 }

@@ -17,8 +17,9 @@ class WayAhead {
   void remember(const FleetVehicle& before, FleetVehicle& vehicle) const;
 
   /// Sets a vehicle's way, from its rear on (which follows its front along the lanes that it came
-  /// by; where these do not fit its heading, straight), `distance` [m] beyond its front or to its route's end, and its zone: the
-  /// first on that way, else the first of all. One that is on no lane goes straight on.
+  /// by; where these do not fit its heading, straight), `distance` [m] beyond its front or to its
+  /// route's end, and its zone: the first on that way, else the first of all. One that is on no
+  /// lane goes straight on.
   void look(FleetVehicle& vehicle, double distance) const;
 
  private:

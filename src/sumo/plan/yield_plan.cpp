@@ -60,8 +60,8 @@ double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> pe
                     const SafeSpeeds& safe_speeds, double dt) {
   const auto close = first_in_way(vehicle, people, kCreepMargin, distance);
   if (close && close->distance <= ahead.distance) return 0.0;
-  const double safe = close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt)
-                            : parameters.creep_speed;
+  const double safe =
+      close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt) : parameters.creep_speed;
   return std::min(safe, parameters.creep_speed);
 }
 
@@ -116,8 +116,8 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   vehicle.creeping = vehicle.held_up >= parameters.creep_after;
   double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
   if (vehicle.slowed > kClaimAfter) {
-    safe = std::max(safe, speed_beside(vehicle, people, *ahead, distance, parameters, safe_speeds,
-                                       dt));
+    safe = std::max(safe,
+                    speed_beside(vehicle, people, *ahead, distance, parameters, safe_speeds, dt));
   }
   if (safe >= vehicle.allowed_speed) {
     vehicle.slowed = 0.0;
