@@ -104,8 +104,8 @@ void keep_out_of_vehicles(const CrowdState& crowd, double dt, std::vector<Vehicl
   for (const VehicleHit& hit : hits) {
     const VehicleState& now = crowd.vehicles[hit.vehicle];
     const VehicleState later = moved_on(now, dt);
-    const double turn = std::abs(now.yaw_rate) * 0.5 * now.length;
-    const double longest = kStep + (now.velocity.norm() + turn) * dt;
+    const double turn = std::abs(wrap_angle(later.heading - now.heading)) * 0.5 * now.length;
+    const double longest = kStep + (later.centre - now.centre).norm() + turn;
     const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
     const Vec2 at =
         moved_out(crowd.zone.walls, later, here, reach_of(crowd, hit.person, now), longest);

@@ -24,18 +24,6 @@ constexpr int kDirections = 16;         // numerical
 constexpr double kLook = 0.25;          // [m] numerical: sampling of the swept area
 constexpr double kPassedBy = 1.0;       // [m] numerical: swept area beyond and behind the point
 
-/// The vehicle's body once its rear is `travelled` [m] along its way.
-Rectangle body_on_way(const VehicleState& vehicle, double travelled) {
-  const Vec2 rear = point_on(vehicle.way, travelled).point;
-  const LinePoint front = point_on(vehicle.way, travelled + vehicle.length);
-  const Vec2 along = front.point - rear;
-  const double chord = along.norm();
-  const Vec2 axis = chord > 0.1 ? Vec2(along / chord) : front.direction;
-  return {front.point - axis * (0.5 * vehicle.length),
-          axis,
-          {0.5 * vehicle.length, 0.5 * vehicle.width}};
-}
-
 /// Whether a turned body fits at a place and gets there.
 bool fits(const WallIndex& walls, const Vec2& from, const Vec2& to, double turned) {
   const double room = turned + kTouch;

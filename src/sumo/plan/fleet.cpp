@@ -44,8 +44,10 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
     state.velocity = vehicle.velocity;
     state.yaw_rate = vehicle.yaw_rate;
   } else {
-    const Rectangle body = body_after(vehicle, next_speed(vehicle, dt) * dt);
-    state.velocity = (body.centre - state.centre) / dt;
+    const double speed = next_speed(vehicle, dt);
+    const Rectangle body = body_after(vehicle, speed * dt);
+    const Vec2 moved = body.centre - state.centre;
+    state.velocity = moved.norm() > 0.0 ? Vec2(moved.normalized() * speed) : Vec2(Vec2::Zero());
     state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
   }
   state.key = person_key(vehicle.id);
