@@ -21,6 +21,7 @@ constexpr double kBefore = 2.0;     // [m] assumed: so far before it a vehicle i
 constexpr double kAlong = 0.5;      // cosine: whoever crosses a vehicle's axis does not go past it
 constexpr double kAimAhead = 0.6;   // [m] numerical: what is aimed at beside the vehicle
 constexpr double kNextStep = 0.3;   // [m] numerical: a step, as one sees it before one makes it
+constexpr double kAside = 0.7;      // [m] assumed: for who comes out of a narrow place
 constexpr double kPastShare = 0.6;  // assumed: of its speed is left to who goes sideways
 
 BodyBeside body_of(const CrowdState& crowd, std::size_t i) {
@@ -57,10 +58,14 @@ class Passing {
     double aim = beside() ? u() + kAimAhead : std::max(entry, u());
     const bool lined_up = std::abs(local_.y() - way->lateral) < kThere;
     if (!beside() && lined_up) aim = u() + kAimAhead;
-    if (const auto comes = somebody_comes(way->lateral)) {
-      if (!beside() || goes_back(*comes)) aim = std::min(u(), entry) - (beside() ? kAimAhead : 0.0);
+    double lateral = way->lateral;
+    const auto comes = somebody_comes(lateral);
+    if (comes && beside() && goes_back(*comes)) aim = u() - kAimAhead;
+    if (comes && !beside()) {  // leaves the end free
+      aim = std::min(u(), entry - kAside);
+      lateral = 0.0;
     }
-    const Vec2 to = frame_.out_of_frame({sign_ * aim, way->lateral});
+    const Vec2 to = frame_.out_of_frame({sign_ * aim, lateral});
     return step_to(to - crowd_.position(i_), crowd_.persons.heading[i_],
                    kPastShare * crowd_.persons.preferred_speed[i_]);
   }
@@ -96,7 +101,7 @@ class Passing {
     for (std::size_t j = 0; j < crowd_.persons.walking; ++j) {
       if (j == i_ || crowd_.walkers[j].arrived) continue;
       const Vec2 there = frame_.into_frame(crowd_.position(j));
-      const bool in_way = std::abs(there.x()) < frame_.half.x() &&
+      const bool in_way = std::abs(there.x()) < frame_.half.x() + kAside &&
                           std::abs(there.y() - lateral) < crowd_.persons.radius[j];
       if (in_way && sign_ * along(j) < -kAlong && sign_ * there.x() > u()) return j;
     }

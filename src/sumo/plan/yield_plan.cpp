@@ -83,10 +83,10 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
     if (!contact && later && (soon - person.position).norm() > kSample) contact = later;
     if (!contact) continue;
     const double clearance = body.signed_distance(person.position) - person.radius;
-    // Beside the body already and not before it: driving on does not bring them closer.
+    // Beside the body already and not before it: passed, unless the rear will swing over them.
     const Vec2 to = person.position - vehicle.front;
     if (to.dot(unit(vehicle.heading)) < 0.0 && clearance > 0.0 &&
-        !touches(vehicle, *contact + 2.0 * kSample, person.position, person.radius)) {
+        !contact_distance(vehicle, person.position, person.radius, distance)) {
       continue;
     }
     const double allowed = std::max(0.0, *contact);
