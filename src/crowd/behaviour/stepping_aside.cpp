@@ -20,7 +20,8 @@ constexpr double kApproach = 0.5;   // [s] assumed: time constant with which a p
 constexpr double kBefore = 2.0;     // [m] assumed: so far before it a vehicle is gone round
 constexpr double kAlong = 0.5;      // cosine: whoever crosses a vehicle's axis does not go past it
 constexpr double kAimAhead = 0.6;   // [m] numerical: what is aimed at beside the vehicle
-constexpr double kNextStep = 0.3;   // [m] numerical: a step, as one sees it before one makes it
+constexpr double kLookAhead = 1.2;  // [m] assumed: a driver expects people to go on so far
+constexpr double kLookStep = 0.3;   // [m] numerical
 constexpr double kAside = 0.7;      // [m] assumed: for who comes out of a narrow place
 constexpr double kPastShare = 0.6;  // assumed: of its speed is left to who goes sideways
 
@@ -135,8 +136,12 @@ std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
     if (!place) return std::nullopt;
     return step_to(*place - here, heading, crowd.persons.preferred_speed[i]);
   }
-  const Vec2 next = here + unit(decided.direction) * kNextStep;
-  if (!swings_over(vehicle, next, radius)) return std::nullopt;
+  const Vec2 ahead = unit(decided.direction);
+  bool enters = false;
+  for (double way = kLookStep; way <= kLookAhead && !enters; way += kLookStep) {
+    enters = swings_over(vehicle, here + ahead * way, radius);
+  }
+  if (!enters) return std::nullopt;
   return step_to(Vec2::Zero(), heading, 0.0);
 }
 
