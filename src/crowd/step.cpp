@@ -14,6 +14,7 @@
 #include "crowd/behaviour/groups.hpp"
 #include "crowd/behaviour/jams.hpp"
 #include "crowd/behaviour/pace.hpp"
+#include "crowd/behaviour/stepping_aside.hpp"
 #include "crowd/behaviour/way.hpp"
 #include "crowd/behaviour/waypoints.hpp"
 #include "crowd/motion/contacts.hpp"
@@ -74,6 +75,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   restrain_by_groups(crowd, restraints);
   restrain_adults(crowd, restraints);
   restraints.apply(crowd.decisions);
+  step_aside(crowd, crowd.decisions);
   lead_by_hand(crowd, crowd.decisions);
 
   // Bodies move, and settle their contacts.

@@ -24,23 +24,28 @@ bool far_from(const VehicleState& vehicle, const Vec2& point) {
   return (point - vehicle.centre).squaredNorm() > reach * reach;
 }
 
-/// Out of the claim: sideways where there is room, nearer side first, else ahead of the vehicle.
-Vec2 way_out(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle,
-             const ClaimPlace& place, double own_direction) {
+/// The side to which there is room to step out of the claim, the nearer one first: 1 left, -1
+/// right, 0 none.
+double wide_side(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle,
+                 const ClaimPlace& place) {
   const WallIndex& walls = crowd.zone.walls;
   const Vec2 here = crowd.position(i);
-  const Vec2 outward = left_of(place.along) * (place.lateral < 0.0 ? -1.0 : 1.0);
-  const double border = 0.5 * vehicle.width + crowd.persons.radius[i] + kBeside;
+  const double nearer = place.lateral < 0.0 ? -1.0 : 1.0;
+  const Vec2 outward = left_of(place.along) * nearer;
+  const double border = 0.5 * vehicle.width + room_beside_claims(crowd, i);
   const double near = border - std::abs(place.lateral), far = border + std::abs(place.lateral);
   const double body = 0.5 * crowd.persons.radius[i];
-  Vec2 side = Vec2::Zero();
-  if (walls.free_line(here, here + outward * near, body)) {
-    side = outward;
-  } else if (place.ahead > kCrossing && walls.free_line(here, here - outward * far, body)) {
-    side = -outward;
-  } else {
-    return place.along;
-  }
+  if (walls.free_line(here, here + outward * near, body)) return nearer;
+  const bool across = place.ahead > kCrossing && walls.free_line(here, here - outward * far, body);
+  return across ? -nearer : 0.0;
+}
+
+/// Out of the claim: sideways where there is room, else ahead of the vehicle.
+Vec2 way_out(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle,
+             const ClaimPlace& place, double own_direction) {
+  const double chosen = wide_side(crowd, i, vehicle, place);
+  if (chosen == 0.0) return place.along;
+  const Vec2 side = left_of(place.along) * chosen;
   // The farther the vehicle, the more of its own way a person keeps.
   const double share = std::clamp(place.ahead / vehicle.claim, 0.0, 1.0);
   const Vec2 mixed = side + share * unit(own_direction);
@@ -76,10 +81,19 @@ void for_each_claim(const CrowdState& crowd, const What& what) {
 
 }  // namespace
 
+double room_beside_claims(const CrowdState& crowd, std::size_t i) {
+  return crowd.persons.radius[i] + kBeside;
+}
+
+bool lacks_wide_side(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
+  if (vehicle.claim <= 0.0) return false;
+  const auto place = place_in_claim(vehicle, crowd.position(i), room_beside_claims(crowd, i));
+  return place && wide_side(crowd, i, vehicle, *place) == 0.0;
+}
+
 void propose_ways_out_of_claims(const CrowdState& crowd, Proposals& proposals) {
   for_each_claim(crowd, [&](std::size_t i, const VehicleState& vehicle) {
-    const double margin = crowd.persons.radius[i] + kBeside;
-    const auto place = place_in_claim(vehicle, crowd.position(i), margin);
+    const auto place = place_in_claim(vehicle, crowd.position(i), room_beside_claims(crowd, i));
     if (!place || crowd.walkers[i].arrived) return;
     Wish wish = proposals.best(i);
     wish.direction = angle_of(way_out(crowd, i, vehicle, *place, wish.direction));
@@ -90,7 +104,7 @@ void propose_ways_out_of_claims(const CrowdState& crowd, Proposals& proposals) {
 
 void restrain_beside_claims(const CrowdState& crowd, Restraints& restraints) {
   for_each_claim(crowd, [&](std::size_t i, const VehicleState& vehicle) {
-    const double margin = crowd.persons.radius[i] + kBeside;
+    const double margin = room_beside_claims(crowd, i);
     if (place_in_claim(vehicle, crowd.position(i), margin) || !enters(crowd, i, vehicle)) return;
     restraints.wait(i);
   });

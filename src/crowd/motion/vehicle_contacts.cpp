@@ -71,6 +71,12 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
   return best;
 }
 
+/// [m] to which a vehicle gets to a body: past one that stands, people go with turned shoulders.
+double reach_of(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
+  const bool stands = vehicle.velocity.norm() < kStaticSpeed;
+  return stands ? crowd.persons.present_radius[i] : crowd.persons.radius[i];
+}
+
 /// Lists who may be reached by which vehicle, ordered by person.
 void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits) {
   const Persons& persons = crowd.persons;
@@ -118,7 +124,7 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   const VehicleState& vehicle = crowd.vehicles[hit.vehicle];
   const VehicleState later = moved_on(vehicle, dt);
   const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
-  const double radius = persons.radius[hit.person];
+  const double radius = reach_of(crowd, hit.person, vehicle);
   const Vec2 at = moved_out(crowd.zone.walls, later, here, radius, longest);
   moves.x[hit.person] = at.x();
   moves.y[hit.person] = at.y();

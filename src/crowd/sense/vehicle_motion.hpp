@@ -6,21 +6,15 @@
 
 namespace pedzone {
 
-/// The vehicle `dt` [s] later: speed and yaw rate held. The velocity turns with the body, and the
-/// centre moves along the velocity half-way through the turn (exact for straight lines, second
-/// order in the turned angle otherwise).
-inline VehicleState moved_on(const VehicleState& vehicle, double dt) {
-  const auto turned = [](const Vec2& v, double angle) -> Vec2 {
-    const Vec2 e = unit(angle);
-    return {v.x() * e.x() - v.y() * e.y(), v.x() * e.y() + v.y() * e.x()};
-  };
-  VehicleState later = vehicle;
-  const double angle = vehicle.yaw_rate * dt;
-  later.centre += turned(vehicle.velocity, 0.5 * angle) * dt;
-  later.velocity = turned(vehicle.velocity, angle);
-  later.heading = wrap_angle(vehicle.heading + angle);
-  return later;
-}
+/// The vehicle's body when its rear is `travelled` [m] along its way: a chord of that, so that
+/// corners are cut as SUMO draws them. The way must not be empty.
+Rectangle body_on_way(const VehicleState& vehicle, double travelled);
+
+/// The vehicle `dt` [s] later, its speed held. Along its way where that is known and the vehicle is
+/// on it. Else the yaw rate is held, too: the velocity turns with the body, and the centre moves
+/// along the velocity half-way through the turn (exact for straight lines, second order in the
+/// turned angle otherwise).
+VehicleState moved_on(const VehicleState& vehicle, double dt);
 
 inline Rectangle rectangle_of(const VehicleState& vehicle) {
   return {vehicle.centre, unit(vehicle.heading), {0.5 * vehicle.length, 0.5 * vehicle.width}};

@@ -134,19 +134,22 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   return true;
 }
 
-/// Whether a person goes back to SUMO in this step. One whose plan has changed is looked at first.
-bool Takeover::may_hand_over(Guest& guest, const PersonView& view, double dt,
-                             const Fleet& fleet) const {
-  if (!view.arrived) return false;
+/// How a person goes back to SUMO in this step; nothing: not yet. Neither where the crowd has
+/// brought it nor where SUMO's lane has it then may a vehicle be in the way. One whose plan has
+/// changed is looked at first.
+std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& view, double dt,
+                                               const Fleet& fleet) const {
+  if (!view.arrived) return std::nullopt;
   if (!has_plan(guest)) guest.check_at = 0.0;
-  return guest.check_at > 0.0 && may_release(view.position, guest.radius, fleet, dt, guest.kept);
-}
-
-/// Gives a person back to SUMO where the crowd has brought it.
-void Takeover::hand_over(const Guest& guest, const PersonView& view, double dt) const {
+  if (guest.check_at <= 0.0) return std::nullopt;
   const Walked walked{guest.position, view.position, guest.radius, guest.preferred_speed};
-  sumo_person::release(
-      guest.id, plan_release(network_, guest.stretch, walked, sumo_person::lane(guest.id), dt));
+  ReleasePlan plan = plan_release(network_, guest.stretch, walked, sumo_person::lane(guest.id), dt);
+  const auto free = [&](const Vec2& place) {
+    return may_release(place, guest.radius, fleet, dt, guest.kept);
+  };
+  const auto place = place_of(network_, plan);
+  if (!free(view.position) || (place && !free(*place))) return std::nullopt;
+  return plan;
 }
 
 void Takeover::count(const Guest& guest, const PersonView& view, double dt) {
@@ -176,8 +179,8 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     count(guest, view, dt);
-    if (may_hand_over(guest, view, dt, fleet)) {
-      hand_over(guest, view, dt);
+    if (const auto plan = hand_over(guest, view, dt, fleet)) {
+      sumo_person::release(guest.id, *plan);
       guest.gone = true;
       past_[guest.id].last = guest.stretch.last;
     } else {

@@ -17,6 +17,7 @@
 
 #include "sumo/live/person_colour.hpp"
 #include "sumo/plan/bystanders.hpp"
+#include "sumo/plan/release_plan.hpp"
 #include "sumo/plan/takeover_plan.hpp"
 #include "sumo/plan/yield_plan.hpp"
 
@@ -87,8 +88,8 @@ class Takeover {
   void show_bystanders(const Fleet& fleet);
   void consider(const std::string& id, const Vec2* known_position, const Fleet& fleet);
   bool add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan, const Fleet& fleet);
-  bool may_hand_over(Guest& guest, const PersonView& view, double dt, const Fleet& fleet) const;
-  void hand_over(const Guest& guest, const PersonView& view, double dt) const;
+  std::optional<ReleasePlan> hand_over(Guest& guest, const PersonView& view, double dt,
+                                       const Fleet& fleet) const;
   void count(const Guest& guest, const PersonView& view, double dt);
   void drop_gone();
   void list_jams(double time);

@@ -83,12 +83,14 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
   state.claim = vehicle.claim;
   state.way = vehicle.way;
   const bool ahead = vehicle.velocity.dot(unit(vehicle.heading)) >= -1e-9;
-  if (vehicle.traits.external || !ahead || vehicle.way.size() < 3 || dt <= 0.0) {
+  if (vehicle.traits.external || !ahead || !goes_on(vehicle) || dt <= 0.0) {
     state.velocity = vehicle.velocity;
     state.yaw_rate = vehicle.yaw_rate;
   } else {
-    const Rectangle body = body_after(vehicle, next_speed(vehicle, dt) * dt);
-    state.velocity = (body.centre - state.centre) / dt;
+    const double speed = next_speed(vehicle, dt);
+    const Rectangle body = body_after(vehicle, speed * dt);
+    const Vec2 moved = body.centre - state.centre;
+    state.velocity = moved.norm() > 0.0 ? Vec2(moved.normalized() * speed) : Vec2(Vec2::Zero());
     state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
   }
   state.key = person_key(vehicle.id);
@@ -131,7 +133,10 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     static_cast<VehicleSeen&>(vehicle) = std::move(told);
     vehicle.velocity = unit(vehicle.heading) * vehicle.speed;
     const auto before = previous_index_.find(vehicle.id);
-    if (before != previous_index_.end()) carry_over(previous_[before->second], dt, vehicle);
+    if (before != previous_index_.end()) {
+      carry_over(previous_[before->second], dt, vehicle);
+      ways_.remember(previous_[before->second], vehicle);
+    }
     const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
     ways_.look(vehicle, braking + kLookAhead);
     if (before != previous_index_.end()) lead_rear(previous_[before->second], vehicle);

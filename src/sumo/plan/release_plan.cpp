@@ -50,6 +50,14 @@ ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, con
   return plan;
 }
 
+std::optional<Vec2> place_of(const Network& network, const ReleasePlan& plan) {
+  if (plan.moves.empty()) return std::nullopt;
+  const LaneMove& last = plan.moves.back();
+  const Lane& lane = network.lanes[network.lane_index.at(last.lane)];
+  const LinePoint at = point_on_lane(lane, last.position);
+  return at.point + left_of(at.direction) * last.lateral.value_or(0.0);
+}
+
 bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& kept) {
   const double room = radius + kVehicleSide;
   if (fleet.approaches(place, room, kVehicleLook)) return false;

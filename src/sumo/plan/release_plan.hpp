@@ -37,6 +37,9 @@ struct Walked {
 ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, const Walked& walked,
                          const std::string& present_lane, double dt);
 
+/// Where [m] SUMO has a person that is given back so; nothing where it stays where it is.
+std::optional<Vec2> place_of(const Network& network, const ReleasePlan& plan);
+
 /// Whether a person may be given back at `place` [m]. SUMO walks people into vehicles: not beside
 /// one that moves or will. For one that waits for people a person does not wait for ever, since
 /// that may be the one it waits for: `kept` [s] counts how long it has.

@@ -7,11 +7,13 @@
 namespace pedzone {
 namespace {
 
-constexpr double kBeside = 3.0;   // [m] assumed: SUMO stops for people who are nearer
-constexpr double kFreeWay = 5.0;  // [m] assumed: so far it must be free
-constexpr double kSample = 0.5;   // [m] numerical
-constexpr double kGap = 0.3;      // [m] assumed: kept to other vehicles
-constexpr double kMargin = 0.05;  // [m] as a creeping vehicle's
+constexpr double kBeside = 3.0;     // [m] assumed: SUMO stops for people who are nearer
+constexpr double kFreeWay = 5.0;    // [m] assumed: so far it must be free
+constexpr double kJunction = 20.0;  // [m] assumed: a junction's width and the way to it
+constexpr double kBorder = 5.0;     // [m] assumed: a crossing beside a zone is no farther from it
+constexpr double kSample = 0.5;     // [m] numerical
+constexpr double kGap = 0.3;        // [m] assumed: kept to other vehicles
+constexpr double kMargin = 0.05;    // [m] as a creeping vehicle's
 
 bool meets(const Rectangle& body, const FleetVehicle& other) {
   const Rectangle its = body_of(other);
@@ -34,10 +36,24 @@ bool free_of_vehicles(const FleetVehicle& vehicle, std::span<const FleetVehicle>
 
 }  // namespace
 
-/// Whether people beside a vehicle in a zone, and nothing in its way, may be all it waits for.
+/// Whether the vehicle is in its zone, or comes by it soon: at a junction that a zone shares with
+/// ordinary streets, SUMO's people and vehicles wait for each other on their side of the border.
+bool StandOffs::meets_zone(const FleetVehicle& vehicle) const {
+  const WallIndex& walls = zones_[vehicle.zone].walls;
+  const auto near = [&](const Vec2& point) {
+    return walls.inside(point) || walls.room(point, kBorder) < kBorder;
+  };
+  if (near(vehicle.centre())) return true;
+  for (double ahead = 0.0; ahead <= kJunction; ahead += kSample) {
+    if (near(point_on(vehicle.way, vehicle.traits.length + ahead).point)) return true;
+  }
+  return false;
+}
+
+/// Whether people beside a vehicle at a zone, and nothing in its way, may be all it waits for.
 bool StandOffs::stands_off(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
                            std::span<const PersonAhead> people) const {
-  if (!zones_[vehicle.zone].walls.inside(vehicle.centre())) return false;
+  if (!meets_zone(vehicle)) return false;
   const Rectangle body = body_of(vehicle);
   const bool beside = std::any_of(people.begin(), people.end(), [&](const PersonAhead& person) {
     return body.signed_distance(person.position) < kBeside;

@@ -18,13 +18,15 @@ class StandOffs {
  public:
   explicit StandOffs(const std::vector<Zone>& zones) : zones_(zones) {}
 
-  /// Before SUMO's next step of `dt` [s]: lets a vehicle in a zone that has stood for creepAfter
-  /// beside one of `people` (all near the zone) creep past, where its way is free of people and
-  /// vehicles. To be called after Yielding::plan; vehicles that this holds are left alone.
+  /// Before SUMO's next step of `dt` [s]: lets a vehicle in or at a zone that has stood for
+  /// creepAfter beside one of `people` (all near the zone) creep past, where its way is free of
+  /// people and vehicles. To be called after Yielding::plan; vehicles that this holds are left
+  /// alone.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, double dt);
 
  private:
+  bool meets_zone(const FleetVehicle& vehicle) const;
   bool stands_off(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
                   std::span<const PersonAhead> people) const;
 

@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace pedzone {
+namespace {
+
+constexpr double kRounding = 1e-3;  // [m] numerical
+
+}  // namespace
+
+bool goes_on(const FleetVehicle& vehicle) {
+  return length_of(vehicle.way) > vehicle.traits.length + kRounding;
+}
 
 Rectangle body_of(const FleetVehicle& vehicle) {
   return {vehicle.centre(),

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geometry/polyline.hpp"
 #include "geometry/rectangle.hpp"
@@ -48,7 +49,8 @@ struct JunctionAhead {
 struct FleetVehicle : VehicleSeen {
   Vec2 velocity = Vec2::Zero();  ///< [m/s] from its last two places: reversing and side-slip too
   double yaw_rate = 0.0;         ///< [rad/s] of a steered one (steering.hpp)
-  Polyline way;                  ///< [m] from its rear along its own next lanes
+  std::vector<int> behind;       ///< lanes that it came by to its present one, the last first
+  Polyline way;                  ///< [m] from its rear along its own last and next lanes
   JunctionAhead junction;
   int zone = 0;                  ///< index of the zone it is in or comes to first
   double commanded = -1.0;       ///< [m/s] speed set by us for the next step; -1: SUMO's own
@@ -61,6 +63,9 @@ struct FleetVehicle : VehicleSeen {
 
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };
+
+/// Whether its way goes on ahead of its front.
+bool goes_on(const FleetVehicle& vehicle);
 
 /// The part of the plane that a vehicle covers.
 Rectangle body_of(const FleetVehicle& vehicle);

@@ -1,9 +1,15 @@
 #include "sumo/plan/way_ahead.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pedzone {
 namespace {
+
+constexpr std::size_t kMostLanes = 8;  // numerical: that one vehicle stands on at once
+constexpr double kFits = 0.1;          // [rad] numerical: SUMO's heading is that of the chord from
+                                       // rear to front, but for a change of lanes
+constexpr double kChord = 0.1;         // [m] numerical
 
 /// Adds the part of a lane's line from `offset` [m] on, `lateral` [m] to its left and at most
 /// `left` [m] long, which it then shortens.
@@ -22,6 +28,14 @@ void append_from(const Polyline& line, double offset, double lateral, double& le
     }
     passed += length;
   }
+}
+
+/// Adds the part of a lane's line before `offset` [m], backwards, `lateral` [m] to its left and at
+/// most `left` [m] long, which it then shortens.
+void append_before(const Polyline& line, double offset, double lateral, double& left,
+                   Polyline& out) {
+  const Polyline backwards(line.rbegin(), line.rend());
+  append_from(backwards, std::max(0.0, length_of(line) - offset), -lateral, left, out);
 }
 
 }  // namespace
@@ -62,6 +76,43 @@ int WayAhead::next_lane(int lane, std::span<const int> route, int& index) const 
   return -1;
 }
 
+void WayAhead::remember(const FleetVehicle& before, FleetVehicle& vehicle) const {
+  if (vehicle.lane == before.lane) {
+    vehicle.behind = before.behind;
+    return;
+  }
+  if (before.lane < 0 || vehicle.lane < 0) return;
+  std::vector<int> behind = before.behind;
+  int lane = before.lane, index = before.route_index;
+  for (std::size_t k = 0; k < kMostLanes && lane >= 0 && lane != vehicle.lane; ++k) {
+    behind.insert(behind.begin(), lane);
+    lane = next_lane(lane, vehicle.route, index);
+  }
+  if (lane != vehicle.lane) return;  // it has changed lanes, or was put elsewhere
+  behind.resize(std::min(behind.size(), kMostLanes));
+  vehicle.behind = std::move(behind);
+}
+
+/// From its rear to its front, which is at `offset` [m] of its lane.
+Polyline WayAhead::way_behind(const FleetVehicle& vehicle, double offset) const {
+  const double length = vehicle.traits.length;
+  const Vec2 along = unit(vehicle.heading);
+  const Polyline straight{vehicle.front - along * length, vehicle.front};
+  Polyline back{vehicle.front};
+  double left = length;
+  append_before(network_.lanes[vehicle.lane].shape, offset, vehicle.lateral, left, back);
+  for (const int lane : vehicle.behind) {
+    if (left <= 0.0) break;
+    const Polyline& shape = network_.lanes[lane].shape;
+    append_before(shape, length_of(shape), vehicle.lateral, left, back);
+  }
+  const Vec2 chord = back.front() - back.back();
+  const bool fits =
+      chord.norm() > kChord && std::abs(wrap_angle(angle_of(chord) - vehicle.heading)) < kFits;
+  if (left > 0.0 || !fits) return straight;
+  return {back.rbegin(), back.rend()};
+}
+
 void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   Polyline& way = vehicle.way;
   way = {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
@@ -74,6 +125,7 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   int zone = -1;
   double offset = project_on(network_.lanes[lane].shape, vehicle.front).offset;
   double left = distance;
+  way = way_behind(vehicle, offset);
   JunctionAhead& junction = vehicle.junction;
   junction = {};
   bool passed = false;

@@ -103,12 +103,24 @@ std::optional<YieldOrder> let_go(FleetVehicle& vehicle, double dt) {
   return comfortable_order(vehicle, vehicle.allowed_speed, dt);
 }
 
+/// [m/s] at most creepSpeed: past people who have stepped aside where there is little room. Whom
+/// the body would touch, or nearly so, it stops for all the same.
+double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                    const Obstruction& ahead, double distance, const Parameters& parameters,
+                    const SafeSpeeds& safe_speeds, double dt) {
+  const auto close = first_in_way(vehicle, people, kCreepMargin, distance);
+  if (close && close->distance <= ahead.distance) return 0.0;
+  const double safe =
+      close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt) : parameters.creep_speed;
+  return std::min(safe, parameters.creep_speed);
+}
+
 }  // namespace
 
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
                                         double distance) {
-  if (vehicle.way.size() < 3) return std::nullopt;
+  if (!goes_on(vehicle)) return std::nullopt;
   const Rectangle body = body_of(vehicle);
   std::optional<Obstruction> first;
   const double range = distance + vehicle.traits.length + 2.0;
@@ -121,10 +133,10 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
     if (!contact && later && (soon - person.position).norm() > kSample) contact = later;
     if (!contact) continue;
     const double clearance = body.signed_distance(person.position) - person.radius;
-    // Beside the body already and not before it: driving on does not bring them closer.
+    // Beside the body already and not before it: passed, unless the rear will swing over them.
     const Vec2 to = person.position - vehicle.front;
     if (to.dot(unit(vehicle.heading)) < 0.0 && clearance > 0.0 &&
-        !touches(vehicle, *contact + 2.0 * kSample, person.position, person.radius)) {
+        !contact_distance(vehicle, person.position, person.radius, distance)) {
       continue;
     }
     const double allowed = std::max(0.0, *contact);
@@ -139,9 +151,9 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
                                      const Parameters& parameters, const SafeSpeeds& safe_speeds,
                                      double dt) {
   vehicle.claim = 0.0;
-  const auto ahead =
-      first_in_way(vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin,
-                   look_ahead(vehicle, parameters));
+  const double distance = look_ahead(vehicle, parameters);
+  const auto ahead = first_in_way(
+      vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin, distance);
   if (!ahead) {
     vehicle.creeping = false;
     vehicle.held_up = 0.0;
@@ -152,7 +164,12 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   if (held && !by_traffic && vehicle.speed < kHaltingSpeed) vehicle.held_up += dt;
   if (vehicle.speed > kCleared) vehicle.held_up = 0.0;
   vehicle.creeping = vehicle.held_up >= parameters.creep_after;
-  const double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
+  double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
+  if (vehicle.slowed > kClaimAfter &&
+      !waits_before_junction(vehicle, *ahead, parameters.yield_gap)) {
+    safe = std::max(safe,
+                    speed_beside(vehicle, people, *ahead, distance, parameters, safe_speeds, dt));
+  }
   if (safe >= vehicle.allowed_speed) return let_go(vehicle, dt);
   // People who made room for one that traffic holds would wait for nothing, and for each other.
   vehicle.slowed = by_traffic ? 0.0 : vehicle.slowed + dt;

@@ -236,5 +236,50 @@ TEST_F(FleetTest, has_the_grip_of_the_worst_weather) {
   EXPECT_LT(icy.weather->deceleration, 1.0);
 }
 
+/// Round a corner: from the street's end at x = 200 straight to the left.
+class RearTest : public FleetTest {
+ protected:
+  RearTest() {
+    e4_ = add_edge("e4", "E", "F", 0, 50);
+    network.lanes[lane_of(e4_)].shape = {{200.0, 0.0}, {200.0, 50.0}};
+    connect(lane_of(e3), lane_of(e4_));
+    zone.walkable = Region{Polygon{{{50, -2}, {250, -2}, {250, 50}, {50, 50}}, {}}};
+  }
+
+  /// A car of 4 m with its front so far [m] along e3 and e4, and as SUMO turns it.
+  VehicleSeen car(double along, double rear) const {
+    const auto at = [](double x) { return x < 200.0 ? Vec2(x, 0.0) : Vec2(200.0, x - 200.0); };
+    VehicleSeen seen = test::seen_vehicle("car", at(along), 2.0);
+    seen.heading = angle_of(at(along) - at(rear));
+    seen.lane = lane_of(along < 200.0 ? e3 : e4_);
+    seen.route = route_;
+    seen.route_index = along < 200.0 ? 0 : 1;
+    return seen;
+  }
+
+  int e4_ = 0;
+  std::vector<int> route_;
+};
+
+TEST_F(RearTest, follows_the_lanes_that_the_vehicle_came_by) {
+  route_ = {e3, e4_};
+  const FleetVehicle turning = moved(car(199.0, 195.0), car(202.0, 198.0), 1.0);
+  // 2 m farther on the whole of it is round the corner, and no longer aslant.
+  const Rectangle later = body_after(turning, 2.0);
+  EXPECT_TRUE(later.centre.isApprox(Vec2(200.0, 2.0), 1e-6)) << later.centre.transpose();
+  EXPECT_NEAR(later.axis.x(), 0.0, 1e-9);
+  EXPECT_TRUE(turning.way.front().isApprox(Vec2(198.0, 0.0), 1e-6));
+}
+
+TEST_F(RearTest, is_straight_behind_one_that_has_not_come_by_its_lanes) {
+  route_ = {e3, e4_};
+  const FleetVehicle put = one(car(202.0, 198.0));
+  EXPECT_TRUE(put.way.front().isApprox(Vec2(put.front - unit(put.heading) * 4.0), 1e-9));
+  VehicleSeen changes = car(190.0, 186.0);
+  changes.heading += 0.3;  // a change of lanes
+  const FleetVehicle changing = moved(car(188.0, 184.0), changes, 1.0);
+  EXPECT_TRUE(changing.way.front().isApprox(Vec2(changing.front - unit(changing.heading) * 4.0)));
+}
+
 }  // namespace
 }  // namespace pedzone

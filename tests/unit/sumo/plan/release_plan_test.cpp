@@ -90,6 +90,13 @@ TEST_F(ReleasePlanTest, steps_over_a_junction_by_way_of_the_edge_before) {
                           LaneMove{"e3_0", kPortalInset, 1.0}));
 }
 
+TEST_F(ReleasePlanTest, tells_where_sumo_has_the_person_then) {
+  ReleasePlan plan;
+  EXPECT_FALSE(place_of(network, plan));
+  plan.moves = {{"e2_0", 5.0, {}}, {"e1_0", 20.0, 1.5}};
+  EXPECT_TRUE(place_of(network, plan)->isApprox(Vec2(70.0, 1.5)));
+}
+
 class MayRelease : public testing::Test, protected test::FourEdges {
  protected:
   bool ask(double dt = 0.1) { return may_release(kPlace, kRadius, fleet_, dt, held_); }

@@ -111,10 +111,16 @@ TEST_F(StandOffTest, is_none_with_a_vehicle_in_the_way) {
   EXPECT_THAT(wait(100.0), testing::SizeIs(2));
 }
 
-TEST_F(StandOffTest, is_none_outside_the_zone) {
-  vehicles_[0] = standing("van", 48.0);  // its middle is at 46, the zone begins at 50
-  people_[0].position.x() = 47.0;
+TEST_F(StandOffTest, is_none_far_from_the_zone) {
+  vehicles_[0] = standing("van", 24.0);  // the zone begins at 50, and what is 5 m from it counts
+  people_[0].position.x() = 23.0;
   EXPECT_THAT(wait(100.0), IsEmpty());
+}
+
+TEST_F(StandOffTest, ends_before_the_zone_too_for_one_that_comes_to_it) {
+  vehicles_[0] = standing("van", 40.0);
+  people_[0].position.x() = 39.0;
+  EXPECT_THAT(wait(100.0), testing::SizeIs(2));
 }
 
 TEST_F(StandOffTest, counts_anew_when_the_vehicle_has_moved) {

@@ -81,6 +81,14 @@ TEST(FirstInWay, counts_the_corner_that_the_body_cuts) {
   EXPECT_TRUE(ahead_of(turning, {{6.3, 1.5}, {0, 0}, 0.24}));
 }
 
+TEST(FirstInWay, counts_the_rear_of_a_body_that_turns) {
+  const FleetVehicle turning = shuttle({{0.5, 0.0}, {0.5, 2.0}, {-30.0, 2.0}});
+  // Beside it, on the outer side of a turn about: the rear swings there, metres farther on.
+  const Vec2 outside{-1.5, -1.5};
+  EXPECT_TRUE(ahead_of(turning, {outside, {0, 0}, 0.24}));
+  EXPECT_FALSE(ahead_of(kStraight, {outside, {0, 0}, 0.24}));
+}
+
 /// A car-following model that brakes evenly: the speed from which it stops within the gap. Notes
 /// what it was asked.
 struct EvenBraking {
@@ -257,6 +265,23 @@ TEST(PlanYield, claims_no_room_while_traffic_holds_it) {
     EXPECT_EQ(vehicle.claim > 0.0, commanded == 0.0) << commanded;
     EXPECT_EQ(vehicle.held_up > 0.0, commanded == 0.0) << commanded;
   }
+}
+
+TEST(PlanYield, creeps_past_those_who_have_stepped_aside_once_it_was_slowed) {
+  const Parameters parameters;
+  const double side = 1.0 + 0.24;  // of the vehicle, and a body
+  const auto order_after = [&](double slowed, double room) {
+    const EvenBraking own;
+    FleetVehicle vehicle = driving(0.0);
+    vehicle.commanded = 0.0;
+    vehicle.slowed = slowed;
+    const std::vector<PersonAhead> people{{{1.0, side + room}, {0.0, 0.0}, 0.24}};
+    return plan_yield(vehicle, people, parameters, own.speeds(), 0.1);
+  };
+  ASSERT_TRUE(order_after(3.0, 0.1));
+  EXPECT_NEAR(order_after(3.0, 0.1)->speed, parameters.creep_speed, 1e-9);
+  EXPECT_NEAR(order_after(3.0, 0.02)->speed, 0.0, 1e-9) << "too near";
+  EXPECT_NEAR(order_after(0.0, 0.1)->speed, 0.0, 1e-9) << "nobody knows of it yet";
 }
 
 }  // namespace

@@ -1,0 +1,190 @@
+#include "crowd/behaviour/stepping_aside.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "crowd/behaviour/claims.hpp"
+#include "crowd/behaviour/way.hpp"
+#include "crowd/sense/claim_room.hpp"
+#include "crowd/sense/side_room.hpp"
+#include "crowd/sense/vehicle_motion.hpp"
+#include "crowd/state/parallel.hpp"
+#include "world/speeds.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kThere = 0.05;     // [m] numerical: so near to its place somebody stands there
+constexpr double kApproach = 0.5;   // [s] assumed: time constant with which a place is approached
+constexpr double kBefore = 2.0;     // [m] assumed: so far before it a vehicle is gone round
+constexpr double kAlong = 0.5;      // cosine: whoever crosses a vehicle's axis does not go past it
+constexpr double kAimAhead = 0.6;   // [m] numerical: what is aimed at beside the vehicle
+constexpr double kLookAhead = 1.2;  // [m] assumed: a driver expects people to go on so far
+constexpr double kLookStep = 0.3;   // [m] numerical
+constexpr double kAside = 0.7;      // [m] assumed: for who comes out of a narrow place
+constexpr double kPastShare = 0.6;  // assumed: of its speed is left to who goes sideways
+
+BodyBeside body_of(const CrowdState& crowd, std::size_t i) {
+  return {crowd.persons.radius[i], crowd.persons.turned_radius[i]};
+}
+
+/// Towards a place that is `way` [m] away, at most at `speed` [m/s].
+Decision step_to(const Vec2& way, double heading, double speed) {
+  Decision decision;
+  decision.turns = true;
+  const double distance = way.norm();
+  decision.direction = distance > kThere ? angle_of(way) : heading;
+  decision.waits = distance <= kThere;
+  decision.speed = decision.waits ? 0.0 : std::min(speed, distance / kApproach);
+  decision.free_distance = distance;
+  return decision;
+}
+
+/// A standing vehicle as one sees it who wants to go past: u along its way, from -length/2 to
+/// length/2 beside the vehicle.
+class Passing {
+ public:
+  Passing(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle)
+      : crowd_(crowd), i_(i), vehicle_(vehicle), frame_(rectangle_of(vehicle)) {
+    sign_ = along(i) >= 0.0 ? 1.0 : -1.0;
+    local_ = frame_.into_frame(crowd.position(i));
+  }
+
+  std::optional<Decision> decide() const {
+    if (std::abs(along(i_)) < kAlong || !in_reach()) return std::nullopt;
+    const auto way = narrow_way();
+    if (!way) return std::nullopt;
+    const double entry = -frame_.half.x() - crowd_.persons.radius[i_];
+    double aim = beside() ? u() + kAimAhead : std::max(entry, u());
+    const bool lined_up = std::abs(local_.y() - way->lateral) < kThere;
+    if (!beside() && lined_up) aim = u() + kAimAhead;
+    double lateral = way->lateral;
+    const auto comes = somebody_comes(lateral);
+    if (comes && beside() && goes_back(*comes)) aim = u() - kAimAhead;
+    if (comes && !beside()) {  // leaves the end free
+      aim = std::min(u(), entry - kAside);
+      lateral = 0.0;
+    }
+    const Vec2 to = frame_.out_of_frame({sign_ * aim, lateral});
+    return step_to(to - crowd_.position(i_), crowd_.persons.heading[i_],
+                   kPastShare * crowd_.persons.preferred_speed[i_]);
+  }
+
+ private:
+  /// Cosine of the angle between the person's way and the vehicle's axis.
+  double along(std::size_t j) const {
+    return unit(wish_of_route(crowd_, j).direction).dot(frame_.axis);
+  }
+  double u() const { return sign_ * local_.x(); }
+  bool beside() const { return std::abs(local_.x()) < frame_.half.x(); }
+
+  bool in_reach() const {
+    const double radius = crowd_.persons.radius[i_], length = frame_.half.x();
+    return u() > -length - radius - kBefore && u() < length + radius &&
+           std::abs(local_.y()) < frame_.half.y() + 2.0 * radius;
+  }
+
+  /// The way past the vehicle, the own side first; nothing where nobody need turn.
+  std::optional<SideWay> narrow_way() const {
+    const double own = local_.y() < 0.0 ? -1.0 : 1.0;
+    const WallIndex& walls = crowd_.zone.walls;
+    const auto first = way_beside(walls, vehicle_, own, body_of(crowd_, i_));
+    if (beside()) return first && first->narrow ? first : std::nullopt;
+    const auto second = way_beside(walls, vehicle_, -own, body_of(crowd_, i_));
+    const bool wide = (first && !first->narrow) || (second && !second->narrow);
+    if (wide) return std::nullopt;
+    return first ? first : second;
+  }
+
+  /// Somebody in that way who comes the other way.
+  std::optional<std::size_t> somebody_comes(double lateral) const {
+    for (std::size_t j = 0; j < crowd_.persons.walking; ++j) {
+      if (j == i_ || crowd_.walkers[j].arrived) continue;
+      const Vec2 there = frame_.into_frame(crowd_.position(j));
+      const bool in_way = std::abs(there.x()) < frame_.half.x() + kAside &&
+                          std::abs(there.y() - lateral) < crowd_.persons.radius[j];
+      if (in_way && sign_ * along(j) < -kAlong && sign_ * there.x() > u()) return j;
+    }
+    return std::nullopt;
+  }
+
+  /// Of two that meet beside the vehicle the one goes back that is nearer to where it came in.
+  bool goes_back(std::size_t j) const {
+    const double own = frame_.half.x() + u();
+    const double other = frame_.half.x() - sign_ * frame_.into_frame(crowd_.position(j)).x();
+    return own < other || (own == other && crowd_.persons.key[i_] < crowd_.persons.key[j]);
+  }
+
+  const CrowdState& crowd_;
+  std::size_t i_;
+  const VehicleState& vehicle_;
+  Rectangle frame_;
+  double sign_ = 1.0;
+  Vec2 local_ = Vec2::Zero();
+};
+
+/// Out of what a held-up vehicle is about to sweep with its rear, when it turns; who is out of it
+/// does not step into it.
+std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
+                                 const VehicleState& vehicle, const Decision& decided) {
+  if (vehicle.claim <= 0.0) return std::nullopt;
+  const Vec2 here = crowd.position(i);
+  const double radius = crowd.persons.radius[i], heading = crowd.persons.heading[i];
+  if (swings_over(vehicle, here, radius)) {
+    const auto place = place_clear(crowd.zone.walls, vehicle, here, body_of(crowd, i));
+    if (!place) return std::nullopt;
+    return step_to(*place - here, heading, crowd.persons.preferred_speed[i]);
+  }
+  const Vec2 ahead = unit(decided.direction);
+  bool enters = false;
+  for (double way = kLookStep; way <= kLookAhead && !enters; way += kLookStep) {
+    enters = swings_over(vehicle, here + ahead * way, radius);
+  }
+  if (!enters) return std::nullopt;
+  return step_to(Vec2::Zero(), heading, 0.0);
+}
+
+/// What person i does about the vehicle; nothing: what it has decided.
+std::optional<Decision> decision_about(const CrowdState& crowd, std::size_t i,
+                                       const VehicleState& vehicle, const Decision& decided) {
+  if (lacks_wide_side(crowd, i, vehicle)) {
+    const Vec2 here = crowd.position(i);
+    const auto place = place_aside(crowd.zone.walls, vehicle, here, body_of(crowd, i),
+                                   room_beside_claims(crowd, i));
+    if (place) {
+      return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
+    }
+  }
+  const double margin = room_beside_claims(crowd, i);
+  if (!place_in_claim(vehicle, crowd.position(i), margin)) {
+    if (const auto decision = clear_of(crowd, i, vehicle, decided)) return decision;
+  }
+  const bool stands = vehicle.velocity.norm() < kStaticSpeed;
+  return stands ? Passing(crowd, i, vehicle).decide() : std::nullopt;
+}
+
+bool far_from(const VehicleState& vehicle, const Vec2& point) {
+  const double reach = vehicle.claim + vehicle.length + vehicle.width;
+  return (point - vehicle.centre).squaredNorm() > reach * reach;
+}
+
+}  // namespace
+
+void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
+  if (crowd.vehicles.empty()) return;
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;
+      for (const VehicleState& vehicle : crowd.vehicles) {
+        if (far_from(vehicle, crowd.position(i))) continue;
+        const auto decision = decision_about(crowd, i, vehicle, decisions[i]);
+        if (!decision) continue;
+        decisions[i] = *decision;
+        break;
+      }
+    }
+  });
+}
+
+}  // namespace pedzone

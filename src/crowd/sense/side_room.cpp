@@ -1,0 +1,121 @@
+#include "crowd/sense/side_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "crowd/sense/vehicle_motion.hpp"
+#include "geometry/polyline.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kPast = 0.1;    // [m] assumed: left between a body and a vehicle that passes it:
+                                 // more than a creeping vehicle asks for (yield_plan.cpp)
+constexpr double kTouch = 0.03;  // [m] numerical: a turned body keeps so much on either side
+constexpr double kStraight = 0.25;      // [m] with so much room more, nobody need turn
+constexpr double kSideStep = 0.05;      // [m] numerical: places that are tried beside the way
+constexpr double kAlongStep = 0.5;      // [m] numerical: and along it
+constexpr double kFarthest = 10.0;      // [m] assumed: nobody walks farther to step aside
+constexpr double kNearest = 0.5;        // [m] assumed: nor so near to the bumper
+constexpr double kSwing = 0.05;         // [m] numerical: what counts as coming nearer
+constexpr double kRing = 0.25;          // [m] numerical: steps that are tried
+constexpr double kFarthestClear = 4.0;  // [m] assumed
+constexpr int kDirections = 16;         // numerical
+constexpr double kLook = 0.25;          // [m] numerical: sampling of the swept area
+constexpr double kPassedBy = 1.0;       // [m] numerical: swept area beyond and behind the point
+
+/// Whether a turned body fits at a place and gets there.
+bool fits(const WallIndex& walls, const Vec2& from, const Vec2& to, double turned) {
+  const double room = turned + kTouch;
+  return walls.inside(to) && walls.sees(from, to) && walls.room(to, room) >= room;
+}
+
+/// The place beside the way at `offset` [m], on the one side, with most room up to `wanted`.
+std::optional<Vec2> place_at(const WallIndex& walls, const VehicleState& vehicle, const Vec2& from,
+                             double offset, double side, const BodyBeside& body, double wanted) {
+  const LinePoint at = point_on(vehicle.way, offset);
+  const double least = body.radius + kPast;
+  for (double beyond = std::max(wanted, least); beyond > least - 1e-9; beyond -= kSideStep) {
+    const Vec2 place = at.point + left_of(at.direction) * side * (0.5 * vehicle.width + beyond);
+    if (!fits(walls, from, place, body.turned)) continue;
+    if (least_distance(vehicle, place) >= least - 1e-9) return place;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double least_distance(const VehicleState& vehicle, const Vec2& point) {
+  double least = distance_to(vehicle, point);
+  if (vehicle.way.size() < 2) return least;
+  const double at = project_on(vehicle.way, point).offset;
+  const double from = std::max(0.0, at - vehicle.length - kPassedBy);
+  for (double travelled = from; travelled <= at + kPassedBy; travelled += kLook) {
+    least = std::min(least, body_on_way(vehicle, travelled).distance(point));
+  }
+  return least;
+}
+
+std::optional<Vec2> place_aside(const WallIndex& walls, const VehicleState& vehicle,
+                                const Vec2& from, const BodyBeside& body, double wanted) {
+  if (vehicle.way.size() < 2) return std::nullopt;
+  const LineProjection here = project_on(vehicle.way, from);
+  const double own = here.lateral < 0.0 ? -1.0 : 1.0;
+  for (double away = 0.0; away <= kFarthest; away += kAlongStep) {
+    for (const double offset : {here.offset + away, here.offset - away}) {
+      if (offset < vehicle.length + kNearest && away > 0.0) continue;
+      for (const double side : {own, -own}) {
+        const auto place = place_at(walls, vehicle, from, offset, side, body, wanted);
+        if (place) return place;
+      }
+      if (away == 0.0) break;
+    }
+  }
+  return std::nullopt;
+}
+
+bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius) {
+  const double least = least_distance(vehicle, point);
+  return least < radius + kPast && least < distance_to(vehicle, point) - kSwing;
+}
+
+std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
+                                const Vec2& from, const BodyBeside& body) {
+  const Rectangle frame = rectangle_of(vehicle);
+  const double away = angle_of(from - frame.centre);
+  for (double step = kRing; step <= kFarthestClear; step += kRing) {
+    for (int k = 0; k < kDirections; ++k) {
+      const int turn = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // straight away from it first
+      const Vec2 to = from + unit(away + turn * 2.0 * kPi / kDirections) * step;
+      if (!fits(walls, from, to, body.turned) || runs_through(frame, from, to)) continue;
+      if (least_distance(vehicle, to) >= body.radius + kPast) return to;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<SideWay> way_beside(const WallIndex& walls, const VehicleState& vehicle, double side,
+                                  const BodyBeside& body) {
+  const Rectangle frame = rectangle_of(vehicle);
+  const auto free_at = [&](double beyond) {
+    const double lateral = side * (frame.half.y() + beyond);
+    const Vec2 ahead = frame.out_of_frame({frame.half.x(), lateral});
+    const Vec2 behind = frame.out_of_frame({-frame.half.x(), lateral});
+    return walls.inside(ahead) && walls.free_line(ahead, behind, body.turned + kTouch);
+  };
+  const double least = body.turned + kTouch, most = 2.0 * body.radius + kStraight;
+  double first = -1.0, last = -1.0;
+  for (double beyond = least; beyond <= most; beyond += 0.2 * kSideStep) {
+    if (free_at(beyond)) {
+      if (first < 0.0) first = beyond;
+      last = beyond;
+    } else if (first >= 0.0) {
+      break;
+    }
+  }
+  if (first < 0.0) return std::nullopt;
+  const bool narrow = last + body.turned + kTouch < most;
+  return SideWay{side * (frame.half.y() + 0.5 * (first + last)), narrow};
+}
+
+}  // namespace pedzone

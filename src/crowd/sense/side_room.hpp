@@ -1,0 +1,54 @@
+// Room beside vehicles in narrow streets, for bodies with their shoulders turned.
+//
+//      wall =========================================
+//               x            x: stands aside, while the vehicle drives past; or goes past it
+//         [ vehicle ]  ->       while it stands
+//
+//      wall =========================================
+#pragma once
+
+#include <optional>
+
+#include "geometry/wall_index.hpp"
+#include "world/snapshot.hpp"
+
+namespace pedzone {
+
+/// A body beside a vehicle.
+struct BodyBeside {
+  double radius = 0.24;  ///< [m] with straight shoulders
+  double turned = 0.12;  ///< [m] with its shoulders turned
+};
+
+/// Distance [m] to which a vehicle that drives on along its way comes to a point; 0: runs over it.
+double least_distance(const VehicleState& vehicle, const Vec2& point);
+
+/// The nearest place to `from` [m], a place ahead of the vehicle on its way, to which a body can
+/// step from there and let the vehicle drive past: with its shoulders turned it fits between the
+/// vehicle's way and a wall, the full body is not touched. Of the places at one distance along the
+/// way that with most room, up to `wanted` [m] beyond the vehicle's side. Nothing where there is
+/// none within reach.
+std::optional<Vec2> place_aside(const WallIndex& walls, const VehicleState& vehicle,
+                                const Vec2& from, const BodyBeside& body, double wanted);
+
+/// Whether the vehicle, driving on along its way, comes nearer than now to a body at `point` [m]
+/// and touches it, or nearly so: the rear of a vehicle that turns.
+bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius);
+
+/// The nearest place to `from` [m] to which a turned body can step out of what the vehicle is about
+/// to sweep. Nothing where there is none within a few steps.
+std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
+                                const Vec2& from, const BodyBeside& body);
+
+/// A way along a standing vehicle from one end to the other.
+struct SideWay {
+  double lateral = 0.0;  ///< [m] from the vehicle's axis, positive to the left
+  bool narrow = false;   ///< passable with turned shoulders only
+};
+
+/// The way along the vehicle's left (side 1) or right side (-1); nothing where a turned body does
+/// not fit.
+std::optional<SideWay> way_beside(const WallIndex& walls, const VehicleState& vehicle, double side,
+                                  const BodyBeside& body);
+
+}  // namespace pedzone

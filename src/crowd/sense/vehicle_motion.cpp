@@ -1,0 +1,63 @@
+#include "crowd/sense/vehicle_motion.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "geometry/polyline.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kChord = 0.1;      // [m] numerical: shorter ones have no direction
+constexpr double kOnWay = 0.02;     // [m] numerical: a vehicle on its way is that near to it
+constexpr double kStanding = 1e-3;  // [m/s] numerical
+
+Vec2 turned(const Vec2& v, double angle) {
+  const Vec2 e = unit(angle);
+  return {v.x() * e.x() - v.y() * e.y(), v.x() * e.y() + v.y() * e.x()};
+}
+
+/// [m] that the rear has gone along the way; nothing where the vehicle is not on it, or reverses.
+std::optional<double> place_on_way(const VehicleState& vehicle) {
+  if (vehicle.way.size() < 3) return std::nullopt;
+  const Vec2 axis = unit(vehicle.heading);
+  if (vehicle.velocity.dot(axis) < kStanding) return std::nullopt;
+  const LineProjection front =
+      project_on(vehicle.way, vehicle.centre + axis * (0.5 * vehicle.length));
+  if (std::abs(front.lateral) > kOnWay) return std::nullopt;
+  return front.offset - vehicle.length;
+}
+
+}  // namespace
+
+Rectangle body_on_way(const VehicleState& vehicle, double travelled) {
+  const Vec2 rear = point_on(vehicle.way, travelled).point;
+  const LinePoint front = point_on(vehicle.way, travelled + vehicle.length);
+  const Vec2 along = front.point - rear;
+  const double chord = along.norm();
+  const Vec2 axis = chord > kChord ? Vec2(along / chord) : front.direction;
+  return {front.point - axis * (0.5 * vehicle.length),
+          axis,
+          {0.5 * vehicle.length, 0.5 * vehicle.width}};
+}
+
+VehicleState moved_on(const VehicleState& vehicle, double dt) {
+  VehicleState later = vehicle;
+  if (const auto rear = place_on_way(vehicle)) {
+    const double travelled = *rear + vehicle.velocity.norm() * dt;
+    if (travelled + vehicle.length <= length_of(vehicle.way)) {
+      const Rectangle body = body_on_way(vehicle, travelled);
+      later.centre = body.centre;
+      later.heading = angle_of(body.axis);
+      later.velocity = turned(vehicle.velocity, later.heading - vehicle.heading);
+      return later;
+    }
+  }
+  const double angle = vehicle.yaw_rate * dt;
+  later.centre += turned(vehicle.velocity, 0.5 * angle) * dt;
+  later.velocity = turned(vehicle.velocity, angle);
+  later.heading = wrap_angle(vehicle.heading + angle);
+  return later;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+"""Runs scenes of narrow streets with pedzone and in plain SUMO, and compares.
+
+usage: narrow.py PEDZONE [--model M] [--keep FOLDER] [--brakings] SCENE...
+
+For each scene: nobody walks longer than 3 times plain SUMO's time + 20 s, everybody arrives, no vehicle
+is teleported, no vehicle meets another, and with --brakings SUMO tells of no more emergency brakings
+than in plain SUMO + 10 %. Everything is read from SUMO's own outputs and messages.
+"""
+
+import argparse
+import re
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from narrow_scenes import ENVIRONMENT, SCENES
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "check"))
+import outputs  # noqa: E402
+
+LONGER, MORE = 3.0, 20.0  # a walk may take so many times plain SUMO's time, and so many [s] more
+MORE_BRAKINGS = 1.1
+
+
+@dataclass
+class Told:
+    """What one run tells of itself."""
+    walks: dict            # person -> [s], None: has not arrived
+    drives: dict           # vehicle -> [s], None: has not arrived
+    teleports: int
+    collisions: int        # of vehicles with vehicles
+    brakings: int
+
+
+def run(command: list, folder: Path) -> Told:
+    folder.mkdir(parents=True, exist_ok=True)
+    options = ["--fcd-output", str(folder / "fcd.xml"),
+               "--tripinfo-output", str(folder / "tripinfo.xml"),
+               "--tripinfo-output.write-unfinished", "true",
+               "--statistic-output", str(folder / "statistics.xml")]
+    done = subprocess.run([*command, *options], env=ENVIRONMENT, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    (folder / "log.txt").write_text(done.stdout)
+    if done.returncode != 0:
+        raise SystemExit(f"{command[0]} ends with code {done.returncode}:\n{done.stdout[-2000:]}")
+    persons, vehicles = outputs.read_tripinfo(str(folder / "tripinfo.xml"))
+    text = done.stdout
+    return Told({name: trip.duration for name, trip in persons.items()},
+                {name: trip.duration if trip.arrived else None for name, trip in vehicles.items()},
+                len(re.findall(r"^Warning: Teleporting vehicle", text, re.M)),
+                len(re.findall(r"^Warning: Vehicle '[^']*'; (?:junction )?collision with vehicle",
+                               text, re.M)),
+                len(re.findall(r"^Warning: Vehicle '[^']*' performs emergency braking", text, re.M)))
+
+
+def compare(ours: Told, plain: Told, brakings: bool) -> list:
+    """What is wrong with our run."""
+    wrong = []
+    for name, usual in plain.walks.items():
+        if usual is None:
+            continue
+        time = ours.walks.get(name)
+        if time is None:
+            wrong.append(f"{name} never arrives, plain SUMO's after {usual:.0f} s")
+        elif time > LONGER * usual + MORE:
+            wrong.append(f"{name} walks for {time:.0f} s, plain SUMO's for {usual:.0f} s")
+    for name, usual in plain.drives.items():
+        if usual is not None and ours.drives.get(name) is None:
+            wrong.append(f"{name} never arrives")
+    if ours.teleports > plain.teleports:
+        wrong.append(f"{ours.teleports} teleports, plain SUMO's {plain.teleports}")
+    if ours.collisions > plain.collisions:
+        wrong.append(f"{ours.collisions} collisions, plain SUMO's {plain.collisions}")
+    if brakings and ours.brakings > MORE_BRAKINGS * plain.brakings:
+        wrong.append(f"{ours.brakings} emergency brakings, plain SUMO's {plain.brakings}")
+    return wrong
+
+
+def seconds(times: dict) -> str:
+    return " ".join("-" if time is None else f"{time:.0f}" for time in list(times.values())[:6])
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pedzone")
+    parser.add_argument("scene", nargs="+", help=f"all, or of {', '.join(SCENES)}")
+    parser.add_argument("--brakings", action="store_true", help="emergency brakings count, too")
+    parser.add_argument("--model")
+    parser.add_argument("--keep")
+    arguments = parser.parse_args()
+    names = list(SCENES) if arguments.scene == ["all"] else arguments.scene
+    failed = 0
+    with tempfile.TemporaryDirectory() as temporary:
+        for name in names:
+            folder = (Path(arguments.keep or temporary) / name).resolve()
+            config, zone = SCENES[name].write(folder)
+            plain = run(["sumo", "-c", str(config), "--no-step-log"], folder / "plain")
+            model = ["--model", arguments.model] if arguments.model else []
+            ours = run([arguments.pedzone, "run", str(config), "--zone", str(zone), *model,
+                        "--threads", "1", "--"], folder / "run")
+            wrong = compare(ours, plain, arguments.brakings)
+            failed += bool(wrong)
+            print(f"{name}: walks {seconds(ours.walks)} (plain {seconds(plain.walks)}), drives "
+                  f"{seconds(ours.drives)} (plain {seconds(plain.drives)}), "
+                  f"{ours.brakings} emergency brakings (plain {plain.brakings}): "
+                  + ("; ".join(wrong) or "fine"), flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,184 @@
+"""Narrow streets in which people and vehicles meet: each a scene with a network, demand and a zone.
+
+The streets have one lane of 3.2 m and no sidewalk, so people walk on the lane itself. SUMO's striping
+has them keep to its edge, and its vehicles slow down for whom they would touch.
+"""
+
+import os
+import subprocess
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass, field
+from pathlib import Path
+
+ENVIRONMENT = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
+STREET = {"numLanes": "1", "speed": "8.33", "width": "3.2"}
+TYPES = {"person": {"vClass": "pedestrian"},
+         "car": {"vClass": "passenger"},
+         "van": {"vClass": "delivery", "length": "6.5", "width": "2.16"},
+         "bus": {"vClass": "bus", "length": "9", "width": "2.5"}}
+
+
+@dataclass
+class Scene:
+    """What netconvert and SUMO are given; zone: ids of edges, separated by spaces."""
+    nodes: dict                    # id -> (x, y)
+    edges: dict                    # id -> (from, to, further attributes)
+    zone: str
+    demand: list = field(default_factory=list)  # (depart [s], element)
+    sidewalks: bool = False
+
+    def person(self, name: str, depart: float, edges: str, **walk) -> "Scene":
+        node = ET.Element("person", {"id": name, "type": "person", "depart": f"{depart:g}"})
+        if "departPos" in walk:
+            node.set("departPos", walk.pop("departPos"))
+        ET.SubElement(node, "walk", {"edges": edges, **walk})
+        self.demand.append((depart, node))
+        return self
+
+    def vehicle(self, name: str, depart: float, edges: str, kind: str = "car", stop=None,
+                **more) -> "Scene":
+        node = ET.Element("vehicle", {"id": name, "type": kind, "depart": f"{depart:g}", **more})
+        ET.SubElement(node, "route", {"edges": edges})
+        if stop:
+            ET.SubElement(node, "stop", stop)
+        self.demand.append((depart, node))
+        return self
+
+    def write(self, folder: Path) -> tuple:
+        """(sumocfg, zone file) in the folder."""
+        folder.mkdir(parents=True, exist_ok=True)
+        self.write_network(folder)
+        routes = ET.Element("routes")
+        for name, attributes in TYPES.items():
+            ET.SubElement(routes, "vType", {"id": name, **attributes})
+        routes.extend(node for _, node in sorted(self.demand, key=lambda pair: pair[0]))
+        ET.ElementTree(routes).write(folder / "scene.rou.xml")
+        config = ET.Element("configuration")
+        for key, value in (("net-file", "scene.net.xml"), ("route-files", "scene.rou.xml"),
+                           ("step-length", "0.5"), ("end", "1200"),
+                           ("collision.check-junctions", "true"), ("collision.action", "warn")):
+            ET.SubElement(config, key, {"value": value})
+        ET.ElementTree(config).write(folder / "scene.sumocfg")
+        zones = ET.Element("zones")
+        ET.SubElement(zones, "zone", {"id": "shared", "edges": self.zone})
+        ET.ElementTree(zones).write(folder / "scene.zone.xml")
+        return folder / "scene.sumocfg", folder / "scene.zone.xml"
+
+    def write_network(self, folder: Path) -> None:
+        nodes, edges = ET.Element("nodes"), ET.Element("edges")
+        for name, (x, y) in self.nodes.items():
+            ET.SubElement(nodes, "node", {"id": name, "x": f"{x}", "y": f"{y}"})
+        for name, (start, end, more) in self.edges.items():
+            ET.SubElement(edges, "edge", {"id": name, "from": start, "to": end, **STREET, **more})
+        ET.ElementTree(nodes).write(folder / "scene.nod.xml")
+        ET.ElementTree(edges).write(folder / "scene.edg.xml")
+        options = ["--crossings.guess", "--crossings.guess.speed-threshold=20"] if self.sidewalks else []
+        subprocess.run(["netconvert", "-n", "scene.nod.xml", "-e", "scene.edg.xml", "-o",
+                        "scene.net.xml", "--no-turnarounds", *options], cwd=folder, check=True,
+                       env=ENVIRONMENT, stdout=subprocess.DEVNULL)
+
+
+def street(zone: str = "before lane after") -> Scene:
+    """Three edges in a row, 60, 100 and 60 m."""
+    return Scene({"a": (0, 0), "b": (60, 0), "c": (160, 0), "d": (220, 0)},
+                 {"before": ("a", "b", {}), "lane": ("b", "c", {}), "after": ("c", "d", {})}, zone)
+
+
+WHOLE = "before lane after"
+
+
+def cars(scene: Scene, count: int, first: float, apart: float = 3.0, kind: str = "car") -> Scene:
+    for k in range(count):
+        scene.vehicle(f"{kind}{k}", first + apart * k, WHOLE, kind)
+    return scene
+
+
+def head_on(count: int, zone: str = WHOLE, kind: str = "car") -> Scene:
+    """One walks against the traffic."""
+    scene = street(zone)
+    scene.person("walker", 0, "after lane before", departPos="50", arrivalPos="5")
+    return cars(scene, count, 10, kind=kind)
+
+
+def from_behind(count: int, zone: str = WHOLE, kind: str = "car") -> Scene:
+    """One walks ahead of the traffic."""
+    scene = street(zone)
+    scene.person("walker", 0, WHOLE, departPos="30", arrivalPos="55")
+    return cars(scene, count, 10, kind=kind)
+
+
+def within_lane(forward: bool, count: int, departs: float, kind: str = "car") -> Scene:
+    """The walk begins and ends on the one edge of the zone, where cars come through."""
+    scene = street("lane")
+    ends = {"departPos": "12", "arrivalPos": "90"}
+    if not forward:
+        ends = {"departPos": "90", "arrivalPos": "12"}
+    scene.person("walker", 0, "lane", **ends)
+    return cars(scene, count, departs, kind=kind)
+
+
+def one_edge(forward: bool, count: int, kind: str = "car") -> Scene:
+    """Network of one edge: nothing but the lane."""
+    scene = Scene({"a": (0, 0), "b": (100, 0)}, {"lane": ("a", "b", {})}, "lane")
+    ends = {"departPos": "20", "arrivalPos": "96"}
+    if not forward:
+        ends = {"departPos": "96", "arrivalPos": "20"}
+    scene.person("walker", 0, "lane", **ends)
+    for k in range(count):
+        scene.vehicle(f"{kind}{k}", 5 + 3 * k, "lane", kind)
+    return scene
+
+
+def stopped(forward: bool, kind: str = "car") -> Scene:
+    """A vehicle stands in the lane for two minutes; people of both directions come by."""
+    scene = street()
+    scene.vehicle("standing", 0, WHOLE, kind,
+                  stop={"lane": "lane_0", "endPos": "50", "duration": "120"})
+    for k in range(3):
+        if forward:
+            scene.person(f"walker{k}", 10 + 5 * k, WHOLE, departPos="30", arrivalPos="55")
+        else:
+            scene.person(f"walker{k}", 10 + 5 * k, "after lane before", departPos="50",
+                         arrivalPos="5")
+    return scene
+
+
+def zone_end(seed: int, people: int = 20, vans: int = 10) -> Scene:
+    """A zone of one street ends at a junction that it shares with two ordinary ones: vans come
+    through the junction, people leave the zone over it."""
+    import random
+    rng = random.Random(seed)
+    nodes = {"w": (-80, 0), "m": (0, 0), "e": (80, 0), "n": (0, 80), "s": (0, -80)}
+    edges = {}
+    for other in "wens":
+        walk = {} if other == "s" else {"sidewalkWidth": "2"}
+        edges[f"{other}m"] = (other, "m", walk)
+        edges[f"m{other}"] = ("m", other, walk)
+    scene = Scene(nodes, edges, "sm ms", sidewalks=True)
+    for k in range(people):
+        goal = rng.choice("wen")
+        depart = round(rng.uniform(0, 120), 1)
+        if rng.random() < 0.5:
+            scene.person(f"out{k}", depart, f"sm m{goal}", departPos="10", arrivalPos="50")
+        else:
+            scene.person(f"in{k}", depart, f"{goal}m ms", departPos="40", arrivalPos="60")
+    for k in range(vans):
+        start, end = rng.sample("wens", 2)
+        scene.vehicle(f"van{k}", round(rng.uniform(0, 150), 1), f"{start}m m{end}", "van")
+    return scene
+
+
+SCENES = {}
+for _count in (1, 3):
+    for _kind in ("car", "van", "bus"):
+        SCENES[f"head-on-{_count}-{_kind}"] = head_on(_count, kind=_kind)
+        SCENES[f"from-behind-{_count}-{_kind}"] = from_behind(_count, kind=_kind)
+        SCENES[f"within-forward-{_count}-{_kind}"] = within_lane(True, _count, 4, kind=_kind)
+        SCENES[f"within-back-{_count}-{_kind}"] = within_lane(False, _count, 4, kind=_kind)
+        SCENES[f"one-edge-forward-{_count}-{_kind}"] = one_edge(True, _count, kind=_kind)
+        SCENES[f"one-edge-back-{_count}-{_kind}"] = one_edge(False, _count, kind=_kind)
+for _kind in ("car", "van", "bus"):
+    SCENES[f"stopped-forward-{_kind}"] = stopped(True, _kind)
+    SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
+for _seed in range(24):
+    SCENES[f"zone-end-{_seed}"] = zone_end(_seed)

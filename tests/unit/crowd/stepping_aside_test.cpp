@@ -1,0 +1,119 @@
+// Narrow streets: people and vehicles that cannot both stay where they are.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "crowd/sense/side_room.hpp"
+#include "crowd/sense/vehicle_motion.hpp"
+#include "scene.hpp"
+
+namespace pedzone::test {
+namespace {
+
+constexpr double kRadius = 0.24, kTurned = 0.12;  // [m]
+
+/// A street along x with a vehicle in its middle, `beside` [m] from its sides to the walls.
+class NarrowStreet {
+ public:
+  NarrowStreet(double beside, double claim, double speed = 0.0)
+      : zone_(zone_of(box(-30.0, -1.0 - beside, 60.0, 1.0 + beside))), scene_(zone_) {
+    vehicle_ = vehicle_at({-2.0, 0.0}, 0.0, speed, 4.0, 2.0);
+    vehicle_.way = way_;
+    vehicle_.claim = claim;
+  }
+
+  std::size_t add(const Vec2& from, const Vec2& to) {
+    return scene_.add(from, Destination{to, to}, 1.3, 0.0);
+  }
+  void run(double seconds) {
+    for (double t = 0.0; t < seconds; t += 0.1) {
+      scene_.vehicles = {vehicle_};
+      scene_.step();
+      least_ = std::min(least_, distance_to(vehicle_, view(0).position));
+    }
+  }
+  const PersonView& view(std::size_t person) const { return scene_.people[person].view; }
+  const Scene& scene() const { return scene_; }
+  double least_distance_so_far() const { return least_; }
+
+ private:
+  Polyline way_{{-4.0, 0.0}, {0.0, 0.0}, {40.0, 0.0}};
+  VehicleState vehicle_;
+  Zone zone_;
+  Scene scene_;
+  double least_ = 1e9;  ///< [m]
+};
+
+TEST(SteppingAside, turned_at_the_wall_people_leave_room_for_the_vehicle) {
+  NarrowStreet street(0.52, 8.0);  // a van in a lane of 3.2 m
+  street.add({3.0, 0.1}, {-20.0, 0.0});
+  street.run(5.0);
+  const PersonView& person = street.view(0);
+  EXPECT_NEAR(person.position.x(), 3.0, 0.5) << "has no need to walk ahead of it";
+  EXPECT_GE(std::abs(person.position.y()), 1.0 + kRadius + 0.05);
+  EXPECT_LT(person.radius, 0.6 * kRadius);
+  EXPECT_EQ(person.motion, Motion::kWaiting);
+}
+
+TEST(SteppingAside, past_a_vehicle_that_they_cannot_let_by_people_go_themselves) {
+  NarrowStreet street(0.35, 8.0);  // a bus in a lane of 3.2 m
+  const std::size_t person = street.add({2.0, 0.1}, {-20.0, 0.0});
+  street.run(25.0);
+  EXPECT_GT(street.scene().people[person].arrival_time, 0.0);
+  EXPECT_GT(street.least_distance_so_far(), kTurned);
+}
+
+TEST(SteppingAside, a_parked_vehicle_is_passed_in_the_same_way) {
+  for (const double from : {6.0, -10.0}) {
+    NarrowStreet street(0.35, 0.0);
+    const std::size_t person = street.add({from, 0.0}, {from > 0.0 ? -20.0 : 20.0, 0.0});
+    street.run(40.0);
+    EXPECT_GT(street.scene().people[person].arrival_time, 0.0) << from;
+  }
+}
+
+TEST(SteppingAside, nobody_goes_past_where_a_turned_body_does_not_fit) {
+  NarrowStreet street(0.25, 0.0);
+  const std::size_t person = street.add({6.0, 0.0}, {-20.0, 0.0});
+  street.run(20.0);
+  EXPECT_LT(street.scene().people[person].arrival_time, 0.0);
+  EXPECT_GT(street.view(person).position.x(), 0.0);
+}
+
+TEST(SteppingAside, of_two_that_meet_beside_a_vehicle_one_goes_back) {
+  NarrowStreet street(0.35, 0.0);
+  const std::size_t first = street.add({-0.5, 1.17}, {-20.0, 0.0});
+  const std::size_t second = street.add({-3.0, 1.17}, {20.0, 0.0});
+  street.run(60.0);
+  EXPECT_GT(street.scene().people[first].arrival_time, 0.0);
+  EXPECT_GT(street.scene().people[second].arrival_time, 0.0);
+}
+
+TEST(SideRoom, swings_over_who_stands_behind_the_corner) {
+  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
+  const Polyline left{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 30.0}};
+  vehicle.way = left;
+  EXPECT_TRUE(swings_over(vehicle, {-0.5, 1.4}, kRadius)) << "the body cuts the corner";
+  EXPECT_FALSE(swings_over(vehicle, {-3.5, 1.4}, kRadius));
+  EXPECT_FALSE(swings_over(vehicle, {-0.5, -2.0}, kRadius));
+  const WallIndex open(Region{Polygon{box(-20.0, -20.0, 20.0, 20.0), {}}});
+  const auto place = place_clear(open, vehicle, {-0.5, 1.4}, {kRadius, kTurned});
+  ASSERT_TRUE(place);
+  EXPECT_FALSE(swings_over(vehicle, *place, kRadius));
+  EXPECT_LT((*place - Vec2(-0.5, 1.4)).norm(), 4.0);
+}
+
+TEST(VehicleMotion, goes_along_its_way_and_not_along_a_chord_of_it) {
+  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 2.0, 4.0, 2.0);
+  const Polyline corner{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 30.0}};
+  vehicle.way = corner;
+  VehicleState later = vehicle;
+  for (int k = 0; k < 5; ++k) later = moved_on(later, 0.1);
+  EXPECT_TRUE(later.centre.isApprox(Vec2(-1.0, 0.0), 1e-9)) << "straight on to the corner first";
+  for (int k = 0; k < 5; ++k) later = moved_on(later, 0.1);
+  const Vec2 front = later.centre + unit(later.heading) * 2.0;
+  EXPECT_TRUE(front.isApprox(Vec2(1.0, 1.0), 1e-6)) << front.transpose();
+}
+
+}  // namespace
+}  // namespace pedzone::test
