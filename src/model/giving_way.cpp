@@ -8,7 +8,7 @@ namespace pedzone {
 namespace {
 
 constexpr float kSlow[] = {0.5F, 0.0F};  // shares of the speed
-constexpr float kHurry = 1.2F;  // assumed: the most that people hurry; 0.3 m/s of a usual speed
+constexpr float kHurry = 1.2F;      // assumed: the most that people hurry; 0.3 m/s of a usual speed
 constexpr float kPassReach = 8.0F;  // [m] measured (CITR, back): farther away nobody slows down
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr float kSlack = 1e-5F;           // numerical: share of d_max² that rounding may take
@@ -122,8 +122,8 @@ void GivingWay::price(const DirectionTask& task, const Parameters& parameters, s
     return pace >= dearest || pace > most;  // than what there is, or than may be spent
   };
   try_pace(task, 1.0F, 0.0F, parameters, first, kernel);
-  const float hurrying = unit * static_cast<float>(parameters.hurry_cost) * (hurry_ - 1.0F) *
-                         (hurry_ - 1.0F);
+  const float hurrying =
+      unit * static_cast<float>(parameters.hurry_cost) * (hurry_ - 1.0F) * (hurry_ - 1.0F);
   if (hurry_ > 1.0F && !too_dear(hurrying)) {
     try_pace(task, hurry_, hurrying, parameters, first, kernel);
   }
