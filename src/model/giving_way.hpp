@@ -15,8 +15,8 @@
 //
 // Who has chosen so walks on before or beside a car of little more than its own speed for as long
 // as that drives, since every choice looks T ahead only. So it slows down until such a car is past:
-// by the share p·a·min(1, a·|v|/V)·(1 − c/8 m), c its distance now. On the recordings (CITR, back)
-// people slow down from about 6 m on, to 0.87 of their speed beside it.
+// by the share p·a·g·(1 − c/8 m), c its distance now, g from 0 where a·|v| is V to 1 at 1.5 V. On
+// the recordings (CITR, back) people slow down from about 6 m on, to 0.87 of their speed beside it.
 #pragma once
 
 #include <span>
