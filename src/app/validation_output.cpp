@@ -121,11 +121,13 @@ std::string validation_json(const ValidationResult& result) {
 static std::string valley_table(const CalibrationResult& result) {
   std::string text =
       "Good points, scored with other seeds: misfit, standard error of what it has more than the\n"
-      "best, most that it has more than the best in any fold; v: within the error of the best (the\n"
+      "best, most that it has more than the best in any fold; v: within the error of the best "
+      "(the\n"
       "valley), *: of these the one on which the folds agree most, taken\n";
   for (const Finalist& finalist : result.finalists) {
-    text += fmt::format("  {:.3f} {:.3f} {:.3f} {}{}", finalist.misfit, finalist.error,
-                        finalist.regret, finalist.in_valley ? 'v' : ' ', finalist.chosen ? '*' : ' ');
+    text +=
+        fmt::format("  {:.3f} {:.3f} {:.3f} {}{}", finalist.misfit, finalist.error, finalist.regret,
+                    finalist.in_valley ? 'v' : ' ', finalist.chosen ? '*' : ' ');
     for (const Searched& searched : searched_parameters()) {
       text += fmt::format(" {}={}", searched.key,
                           finalist.parameters.*find_parameter(searched.key)->member);

@@ -9,7 +9,9 @@ namespace {
 
 constexpr float kSlow[] = {0.5F, 0.0F};  // shares of the speed
 constexpr float kHurry = 1.2F;  // assumed: the most that people hurry; 0.3 m/s of a usual speed
-constexpr float kPassReach = 8.0F;  // [m] measured (CITR, back): farther away nobody slows down
+constexpr float kMuchFaster = 1.5F;  // assumed: as fast as a vehicle must be to be let past fully;
+                                     // who is followed by one no faster walks ahead of it
+constexpr float kPassReach = 8.0F;   // [m] measured (CITR, back): farther away nobody slows down
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr float kSlack = 1e-5F;           // numerical: share of d_max² that rounding may take
 constexpr float kFullMarginSpeed = 0.5F;  // [m/s] slower vehicles have smaller margins (vehicle.md)
@@ -77,7 +79,8 @@ double GivingWay::pace_while_passed(const Walker& walker, std::span<const Vehicl
   for (const VehicleView& view : vehicles) {
     if (has_passed(view)) continue;
     const float along = drives_along(*view.shape, walker);
-    const float faster = std::min(1.0F, along * view.shape->speed / walker.speed);
+    const float ratio = along * view.shape->speed / walker.speed;
+    const float faster = std::clamp((ratio - 1.0F) / (kMuchFaster - 1.0F), 0.0F, 1.0F);
     const float near = std::max(0.0F, 1.0F - view.distance / kPassReach);
     most = std::max(most, along * faster * near);
   }
@@ -122,8 +125,8 @@ void GivingWay::price(const DirectionTask& task, const Parameters& parameters, s
     return pace >= dearest || pace > most;  // than what there is, or than may be spent
   };
   try_pace(task, 1.0F, 0.0F, parameters, first, kernel);
-  const float hurrying = unit * static_cast<float>(parameters.hurry_cost) * (hurry_ - 1.0F) *
-                         (hurry_ - 1.0F);
+  const float hurrying =
+      unit * static_cast<float>(parameters.hurry_cost) * (hurry_ - 1.0F) * (hurry_ - 1.0F);
   if (hurry_ > 1.0F && !too_dear(hurrying)) {
     try_pace(task, hurry_, hurrying, parameters, first, kernel);
   }

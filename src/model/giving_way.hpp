@@ -2,20 +2,21 @@
 // before contact. Source: the formulation of vehicle.md, fitted to recordings by `pedzone
 // calibrate`.
 //
-// Eq. 1 or 2 gets a further term. Of directions α and speed shares s ∈ {1, 1.2, ½, 0} (1.2 as far as
-// the person can walk so fast) that pair is chosen for which
+// Eq. 1 or 2 gets a further term. Of directions α and speed shares s ∈ {1, 1.2, ½, 0} (1.2 as far
+// as the person can walk so fast) that pair is chosen for which
 //     d(α) + d_max²·[k·h(α, s) + w·(1 − s)²]
-// is smallest, w being another one for hurrying (s > 1) than for slowing down, h the worst discomfort that any vehicle is within the next T, if it keeps its
-// velocity and the person is taken to stop where something that stands blocks its way (a wall it
-// cannot walk through is no way out), with the margin m = (m0 + m_v·|v|)·(1 + r·a)·exp(σ·z), z
-// each person's own standard normal number, a = max(0, cos) of the angle between the vehicle's
-// velocity and the person's heading: what comes from behind cannot be watched. A slow vehicle's
-// margin fades: a parked one is passed close. With k = 0 nothing is left of it.
+// is smallest, w being another one for hurrying (s > 1) than for slowing down, h the worst
+// discomfort that any vehicle is within the next T, if it keeps its velocity and the person is
+// taken to stop where something that stands blocks its way (a wall it cannot walk through is no way
+// out), with the margin m = (m0 + m_v·|v|)·(1 + r·a)·exp(σ·z), z each person's own standard normal
+// number, a = max(0, cos) of the angle between the vehicle's velocity and the person's heading:
+// what comes from behind cannot be watched. A slow vehicle's margin fades: a parked one is passed
+// close. With k = 0 nothing is left of it.
 //
-// Who has chosen so walks on before or beside a car of little more than its own speed for as long as
-// that drives, since every choice looks T ahead only. So it slows down until such a car is past: by
-// the share p·a·min(1, a·|v|/V)·(1 − c/8 m), c its distance now. On the recordings (CITR, back)
-// people slow down from about 6 m on, to 0.87 of their speed beside it.
+// Who has chosen so walks on before or beside a car of little more than its own speed for as long
+// as that drives, since every choice looks T ahead only. So it slows down until such a car is past:
+// by the share p·a·g·(1 − c/8 m), c its distance now, g from 0 where a·|v| is V to 1 at 1.5 V. On
+// the recordings (CITR, back) people slow down from about 6 m on, to 0.87 of their speed beside it.
 #pragma once
 
 #include <span>
@@ -44,7 +45,8 @@ class GivingWay {
   static double pace_while_passed(const Walker& walker, std::span<const VehicleView> vehicles,
                                   const Parameters& parameters);
 
-  /// Over the whole circle, after notice(). `most_share`: of the speed, at most, >= 1. `known`: the choice that knows nothing of discomfort.
+  /// Over the whole circle, after notice(). `most_share`: of the speed, at most, >= 1. `known`: the
+  /// choice that knows nothing of discomfort.
   PacedChoice choose(const Candidates& candidates, const DirectionTask& task,
                      const Parameters& parameters, DirectionChoice known, double most_share,
                      const DirectionKernel& kernel);

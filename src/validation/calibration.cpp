@@ -14,10 +14,11 @@
 namespace pedzone {
 namespace {
 
-// m0 at most 0.6 m: with more, people turn round before a vehicle that creeps along a lane of 4 m.
+// T at least 4.5 s: with less, somebody hurries before a car of 2 m/s that then reaches it. m0 at
+// most 0.6 m: with more, people turn round before a vehicle that creeps along a lane of 4 m.
 constexpr Searched kSearched[] = {
     {"discomfort", 0.7, 6.0, true},     {"discomfortMargin", 0.0, 0.6},
-    {"discomfortMarginTime", 0.2, 1.0}, {"discomfortHorizon", 2.5, 5.5},
+    {"discomfortMarginTime", 0.2, 1.0}, {"discomfortHorizon", 4.5, 5.5},
     {"slowingCost", 0.06, 0.8, true},   {"marginSpread", 0.0, 0.5},
     {"roomBehind", 0.0, 0.8},           {"lettingPass", 0.1, 0.5},
 };

@@ -8,9 +8,9 @@
 //
 // Choice: the misfit is flat along a valley, in which the best single point is an accident of the
 // clips. So of the points within one standard error of the best (of the difference of the two, by
-// bootstrap over clips; Breiman et al. 1984, the one standard error rule) that one is taken on which
-// the folds agree most: whose worst fold, a site or a manoeuvre left out, is nearest to the best of
-// that fold. The whole valley is reported.
+// bootstrap over clips; Breiman et al. 1984, the one standard error rule) that one is taken on
+// which the folds agree most: whose worst fold, a site or a manoeuvre left out, is nearest to the
+// best of that fold. The whole valley is reported.
 #pragma once
 
 #include <functional>
@@ -56,7 +56,7 @@ struct FoldResult {
 struct Finalist {
   Parameters parameters;
   double misfit = 0.0;
-  double error = 0.0;  ///< standard error of what it has more than the best
+  double error = 0.0;   ///< standard error of what it has more than the best
   double regret = 0.0;  ///< how much more misfit than the best, in the fold where that is most
   bool in_valley = false, chosen = false;
 };

@@ -7,10 +7,10 @@
 namespace pedzone {
 namespace {
 
-constexpr double kTogether = 1.5;   // [m] assumed: the distance that groups keep (groups.hpp)
-constexpr int kLeastFrames = 20;    // 2 s
-constexpr double kSameWay = 0.7;    // cos 45 degrees
-constexpr double kMost = 0.5;       // share of the longer track
+constexpr double kTogether = 1.5;  // [m] assumed: the distance that groups keep (groups.hpp)
+constexpr int kLeastFrames = 20;   // 2 s
+constexpr double kSameWay = 0.7;   // cos 45 degrees
+constexpr double kMost = 0.5;      // share of the longer track
 
 struct Pair {
   double apart;  ///< [m] mean

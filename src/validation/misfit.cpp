@@ -12,8 +12,9 @@ namespace {
 
 double squared(double x) { return x * x; }
 
-/// Means of the persons, each as often as `in` says, walked and recorded, each figure over the seeds that have
-/// it: where nobody's way crosses a vehicle's in one seed, the others still tell the order.
+/// Means of the persons, each as often as `in` says, walked and recorded, each figure over the
+/// seeds that have it: where nobody's way crosses a vehicle's in one seed, the others still tell
+/// the order.
 struct Mean {
   Figures walked{}, recorded{};
   bool any = false;

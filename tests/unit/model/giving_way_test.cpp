@@ -219,8 +219,8 @@ double value_of(const Scene& scene, const std::vector<Obstacle>& around, const D
   const PersonSpec& p = scene.people[0];
   double least = 1e300;
   for (const double share : kShares) {
-    const double speed =
-        std::min(static_cast<double>(static_cast<float>(share)) * p.speed, d.free_distance / scene.parameters.collision_time);
+    const double speed = std::min(static_cast<double>(static_cast<float>(share)) * p.speed,
+                                  d.free_distance / scene.parameters.collision_time);
     if (std::abs(speed - d.speed) > 1e-9) continue;
     const double offset = wrap_angle(d.direction - p.heading);
     least = std::min(least, total_value(scene, around, offset, share, caution).least);

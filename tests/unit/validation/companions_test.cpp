@@ -26,8 +26,7 @@ TEST(Companions, walk_within_a_metre_and_a_half_in_one_direction) {
 
 TEST(Companions, are_not_those_who_meet_or_are_near_for_a_while_only) {
   Clip clip;
-  clip.persons = {walks({0, 0}, {1.3, 0}), walks({1, 0.5}, {-0.1, 0}),
-                  walks({0, -1}, {1.3, -0.5})};
+  clip.persons = {walks({0, 0}, {1.3, 0}), walks({1, 0.5}, {-0.1, 0}), walks({0, -1}, {1.3, -0.5})};
   for (const std::uint64_t group : companions(clip)) EXPECT_EQ(group, 0U);
   // Near all the time that both are there, but that is a third of the longer track.
   clip.persons = {walks({0, 0}, {1.3, 0}), walks({5.2, 1}, {1.3, 0}, 40, 25)};
