@@ -1,6 +1,8 @@
 #include "sumo/plan/fleet.hpp"
 
 #include <algorithm>
+#include <set>
+#include <unordered_map>
 
 #include "core/random.hpp"
 #include "world/speeds.hpp"
@@ -11,8 +13,6 @@ namespace {
 constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
 constexpr double kLookAhead = 30.0;    // [m] numerical: least length of the way that is built
 constexpr double kWaitingSpeed = 0.5;  // [m/s] numerical: slower vehicles wait
-constexpr double kOffWay = 0.3;  // [m] numerical: a front farther from where it was to go left that
-constexpr double kTurned = 0.1;  // [rad] numerical: a body turned otherwise than its trail
 constexpr double kMoved = 0.01;        // [m] numerical: less than this in a step gives no direction
 
 /// What is carried over from a vehicle's last step, of `dt` [s].
@@ -26,43 +26,6 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.waits = !told && std::max(old.speed, vehicle.speed) < kHaltingSpeed;
   const Vec2 moved = vehicle.centre() - old.centre();
   if (dt > 0.0 && moved.norm() > kMoved) vehicle.velocity = moved.normalized() * vehicle.speed;
-}
-
-/// The part of a line from `begin` to `end` [m].
-Polyline part_of(const Polyline& line, double begin, double end) {
-  Polyline part{point_on(line, begin).point};
-  double passed = 0.0;
-  for (std::size_t i = 1; i < line.size() && passed < end; ++i) {
-    passed += (line[i] - line[i - 1]).norm();
-    if (passed > begin && passed < end) part.push_back(line[i]);
-  }
-  part.push_back(point_on(line, end).point);
-  return part;
-}
-
-/// Lets the way begin on the lanes that the body still is on, as SUMO draws it: from its last way,
-/// where the front has kept to that. Else the body stands straight on its way.
-void lead_rear(const FleetVehicle& old, FleetVehicle& vehicle) {
-  if (old.way.size() < 3 || vehicle.way.size() < 3 || old.lane < 0) return;
-  const double length = vehicle.traits.length;
-  const LineProjection front = project_on(old.way, vehicle.front);
-  if (std::abs(front.lateral) > kOffWay || front.offset < length) return;
-  Polyline trail = part_of(old.way, front.offset - length, front.offset);
-  trail.back() = vehicle.front;
-  const Vec2 chord = vehicle.front - trail.front();
-  if (chord.norm() < kMoved) return;
-  if (std::abs(wrap_angle(angle_of(chord) - vehicle.heading)) > kTurned) return;
-  trail.insert(trail.end(), vehicle.way.begin() + 2, vehicle.way.end());
-  vehicle.way = std::move(trail);
-}
-
-/// Whether `other` is in the junction that `vehicle` comes to or is in, or comes to it from
-/// another edge.
-bool meets_at_junction(const Network& network, const FleetVehicle& vehicle,
-                       const FleetVehicle& other) {
-  if (&vehicle == &other || vehicle.junction.junction != other.junction.junction) return false;
-  if (vehicle.lane < 0 || other.lane < 0) return false;
-  return network.lanes[vehicle.lane].edge != network.lanes[other.lane].edge;
 }
 
 /// [m/s] it will drive at most in the next step of `dt` [s].
@@ -102,7 +65,8 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
 
 }  // namespace
 
-Fleet::Fleet(const Network& network, const std::vector<Zone>& zones) : network_(network), ways_(network, zones) {
+Fleet::Fleet(const Network& network, const std::vector<Zone>& zones)
+    : network_(network), ways_(network, zones) {
   for (const Zone& zone : zones) {
     grip_ = std::min(grip_, zone.weather->deceleration);
     Vec2 low(1e18, 1e18), high(-1e18, -1e18);
@@ -139,14 +103,23 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     }
     const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
     ways_.look(vehicle, braking + kLookAhead);
-    if (before != previous_index_.end()) lead_rear(previous_[before->second], vehicle);
     vehicles_.push_back(std::move(vehicle));
   }
+  share_junctions();
+}
+
+/// Tells which vehicles come to a junction, or are in it, with others from another edge.
+void Fleet::share_junctions() {
+  std::unordered_map<int, std::set<int>> edges;  // by junction
+  const auto edge_of = [&](const FleetVehicle& v) { return network_.lanes[v.lane].edge; };
+  for (const FleetVehicle& vehicle : vehicles_) {
+    if (vehicle.junction.junction >= 0 && vehicle.lane >= 0) {
+      edges[vehicle.junction.junction].insert(edge_of(vehicle));
+    }
+  }
   for (FleetVehicle& vehicle : vehicles_) {
-    if (vehicle.junction.junction < 0) continue;
-    vehicle.junction.shared = std::ranges::any_of(vehicles_, [&](const FleetVehicle& other) {
-      return meets_at_junction(network_, vehicle, other);
-    });
+    const auto found = edges.find(vehicle.junction.junction);
+    vehicle.junction.shared = found != edges.end() && vehicle.lane >= 0 && found->second.size() > 1;
   }
 }
 

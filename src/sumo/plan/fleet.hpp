@@ -38,6 +38,8 @@ class Fleet {
   const FleetVehicle* waiting_beside(const Vec2& point, double margin) const;
 
  private:
+  void share_junctions();
+
   const Network& network_;
   WayAhead ways_;
   double grip_ = 1.0;
