@@ -134,7 +134,7 @@ TEST_F(PerceptionInACrowd, who_is_invited_goes_first) {
     person.profile = &profile;
     person.aware = true;
     const auto handle = scene.add(person);
-    scene.vehicles = {car({28, 20}, 0.0, 2.0)};
+    scene.vehicles = {car({21, 20}, 0.0, 3.0)};
     scene.vehicles.front().invites = invites;
     while (scene.time < 60 && scene.people[handle].view.position.y() < 24) scene.step();
     crossed[invites ? 1 : 0] = scene.time;
