@@ -84,7 +84,9 @@ Json table_columns() {
                          {"edge", edge_of(f)},
                          {"title", info.title},
                          {"unit", info.unit},
-                         {"scale", info.count ? "persons" : info.unit.empty() ? "0–1" : info.unit},
+                         {"scale", info.count          ? "persons"
+                                   : info.unit.empty() ? "0–1"
+                                                       : info.unit},
                          {"meaning", info.meaning}});
     }
   }
