@@ -220,7 +220,8 @@ TEST_F(Page, gives_intervals_from_five_clips_on_and_none_of_counts) {
 TEST_F(Page, tells_in_its_first_paragraph_what_the_default_was_tuned_on) {
   const auto first = [&] {
     pugi::xml_document header;
-    EXPECT_TRUE(header.load_string(("<p " + between("<p class=\"tuned\"", "</p>") + "</p>").c_str()));
+    EXPECT_TRUE(
+        header.load_string(("<p " + between("<p class=\"tuned\"", "</p>") + "</p>").c_str()));
     std::string text;
     for (const auto& node : header.select_nodes("//text()")) text += node.node().value();
     return text;
@@ -242,9 +243,9 @@ TEST_F(Page, tells_in_its_first_paragraph_what_the_default_was_tuned_on) {
 
 TEST(TunedClips, are_listed_with_what_differs_in_a_number_once) {
   EXPECT_EQ(listed({}), "");
-  EXPECT_EQ(listed({{"a", "back_01"}, {"a", "back_02"}, {"a", "front"}, {"b", "front_1"},
-                    {"b", "7"}}),
-            "a: back_01, 02, front; b: front_1, 7");
+  EXPECT_EQ(
+      listed({{"a", "back_01"}, {"a", "back_02"}, {"a", "front"}, {"b", "front_1"}, {"b", "7"}}),
+      "a: back_01, 02, front; b: front_1, 7");
 }
 
 /// The crossings of one person whose recorded way and walked way pass a vehicle so long after it.
@@ -263,16 +264,18 @@ Figures crossings(std::optional<double> recorded, std::optional<double> walked,
 }
 
 TEST(Scores, count_who_crosses_and_who_no_longer_does) {
-  const auto of = [](const Figures& f, Figure figure) { return f[static_cast<std::size_t>(figure)]; };
+  const auto of = [](const Figures& f, Figure figure) {
+    return f[static_cast<std::size_t>(figure)];
+  };
   struct Case {
     Figures figures;
     double first, count, of_all;
   };
-  for (const Case& c : {Case{crossings(1.0, 9.0), 1.0, 2, 1.0},                // right again
-                        Case{crossings(1.0, 1.0, false), 0.5, 2, 0.5},         // the other way round
-                        Case{crossings(1.0, std::nullopt), 1.0, 1, 0.5},       // not any longer
-                        Case{crossings(std::nullopt, 1.0), 1.0, 1, 1.0},       // never recorded
-                        Case{crossings(3.0, std::nullopt), 1.0, 1, 1.0}}) {    // not within 2 s
+  for (const Case& c : {Case{crossings(1.0, 9.0), 1.0, 2, 1.0},              // right again
+                        Case{crossings(1.0, 1.0, false), 0.5, 2, 0.5},       // the other way round
+                        Case{crossings(1.0, std::nullopt), 1.0, 1, 0.5},     // not any longer
+                        Case{crossings(std::nullopt, 1.0), 1.0, 1, 1.0},     // never recorded
+                        Case{crossings(3.0, std::nullopt), 1.0, 1, 1.0}}) {  // not within 2 s
     EXPECT_EQ(of(c.figures, Figure::kFirstClose), c.first);
     EXPECT_EQ(of(c.figures, Figure::kFirstCloseCount), c.count);
     EXPECT_EQ(of(c.figures, Figure::kFirstCloseOfAll), c.of_all);

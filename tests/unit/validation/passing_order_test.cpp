@@ -78,8 +78,8 @@ VehicleTrack random_vehicle(std::mt19937& random, int until, bool street) {
     state.centre = way[k];
     const Vec2 by = k > 0 ? Vec2(way[k] - way[k - 1]) : Vec2(0.5, 0.0);
     state.velocity = 10.0 * by;
-    state.heading = by.norm() > 0.0 || k == 0 ? std::atan2(by.y(), by.x())
-                                              : track.states.back().heading;
+    state.heading =
+        by.norm() > 0.0 || k == 0 ? std::atan2(by.y(), by.x()) : track.states.back().heading;
     state.length = 4.4;
     state.width = 1.8;
     track.states.push_back(state);
