@@ -60,8 +60,10 @@ double of_site(const Mean& m) {
       squared(m.off(Figure::kClearance) / 0.15) + squared(m.of(Figure::kClearanceKs) / 0.2);
   sum += squared(m.off(Figure::kDeviation) / 0.2) + squared(m.of(Figure::kDeviationKs) / 0.2);
   sum += squared(m.off(Figure::kSpeed) / 0.07) + squared(m.of(Figure::kLeastSpeedKs) / 0.25);
-  sum += squared(m.beyond(Figure::kClose) / 0.01) + squared(m.of(Figure::kPushed) / 0.01);
+  sum += squared(m.beyond(Figure::kClose) / 0.01);
   sum += squared(m.of(Figure::kAde) / 0.8);
+  const double pushed = m.of(Figure::kPushed);
+  if (!std::isnan(pushed)) sum += squared(pushed / 0.01);
   const double first = m.of(Figure::kFirst);
   if (!std::isnan(first)) sum += squared((1.0 - first) / 0.08);
   return sum / 10.0;

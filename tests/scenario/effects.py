@@ -22,6 +22,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 ASIDE = 0.5           # [m] so far from its line somebody steps aside
+STANDS = 0.1          # [m/s] slower, a shuttle stands
 LENGTH, WIDTH = 5.0, 2.0  # [m] of the scenario's shuttles
 # Student's t, 97.5 %, for n - 1 degrees of freedom
 STUDENT = {19: 2.093, 24: 2.064, 29: 2.045, 39: 2.023, 49: 2.010}
@@ -125,13 +126,16 @@ def measures(fcd):
     ahead, crossing = tracks["ahead"].rows, tracks["crossing"].rows
     near = [(row, clearance(v["shuttle.1"], row[1], row[2]))
             for row in ahead if "shuttle.1" in (v := row[3])]
-    # How far behind it still was when the person stepped aside; 0 when it never did.
+    # How far behind it still was when the person stepped aside; 0 when it did not until it was run
+    # into. (These shuttles brake for nobody; one that runs into somebody stands for a while.)
     gap, line = 0.0, None
     for (_, x, y, vehicles), distance in near:
         if distance > 25.0 and vehicles["shuttle.1"][0] < x:
             line = y
         elif vehicles["shuttle.1"][0] < x and abs(y - line) > ASIDE:
             gap = distance
+            break
+        if vehicles["shuttle.1"][3] < STANDS:
             break
     before = [row[2] for row in ahead[20:] if row[0] < near[0][0][0]
               or row[3].get("shuttle.1", (math.inf,))[0] < row[1] - 30.0]

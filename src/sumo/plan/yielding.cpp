@@ -13,13 +13,14 @@ constexpr double kOnce = 1.0;  // [s] numerical: braking again so soon is the sa
 }  // namespace
 
 /// Nothing where the vehicle has run into nobody, or has stood for long enough since.
-std::optional<YieldOrder> Yielding::plan_stop(const FleetVehicle& vehicle, double dt) {
+std::optional<YieldOrder> Yielding::plan_stop(FleetVehicle& vehicle, double dt) {
   const auto found = stopping_.find(vehicle.id);
   if (found == stopping_.end()) return std::nullopt;
   double& stood = found->second;
   if (vehicle.speed <= kHaltingSpeed) stood += dt;
   if (stood > kStandsAfter) {
     stopping_.erase(found);
+    vehicle.commanded = kOwnSpeed;  // nobody in its way holds it
     return std::nullopt;
   }
   const double next = std::max(0.0, vehicle.speed - vehicle.traits.emergency_decel * dt);

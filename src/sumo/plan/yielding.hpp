@@ -43,7 +43,7 @@ class Yielding {
 
  private:
   void command(FleetVehicle& vehicle, const YieldOrder& order, std::vector<SpeedOrder>& out);
-  std::optional<YieldOrder> plan_stop(const FleetVehicle& vehicle, double dt);
+  std::optional<YieldOrder> plan_stop(FleetVehicle& vehicle, double dt);
   void give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out);
   void note(const FleetVehicle& vehicle, double time);
 

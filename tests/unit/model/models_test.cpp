@@ -114,14 +114,15 @@ TEST_P(Models, from_rest_people_get_going_towards_their_goal) {
   EXPECT_GT(d.speed, 0.1);
 }
 
-TEST_P(Models, nobody_is_faster_than_it_likes_and_all_is_a_number) {
+TEST_P(Models, nobody_is_faster_than_it_likes_or_hurries_and_all_is_a_number) {
+  const double most = GetParam() == "heuristic" ? 1.2 : 1.0;  // it hurries before vehicles
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
     const Scene scene = crowded(seed);
     const std::vector<Decision> decisions = scene.decide();
     for (std::size_t i = 0; i < decisions.size(); ++i) {
       ASSERT_TRUE(std::isfinite(decisions[i].direction)) << i;
       ASSERT_GE(decisions[i].speed, 0.0) << i;
-      ASSERT_LE(decisions[i].speed, scene.people[i].speed) << i;
+      ASSERT_LE(decisions[i].speed, most * scene.people[i].speed + 1e-6) << i;
       ASSERT_GE(decisions[i].free_distance, 0.0) << i;
     }
   }
