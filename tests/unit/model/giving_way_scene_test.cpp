@@ -90,7 +90,7 @@ TEST(GivingWay, of_people_who_do_not_differ_in_caution_does_not_depend_on_who_th
   Scene scene = walker_and(vehicle({12.0, -1.0}, kPi, 2.0));
   const Decision anybody = scene.first();
   EXPECT_GT(aside(anybody), 2.0);
-  scene.people[0].key = key_of_caution(2.0);
+  scene.people[0].key = key_of_caution(-2.0);
   expect_same(scene.first(), anybody);
   scene.parameters.margin_spread = 1.0;
   EXPECT_NE(scene.first().direction, anybody.direction);
