@@ -6,8 +6,8 @@
 
 #include "app/guarded.hpp"
 #include "app/interrupts.hpp"
+#include "app/output_files.hpp"
 #include "app/progress.hpp"
-#include "app/run_outputs.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
 #include "app/thread_limit.hpp"
@@ -80,7 +80,7 @@ void warn_of_interrupt(const RunSummary& totals) {
 int simulate(const RunOptions& options) {
   const ThreadLimit limit(options.threads);
   const SimulationOptions prepared = prepare(options);
-  RunOutputs outputs(options);
+  OutputFiles outputs(options);
   Simulation simulation(prepared);
   outputs.observe(simulation);
   for (const Zone& zone : simulation.zones()) {

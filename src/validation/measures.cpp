@@ -58,15 +58,26 @@ void measure_speeds(const PersonTrack& track, const Polyline& way, Measures& mea
   measures.least_speed = std::min(measures.least_speed, measures.mean_speed);
 }
 
+/// Visits the frames of the way (indices) in which the vehicle is there, and moves.
+template <class Visit>
+void visit_moving(const VehicleTrack& vehicle, const PersonTrack& track, const Polyline& way,
+                  Visit visit) {
+  const int from = std::max(0, vehicle.first - track.first);
+  const int to = std::min(static_cast<int>(way.size()), vehicle.last() + 1 - track.first);
+  for (int i = from; i < to; ++i) {
+    const VehicleState* state = at_frame(vehicle, track.first + i);
+    if (state == nullptr || state->velocity.norm() < kMovingSpeed) continue;
+    visit(static_cast<std::size_t>(i), *state);
+  }
+}
+
 /// Least signed clearance [m] to a moving vehicle; infinity without one.
 double least_clearance(const Clip& clip, const PersonTrack& track, const Polyline& way) {
   double least = kInfinite;
   for (const VehicleTrack& vehicle : clip.vehicles) {
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      const VehicleState* state = at_frame(vehicle, track.first + static_cast<int>(i));
-      if (state == nullptr || state->velocity.norm() < kMovingSpeed) continue;
-      least = std::min(least, signed_clearance(*state, way[i]));
-    }
+    visit_moving(vehicle, track, way, [&](std::size_t i, const VehicleState& state) {
+      least = std::min(least, signed_clearance(state, way[i]));
+    });
   }
   return least;
 }
@@ -83,21 +94,15 @@ Measures measure(const Clip& clip, const VehicleWays& ways, const PersonTrack& t
   measures.unpushed = least_clearance(clip, track, way);
   measures.clearance = std::max(0.0, measures.unpushed);
   measures.least_ttc = kInfinite;
-  const int count = static_cast<int>(way.size());
   for (const VehicleTrack& vehicle : clip.vehicles) {
-    const int from = std::max(0, vehicle.first - track.first);
-    const int to = std::min(count, vehicle.last() + 1 - track.first);
-    for (int i = from; i < to; ++i) {
-      const VehicleState* state = at_frame(vehicle, track.first + i);
-      if (state == nullptr || state->velocity.norm() < kMovingSpeed) continue;
-      const auto here = static_cast<std::size_t>(i);
+    visit_moving(vehicle, track, way, [&](std::size_t here, const VehicleState& state) {
       const std::size_t before = here >= kPast ? here - kPast : 0;
-      if (here == before) continue;
+      if (here == before) return;
       const Vec2 velocity =
           (way[here] - way[before]) / (static_cast<double>(here - before) * kFrame);
-      const auto ttc = time_to_contact(approach_of(*state, way[here], velocity, kBody));
+      const auto ttc = time_to_contact(approach_of(state, way[here], velocity, kBody));
       measures.least_ttc = std::min(measures.least_ttc, ttc.value_or(kInfinite));
-    }
+    });
   }
   measures.passing = ways.closest(track.first, way);
   measures.deviation = deviation(track, way);
@@ -106,7 +111,7 @@ Measures measure(const Clip& clip, const VehicleWays& ways, const PersonTrack& t
   for (std::size_t i = kFollows + 1; i < way.size(); ++i) {
     sum += (way[i] - track.places[i]).norm();
   }
-  const int scored = std::max(1, count - kFollows - 1);
+  const int scored = std::max(1, static_cast<int>(way.size()) - kFollows - 1);
   measures.ade = sum / scored;
   measures.fde = (way.back() - track.places.back()).norm();
   return measures;

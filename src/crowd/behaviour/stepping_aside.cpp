@@ -124,11 +124,10 @@ class Passing {
   Vec2 local_ = Vec2::Zero();
 };
 
-/// Out of what a held-up vehicle is about to sweep with its rear, when it turns; who is out of it
-/// does not step into it.
+/// Out of what a vehicle that claims room is about to sweep with its rear, when it turns; who is
+/// out of it does not step into it.
 std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
                                  const VehicleState& vehicle, const Decision& decided) {
-  if (vehicle.claim <= 0.0) return std::nullopt;
   const Vec2 here = crowd.position(i);
   const double radius = crowd.persons.radius[i], heading = crowd.persons.heading[i];
   if (swings_over(vehicle, here, radius)) {
@@ -145,20 +144,25 @@ std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
   return step_to(Vec2::Zero(), heading, 0.0);
 }
 
+/// What person i does about a vehicle that claims room; nothing: what it has decided.
+std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_t i,
+                                             const VehicleState& vehicle, const Decision& decided) {
+  const Vec2 here = crowd.position(i);
+  const double margin = room_beside_claims(crowd, i);
+  if (lacks_wide_side(crowd, i, vehicle)) {
+    const auto place = place_aside(crowd.zone.walls, vehicle, here, body_of(crowd, i), margin);
+    if (!place) return std::nullopt;
+    return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
+  }
+  if (place_in_claim(vehicle, here, margin)) return std::nullopt;
+  return clear_of(crowd, i, vehicle, decided);
+}
+
 /// What person i does about the vehicle; nothing: what it has decided.
 std::optional<Decision> decision_about(const CrowdState& crowd, std::size_t i,
                                        const VehicleState& vehicle, const Decision& decided) {
-  if (lacks_wide_side(crowd, i, vehicle)) {
-    const Vec2 here = crowd.position(i);
-    const auto place = place_aside(crowd.zone.walls, vehicle, here, body_of(crowd, i),
-                                   room_beside_claims(crowd, i));
-    if (place) {
-      return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
-    }
-  }
-  const double margin = room_beside_claims(crowd, i);
-  if (!place_in_claim(vehicle, crowd.position(i), margin)) {
-    if (const auto decision = clear_of(crowd, i, vehicle, decided)) return decision;
+  if (vehicle.claim > 0.0) {
+    if (const auto decision = decision_about_claim(crowd, i, vehicle, decided)) return decision;
   }
   const bool stands = vehicle.velocity.norm() < kStaticSpeed;
   return stands ? Passing(crowd, i, vehicle).decide() : std::nullopt;

@@ -51,10 +51,11 @@ void Insertions::add_claim(const Departure& departure, int lane, std::vector<Veh
 void Insertions::add_claims(double time, const Fleet& fleet, std::vector<VehicleState>& out) {
   while (next_ < departures_.size() && departures_[next_].time < time - kNotice) ++next_;
   ways_.clear();
-  std::unordered_set<std::string_view> there;
-  for (const FleetVehicle& vehicle : fleet.vehicles()) there.insert(vehicle.id);
   std::size_t last = next_;
   while (last < departures_.size() && departures_[last].time <= time + kNotice) ++last;
+  if (last == next_) return;
+  std::unordered_set<std::string_view> there;
+  for (const FleetVehicle& vehicle : fleet.vehicles()) there.insert(vehicle.id);
   // Spans into them are given away.
   std::size_t lanes = 0;
   for (std::size_t k = next_; k < last; ++k) {

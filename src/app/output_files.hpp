@@ -23,10 +23,10 @@ std::vector<std::string> outputs_of(const RunOptions& options);
 void keep_standard_output_clean(RunOptions& options);
 
 /// All finished together, or none.
-class RunOutputs {
+class OutputFiles {
  public:
   /// Throws InputError where a file cannot be written, or two would be written to one file.
-  explicit RunOutputs(const RunOptions& options);
+  explicit OutputFiles(const RunOptions& options);
 
   /// To be called before the first step.
   void observe(Simulation& simulation);

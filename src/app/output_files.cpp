@@ -1,4 +1,4 @@
-#include "app/run_outputs.hpp"
+#include "app/output_files.hpp"
 
 #include <unistd.h>
 
@@ -66,7 +66,7 @@ void keep_standard_output_clean(RunOptions& options) {
   }
 }
 
-RunOutputs::RunOutputs(const RunOptions& options) {
+OutputFiles::OutputFiles(const RunOptions& options) {
   require_different(named_outputs(options));
   if (!options.summary.empty()) {
     summary_ = std::make_unique<CompleteFile>(options.summary, "--summary");
@@ -87,7 +87,7 @@ RunOutputs::RunOutputs(const RunOptions& options) {
   }
 }
 
-void RunOutputs::observe(Simulation& simulation) {
+void OutputFiles::observe(Simulation& simulation) {
   if (!tracker_) return;
   simulation.observe([this](const Scene& scene) {
     tracker_->step(scene.time, scene.persons, scene.vehicles, scene.aware, over_);
@@ -95,7 +95,7 @@ void RunOutputs::observe(Simulation& simulation) {
 }
 
 /// Where everybody is now and what it is about to do.
-void RunOutputs::take_shapes(Simulation& simulation) {
+void OutputFiles::take_shapes(Simulation& simulation) {
   std::vector<Insight> insights = simulation.insights();
   std::vector<DebuggedPerson> persons;
   for (std::size_t k = 0; k < insights.size(); ++k) {
@@ -104,12 +104,12 @@ void RunOutputs::take_shapes(Simulation& simulation) {
   shapes_text_ = debug_shapes(simulation.zones(), simulation.paths(), persons);
 }
 
-void RunOutputs::write_conflicts() {
+void OutputFiles::write_conflicts() {
   for (const Conflict& conflict : over_) conflicts_->write(conflict);
   over_.clear();
 }
 
-void RunOutputs::step(double time, Simulation& simulation) {
+void OutputFiles::step(double time, Simulation& simulation) {
   if (shapes_ && shapes_text_.empty() && time >= shapes_time_) take_shapes(simulation);
   if (tracker_) write_conflicts();
   if (picture_) paths_.observe(simulation);
@@ -119,7 +119,7 @@ void RunOutputs::step(double time, Simulation& simulation) {
   }
 }
 
-void RunOutputs::finish(Simulation& simulation, const RunSummary& totals) {
+void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
   if (shapes_ && shapes_text_.empty()) take_shapes(simulation);
   if (shapes_) shapes_->write(shapes_text_);
   if (summary_) summary_->write(summary_json(totals));
