@@ -8,7 +8,6 @@ namespace pedzone {
 namespace {
 
 constexpr float kSlow[] = {0.5F, 0.0F};  // shares of the speed
-constexpr float kHurry = 1.2F;  // assumed: the most that people hurry; 0.3 m/s of a usual speed
 constexpr float kMuchFaster = 1.5F;  // assumed: as fast as a vehicle must be to be let past fully;
                                      // who is followed by one no faster walks ahead of it
 constexpr float kPassReach = 8.0F;   // [m] measured (CITR, back): farther away nobody slows down
@@ -49,7 +48,8 @@ bool GivingWay::notice(const Walker& walker, std::span<const VehicleView> vehicl
     // The person from the vehicle's centre, in the world's frame.
     const float x = view.x * s.cos - view.y * s.sin, y = view.x * s.sin + view.y * s.cos;
     const float reach = s.reach + margin;
-    const float anywhere = reach + kHurry * walker.speed * (time + glide) + glide * walker.pace();
+    const float anywhere =
+        reach + kMostHurry * walker.speed * (time + glide) + glide * walker.pace();
     if (!comes_near(x, y, -s.vx, -s.vy, anywhere, time)) continue;
     near = near || free_time < time ||
            comes_near(x + lag_x, y + lag_y, walk_x - s.vx, walk_y - s.vy, reach, time);
@@ -138,9 +138,9 @@ void GivingWay::price(const DirectionTask& task, const Parameters& parameters, s
 }
 
 PacedChoice GivingWay::choose(const Candidates& candidates, const DirectionTask& task,
-                              const Parameters& parameters, DirectionChoice known,
-                              double most_share, const DirectionKernel& kernel) {
-  hurry_ = std::min(kHurry, static_cast<float>(most_share));
+                              const Parameters& parameters, DirectionChoice known, float hurry,
+                              const DirectionKernel& kernel) {
+  hurry_ = hurry;
   std::fill(cost_, cost_ + candidates.padded(), kNever);
   // First the group of what is known: its value is a bound from then on.
   const std::size_t start = known.index / kDirectionGroup * kDirectionGroup;

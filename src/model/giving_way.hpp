@@ -28,6 +28,9 @@
 
 namespace pedzone {
 
+/// Share of the preferred speed. Assumed: the most that people hurry; 0.3 m/s of a usual speed.
+inline constexpr float kMostHurry = 1.2F;
+
 class GivingWay {
  public:
   /// Lists the vehicles that can be a discomfort, for a person whose margins are `caution` times
@@ -45,10 +48,10 @@ class GivingWay {
   static double pace_while_passed(const Walker& walker, std::span<const VehicleView> vehicles,
                                   const Parameters& parameters);
 
-  /// Over the whole circle, after notice(). `most_share`: of the speed, at most, >= 1. `known`: the
-  /// choice that knows nothing of discomfort.
+  /// Over the whole circle, after notice(). `hurry`: the greatest share of the speed, [1,
+  /// kMostHurry]. `known`: the choice that knows nothing of discomfort.
   PacedChoice choose(const Candidates& candidates, const DirectionTask& task,
-                     const Parameters& parameters, DirectionChoice known, double most_share,
+                     const Parameters& parameters, DirectionChoice known, float hurry,
                      const DirectionKernel& kernel);
 
  private:

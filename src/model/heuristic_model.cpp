@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/random.hpp"
 #include "core/vec.hpp"
@@ -105,6 +104,7 @@ Decision HeuristicModel::decide_one(std::size_t i, Scratch& scratch) const {
   decision.speed = std::min(chosen.share * speed,
                             decision.free_distance / parameters.collision_time);  // Eq. 3
   decision.waits = chosen.share == 0.0;
+  decision.escapes = scratch.surroundings.threatened();
   return decision;
 }
 
@@ -119,9 +119,10 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
                                      DirectionTask& task, Scratch& scratch) const {
   const Parameters& parameters = *snapshot_.parameters;
   if (scratch.surroundings.threatened()) {
-    return {scratch.making_way.choose(self, scratch.surroundings, candidates_, task,
-                                      static_cast<float>(kLastMoment), kernel_),
-            1.0};
+    const Haste haste{static_cast<float>(kLastMoment), hurry(i),
+                      static_cast<float>(parameters.relaxation_time),
+                      snapshot_.persons->goal_distance[i] == 0.0};
+    return scratch.making_way.choose(self, scratch.surroundings, candidates_, task, haste, kernel_);
   }
   DirectionChoice best = choose(i, self, to_goal, task, scratch);
   const auto choose_by_second = [&] {
@@ -148,25 +149,27 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
     return {best, pace};
   }
   choose_by_second();
-  PacedChoice chosen =
-      giving_way.choose(candidates_, task, parameters, best, most_share(i), kernel_);
+  PacedChoice chosen = giving_way.choose(candidates_, task, parameters, best, hurry(i), kernel_);
   if (chosen.share <= 1.0) chosen.share *= pace;  // who hurries does not let it pass
   return chosen;
 }
 
-double HeuristicModel::most_share(std::size_t i) const {
-  if (snapshot_.attention == nullptr) return std::numeric_limits<double>::infinity();
+float HeuristicModel::hurry(std::size_t i) const {
+  if (snapshot_.attention == nullptr) return kMostHurry;
   const double speed = snapshot_.persons->preferred_speed[i];
-  return speed > 0.0 ? snapshot_.attention->persons[i].top_speed / speed : 1.0;
+  const double most = speed > 0.0 ? snapshot_.attention->persons[i].top_speed / speed : 1.0;
+  return std::clamp(static_cast<float>(most), 1.0F, kMostHurry);
 }
 
 PacedChoice HeuristicModel::plain(std::size_t i, const Walker& self, double to_goal,
                                   DirectionTask& task, Scratch& scratch) const {
   const Surroundings& around = scratch.surroundings;
+  const Parameters& parameters = *snapshot_.parameters;
+  const Haste haste{static_cast<float>(parameters.wait_time), 1.0F,
+                    static_cast<float>(parameters.relaxation_time)};
   const DirectionChoice best =
       around.threatened()
-          ? scratch.making_way.choose(self, around, candidates_, task,
-                                      static_cast<float>(snapshot_.parameters->wait_time), kernel_)
+          ? scratch.making_way.choose(self, around, candidates_, task, haste, kernel_).direction
           : choose(i, self, to_goal, task, scratch);
   const Heading way = heading_of(task, best);
   const bool stands = waits(self, way.x, way.y, around);

@@ -49,8 +49,8 @@ class HeuristicModel : public WalkingModel {
   bool extended() const;
   PacedChoice give_way(std::size_t person, const Walker& walker, double to_goal,
                        DirectionTask& task, Scratch& scratch) const;
-  /// Of the preferred speed, in a hurry.
-  double most_share(std::size_t person) const;
+  /// Share of the preferred speed, [1, kMostHurry].
+  float hurry(std::size_t person) const;
   PacedChoice plain(std::size_t person, const Walker& walker, double to_goal, DirectionTask& task,
                     Scratch& scratch) const;
   bool waits(const Walker& walker, float ex, float ey, const Surroundings& surroundings) const;

@@ -6,29 +6,39 @@
 
 namespace pedzone {
 
+/// How somebody gets out of the way.
+struct Haste {
+  float soon = 1.0F;             ///< [s] so much time there is
+  float share = 1.0F;            ///< of the preferred speed that it walks at
+  float relaxation_time = 0.5F;  ///< [s] of its velocity
+  bool stays = false;            ///< it goes nowhere: it takes the shortest way out
+};
+
 /// Standing is no way out for that person, though Eq. 1 and 2 price it at 0 and any way back at
-/// more. So only those directions count that keep the person clear of every vehicle it is aware of
-/// for `soon` [s], it being taken to stop where something that stands blocks it. Where there is
-/// none, those count that lack least time to get beside the vehicle's way, since it may brake; and
-/// where there is no room beside it, those that keep clear longest. Among them Eq. 1 or 2 decide,
-/// over the whole circle.
+/// more. So only those directions count in which it is beside the way of every vehicle it is aware
+/// of before that touches it; where there is none, those that lack least time for it, since the
+/// vehicle may brake; and where there is no room beside it, those that keep clear longest. Among
+/// them Eq. 1 or 2 decide, over the whole circle. The person is taken to walk with a mean of its
+/// velocity and of what that relaxes to, and to stop where something that stands blocks it.
 class MakingWay {
  public:
-  DirectionChoice choose(const Walker& walker, const Surroundings& surroundings,
-                         const Candidates& candidates, DirectionTask task, float soon,
-                         const DirectionKernel& kernel);
+  PacedChoice choose(const Walker& walker, const Surroundings& surroundings,
+                     const Candidates& candidates, DirectionTask task, const Haste& haste,
+                     const DirectionKernel& kernel);
 
  private:
+  /// `lag`: share of the present velocity in that mean.
   void foresee(const Walker& walker, const VehicleView& view, const DirectionTask& task,
-               const DirectionKernel& kernel);
+               float speed, float lag);
+
+  /// The directions that do not count.
+  void exclude(const Candidates& candidates, bool stays);
 
   float stop_[kMaxDirections];     ///< [s] until something that stands blocks the way
   float clear_[kMaxDirections];    ///< [s] without touching a vehicle, at most `soon`
-  float touch_[kMaxDirections];    ///< [s] until a vehicle is touched by a person that walks on
+  float leave_[kMaxDirections];    ///< [s] until it is beside all vehicles' ways
   float lacking_[kMaxDirections];  ///< [s] by which it is touched too early to get out of the way
   float excluded_[kMaxDirections];
-  DiscList discs_;
-  FaceList faces_;
 };
 
 }  // namespace pedzone

@@ -155,7 +155,7 @@ void Surroundings::notice(const Walker& walker, const Senses& senses, const Vehi
   if (!touchable(view, walker, senses.sight / walker.speed)) return;
   add_vehicle(view, walker, vehicle_discs_, vehicle_faces_);
   if (vehicle.invites) nearest_bar_ = 0.0F;  // it drives: how far away it is now says little
-  threatened_ = threatened_ || time_to_standing(view, walker, 0.0F, 0.0F, 0.0F) < soon;
+  threatened_ = threatened_ || time_to_touch(view, walker, {}, 0.0F) < soon;
 }
 
 void Surroundings::fill(DirectionTask& task) const {

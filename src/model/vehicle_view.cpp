@@ -198,12 +198,12 @@ void add_vehicle(const VehicleView& view, const Walker& person, DiscList& discs,
   }
 }
 
-float time_to_standing(const VehicleView& view, const Walker& person, float dx, float dy,
-                       float from) {
+float time_to_touch(const VehicleView& view, const Walker& person, const AssumedWalk& walk,
+                    float from) {
   const VehicleShape& s = *view.shape;
-  const Vec2f step = to_vehicle(s, dx, dy);
+  const Vec2f step = to_vehicle(s, walk.dx, walk.dy);
   const float x = view.x + step.x, y = view.y + step.y;
-  const Vec2f w = to_vehicle(s, -s.vx, -s.vy);
+  const Vec2f w = to_vehicle(s, walk.vx - s.vx, walk.vy - s.vy);
   // The body as a square: sooner than the disc at corners, which is the careful side.
   const float room = std::max(view.contact, std::min(person.radius, view.distance));
   float enter = from, leave = kNever;
@@ -215,7 +215,7 @@ float time_to_standing(const VehicleView& view, const Walker& person, float dx, 
 float time_to_leave_its_way(const VehicleView& view, float vx, float vy) {
   const VehicleShape& s = *view.shape;
   const float sideways = to_vehicle(s, vx - s.vx, vy - s.vy).y;
-  const float side = sideways < 0.0F ? -1.0F : 1.0F;
+  const float side = (sideways == 0.0F ? view.y : sideways) < 0.0F ? -1.0F : 1.0F;
   const float way = s.half_width + view.contact - side * view.y;
   if (way <= 0.0F) return 0.0F;
   return sideways == 0.0F ? kNever : way / (side * sideways);

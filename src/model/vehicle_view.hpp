@@ -78,10 +78,16 @@ bool touchable(const VehicleView& view, const Walker& person, float horizon);
 /// Adds the vehicle's sides and corners to what the person must not walk into.
 void add_vehicle(const VehicleView& view, const Walker& person, DiscList& discs, FaceList& faces);
 
-/// When [s], not before `from` [s], the vehicle touches a person that then stands still (dx, dy)
-/// [m] from where it is now; infinity when it never does.
-float time_to_standing(const VehicleView& view, const Walker& person, float dx, float dy,
-                       float from);
+/// A person who walks with velocity (vx, vy) [m/s] from a place (dx, dy) [m] from where it is now.
+struct AssumedWalk {
+  float dx = 0.0F, dy = 0.0F;
+  float vx = 0.0F, vy = 0.0F;
+};
+
+/// When [s], not before `from` [s], the vehicle touches the person, were it there now and walked
+/// so; infinity when it never does.
+float time_to_touch(const VehicleView& view, const Walker& person, const AssumedWalk& walk,
+                    float from);
 
 /// Time [s] in which a person that walks with velocity (vx, vy) [m/s] is beside the vehicle's way;
 /// infinity when it never is.

@@ -18,6 +18,7 @@ struct Decision {
   double free_distance = 0.0;  ///< [m] [0, sight] f(α) in the chosen direction
   bool waits = false;          ///< stands for a vehicle that is about to cross
   bool turns = false;          ///< its shoulders, for want of room among people
+  bool escapes = false;        ///< from a vehicle that would reach it: whoever has arrived, too
 };
 
 /// How far one candidate direction is free.

@@ -193,7 +193,7 @@ void follow_waypoints(CrowdState& crowd, double dt) {
           Follower(crowd, i).follow(dt);
         }
       }
-      if (walker.arrived) persons.vx[i] = persons.vy[i] = 0.0;
+      if (walker.arrived && !crowd.decisions[i].escapes) persons.vx[i] = persons.vy[i] = 0.0;
     }
   });
 }

@@ -57,7 +57,7 @@ void set_moves(CrowdState& crowd, double dt) {
       WalkState& walker = crowd.walkers[i];
       walker.waits = decision.waits && !walker.arrived;
       Vec2 move = Vec2::Zero(), velocity = Vec2::Zero();
-      if (!walker.arrived) {
+      if (!walker.arrived || decision.escapes) {
         const Vec2 direction = unit(decision.direction);
         const Vec2 wanted = decision.speed * direction;
         const Vec2 lag = crowd.velocity(i) - wanted;

@@ -74,6 +74,40 @@ TEST_F(Push, is_told_of_a_step_as_of_its_substeps) {
   }
 }
 
+TEST_F(Push, is_none_of_who_stands_beside_the_way) {
+  // The rest of the room is kept before and behind: 50 km/h along a kerb move nobody.
+  for (const double speed : {1.0, 13.9}) {
+    Scene scene(zone_, 1, standing_model());
+    scene.add({40, 10.9 + kRadius + 0.06}, point(70, 10), 1.34, 0.0);
+    scene.add({42, 10.9 + kRadius + 0.03}, point(70, 10), 1.34, 0.0);
+    scene.vehicles = {vehicle_at({25, 10}, 0.0, speed)};
+    Pushes pushes;
+    pushes.run(scene, 30.0 / speed);
+    ASSERT_EQ(pushes.log.persons().size(), 1u) << speed;
+    const auto& [key, person] = *pushes.log.persons().begin();
+    EXPECT_EQ(key, scene.people[1].given.key);
+    EXPECT_NEAR(person.way, 0.02, 1e-3);
+  }
+}
+
+TEST_F(Push, is_not_waited_for_by_who_has_arrived) {
+  Crowd crowd(zone_, 1);
+  NewPerson person;
+  person.position = {39, 10.3};
+  person.destination = point(40, 10.3);
+  const Crowd::Handle handle = crowd.add(person);
+  Pushes pushes;
+  bool arrived_before = false;
+  for (int k = 0; k < 120; ++k) {
+    crowd.step(kStep, std::vector{vehicle_at({15 + 0.3 * k, 10}, 0.0, 3.0)});
+    pushes.log.add(kStep * k, kStep, crowd.pushes());
+    arrived_before = arrived_before || (k < 40 && crowd.view(handle).arrived);
+  }
+  EXPECT_TRUE(arrived_before);
+  EXPECT_TRUE(pushes.log.persons().empty());
+  EXPECT_GT(crowd.view(handle).position.y(), 10.9 + kRadius);
+}
+
 TEST_F(Push, of_a_fast_one_is_no_faster_than_people_step_and_it_runs_into_them) {
   for (const double speed : {3.5, 8.0, 15.0}) {
     Scene scene(zone_, 1, blind_model());

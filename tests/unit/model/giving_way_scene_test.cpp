@@ -282,5 +282,35 @@ TEST(GivingWay, lets_nobody_stand_before_a_vehicle_that_is_about_to_reach_it) {
   }
 }
 
+TEST(GivingWay, goes_on_across_whoever_is_halfway_and_walks) {
+  // Half a body nearer to the side that it comes from, 0.9 s before the bumper gets there: at 1.4
+  // m/s it is across in time, but it would not be back.
+  const auto model = make_model("heuristic");
+  for (const double across : {-1.0, 1.0}) {
+    Scene scene = walker_and(vehicle({-2.5 - 0.49 - 4.0 * 0.9, 0.0}, 0.0, 4.0));
+    scene.people[0] = walking_to({0, -0.12 * across}, across * kPi / 2);
+    scene.people[0].velocity = {0.0, 1.4 * across};
+    const Decision going = scene.decide(*model)[0];
+    EXPECT_TRUE(going.escapes);
+    EXPECT_GT(across * std::sin(going.direction) * going.speed, 1.3);
+    scene.people[0].velocity = Vec2::Zero();  // who stands takes the nearer side
+    const Decision standing = scene.decide(*model)[0];
+    EXPECT_LT(across * std::sin(standing.direction) * standing.speed, -1.0);
+  }
+}
+
+TEST(GivingWay, does_not_run_away_along_the_way_of_a_faster_vehicle) {
+  // Straight ahead it would be reached later than now, but reached.
+  const auto model = make_model("heuristic");
+  for (const double y : {-0.4, 0.4}) {
+    Scene scene = walker_and(vehicle({-2.5 - 0.49 - 4.0 * 0.9, 0.0}, 0.0, 4.0));
+    scene.people[0] = walking_to({0, y}, 0.0);
+    scene.people[0].velocity = {1.3, 0.0};
+    const Decision d = scene.decide(*model)[0];
+    EXPECT_GT(std::abs(std::sin(d.direction)), 0.7) << d.direction;
+    EXPECT_GT(d.direction * y, 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace pedzone::test
