@@ -10,6 +10,7 @@
 #include "crowd/behaviour/shade.hpp"
 #include "crowd/insight.hpp"
 #include "crowd/motion/placement.hpp"
+#include "crowd/sense/apart.hpp"
 #include "crowd/sense/awareness.hpp"
 #include "crowd/state/state.hpp"
 #include "crowd/step.hpp"
@@ -186,6 +187,9 @@ void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
   std::vector<VehicleState>& present = state_->vehicles;
   present.assign(vehicles.begin(), vehicles.end());
   std::erase_if(present, [](const VehicleState& vehicle) { return !finite(vehicle); });
+  for (VehicleState& vehicle : present) {
+    vehicle.apart = keeps_apart(state_->zone.walls, vehicle);
+  }
   walk(*state_, dt);
   // What stays is where they are; their ways belong to the caller.
   for (VehicleState& vehicle : present) vehicle.way = {};

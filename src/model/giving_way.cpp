@@ -11,6 +11,10 @@ constexpr float kSlow[] = {0.5F, 0.0F};  // shares of the speed
 constexpr float kMuchFaster = 1.5F;  // assumed: as fast as a vehicle must be to be let past fully;
                                      // who is followed by one no faster walks ahead of it
 constexpr float kPassReach = 8.0F;   // [m] measured (CITR, back): farther away nobody slows down
+constexpr float kMeeting = 0.09F;  // share of the speed; CITR, front: they walk at 0.94 of it, and
+                                   // this fits their least speed
+constexpr float kMeetingReach = 10.0F;  // [m] measured (the same): farther away nobody slows down
+constexpr float kMeetingRamp = 2.0F;    // [m] assumed
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr float kSlack = 1e-5F;           // numerical: share of d_max² that rounding may take
 constexpr float kFullMarginSpeed = 0.5F;  // [m/s] slower vehicles have smaller margins (vehicle.md)
@@ -42,7 +46,7 @@ bool GivingWay::notice(const Walker& walker, std::span<const VehicleView> vehicl
     const float usual = static_cast<float>(parameters.discomfort_margin) +
                         static_cast<float>(parameters.discomfort_margin_time) * s.speed;
     const float behind =
-        1.0F + static_cast<float>(parameters.room_behind) * drives_along(s, walker);
+        1.0F + static_cast<float>(parameters.room_behind) * std::max(0.0F, cosine_to(s, walker));
     const float margin = usual * behind * caution * std::min(1.0F, s.speed / kFullMarginSpeed);
     if (margin <= 0.0F) continue;
     // The person from the vehicle's centre, in the world's frame.
@@ -73,18 +77,25 @@ void GivingWay::worst_of(const DirectionTask& task, float share, const Parameter
   }
 }
 
-double GivingWay::pace_while_passed(const Walker& walker, std::span<const VehicleView> vehicles,
-                                    const Parameters& parameters) {
+double GivingWay::pace_near(const Walker& walker, std::span<const VehicleView> vehicles,
+                            const Parameters& parameters) {
+  const auto letting_pass = static_cast<float>(parameters.letting_pass);
   float most = 0.0F;
   for (const VehicleView& view : vehicles) {
-    if (has_passed(view)) continue;
-    const float along = drives_along(*view.shape, walker);
-    const float ratio = along * view.shape->speed / walker.speed;
+    const VehicleShape& s = *view.shape;
+    if (!s.moving() || has_passed(view)) continue;
+    const float along = cosine_to(s, walker);
+    if (along < 0.0F) {
+      const float near = std::clamp((kMeetingReach - view.distance) / kMeetingRamp, 0.0F, 1.0F);
+      most = std::max(most, kMeeting * -along * near);
+      continue;
+    }
+    const float ratio = along * s.speed / walker.speed;
     const float faster = std::clamp((ratio - 1.0F) / (kMuchFaster - 1.0F), 0.0F, 1.0F);
     const float near = std::max(0.0F, 1.0F - view.distance / kPassReach);
-    most = std::max(most, along * faster * near);
+    most = std::max(most, letting_pass * along * faster * near);
   }
-  return 1.0 - parameters.letting_pass * static_cast<double>(most);
+  return 1.0 - static_cast<double>(most);
 }
 
 bool GivingWay::comfortable(const DirectionTask& task, const DirectionChoice& known,

@@ -17,6 +17,7 @@
 // as that drives, since every choice looks T ahead only. So it slows down until such a car is past:
 // by the share p·a·g·(1 − c/8 m), c its distance now, g from 0 where a·|v| is V to 1 at 1.5 V. On
 // the recordings (CITR, back) people slow down from about 6 m on, to 0.87 of their speed beside it.
+// Before one that comes towards them they slow down a little, too (CITR, front).
 #pragma once
 
 #include <span>
@@ -44,9 +45,9 @@ class GivingWay {
   bool comfortable(const DirectionTask& task, const DirectionChoice& known,
                    const Parameters& parameters, const DirectionKernel& kernel);
 
-  /// Share of the speed that is left to who lets vehicles pass, [0, 1].
-  static double pace_while_passed(const Walker& walker, std::span<const VehicleView> vehicles,
-                                  const Parameters& parameters);
+  /// Share of the speed that is left to who lets vehicles pass or meets them, [0, 1].
+  static double pace_near(const Walker& walker, std::span<const VehicleView> vehicles,
+                          const Parameters& parameters);
 
   /// Over the whole circle, after notice(). `hurry`: the greatest share of the speed, [1,
   /// kMostHurry]. `known`: the choice that knows nothing of discomfort.

@@ -138,7 +138,7 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
   }
   const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
   if (vehicles.empty()) return {best, 1.0};
-  const double pace = GivingWay::pace_while_passed(self, vehicles, parameters);
+  const double pace = GivingWay::pace_near(self, vehicles, parameters);
   const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
   const double own = snapshot_.attention ? snapshot_.attention->persons[i].caution : 1.0;
   const auto caution = static_cast<float>(own * std::exp(parameters.margin_spread * z));

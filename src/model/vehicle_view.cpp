@@ -221,10 +221,9 @@ float time_to_leave_its_way(const VehicleView& view, float vx, float vy) {
   return sideways == 0.0F ? kNever : way / (side * sideways);
 }
 
-float drives_along(const VehicleShape& vehicle, const Walker& person) {
-  if (!vehicle.moving()) return 0.0F;
+float cosine_to(const VehicleShape& vehicle, const Walker& person) {
   const float along = vehicle.vx * person.heading_cos + vehicle.vy * person.heading_sin;
-  return std::max(along / vehicle.speed, 0.0F);
+  return along / vehicle.speed;
 }
 
 bool has_passed(const VehicleView& view) {

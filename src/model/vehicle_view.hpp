@@ -93,9 +93,9 @@ float time_to_touch(const VehicleView& view, const Walker& person, const Assumed
 /// infinity when it never is.
 float time_to_leave_its_way(const VehicleView& view, float vx, float vy);
 
-/// How much the vehicle drives the way that the person faces: cosine of the angle between, 0 where
-/// it comes towards it or stands.
-float drives_along(const VehicleShape& vehicle, const Walker& person);
+/// Cosine of the angle between a moving vehicle's way and the person's heading: 1 where it comes
+/// from behind, -1 where they meet.
+float cosine_to(const VehicleShape& vehicle, const Walker& person);
 
 /// Whether it has driven past the person, its rear included.
 bool has_passed(const VehicleView& view);

@@ -60,6 +60,8 @@ struct VehicleState {
   bool electric = false;             ///< no engine is heard
   bool horn = false;                 ///< sounds its horn
   bool invites = false;              ///< signals "after you": people need not give way
+  bool apart = false;                ///< it drives beside the ground that people walk on, not on
+                                     ///< it: nobody minds it. Found by the crowd
 };
 
 struct Snapshot {

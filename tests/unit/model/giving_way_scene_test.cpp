@@ -282,6 +282,17 @@ TEST(GivingWay, lets_nobody_stand_before_a_vehicle_that_is_about_to_reach_it) {
   }
 }
 
+TEST(GivingWay, slows_down_a_little_before_one_that_comes_towards_it) {
+  const auto speed_at = [](double x, double heading) {
+    Scene scene = walker_and(vehicle({x, 6.0}, heading, 2.5));
+    return scene.first().speed / scene.people[0].speed;
+  };
+  EXPECT_NEAR(speed_at(8.5, kPi), 0.91, 0.01);  // clear of it by 5.1 m, so by nothing but its speed
+  EXPECT_EQ(speed_at(14.0, kPi), 1.0);          // too far away
+  EXPECT_EQ(speed_at(-4.0, kPi), 1.0);          // it has passed
+  EXPECT_EQ(speed_at(8.5, 0.0), 1.0);           // it drives ahead of the person, the same way
+}
+
 TEST(GivingWay, goes_on_across_whoever_is_halfway_and_walks) {
   // Half a body nearer to the side that it comes from, 0.9 s before the bumper gets there: at 1.4
   // m/s it is across in time, but it would not be back.
