@@ -79,6 +79,10 @@ bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius) 
   return least < radius + kPast && least < distance_to(vehicle, point) - kSwing;
 }
 
+bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius) {
+  return least_distance(vehicle, point) < radius + kPast;
+}
+
 std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
                                 const Vec2& from, const BodyBeside& body) {
   const Rectangle frame = rectangle_of(vehicle);
