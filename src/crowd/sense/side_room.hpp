@@ -39,7 +39,7 @@ bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius);
 bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius);
 
 /// The nearest place to `from` [m] to which a turned body can step out of what the vehicle is about
-/// to sweep. Nothing where there is none within a few steps.
+/// to sweep. Nothing where there is none within 8 m.
 std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
                                 const Vec2& from, const BodyBeside& body);
 
