@@ -55,6 +55,8 @@ void walk_substep(CrowdState& crowd, double dt) {
   guide_children(crowd, dt, crowd.children);
   update_waits(crowd, dt, crowd.groups);
 
+  order_claims(crowd, crowd.claimants);
+
   // Every behaviour proposes; the most important one wins.
   Proposals& proposals = crowd.proposals;
   proposals.begin(crowd.persons.walking);

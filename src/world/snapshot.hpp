@@ -53,6 +53,8 @@ struct VehicleState {
   double yaw_rate = 0.0;             ///< [rad/s]
   double claim = 0.0;                ///< [m] [0, 50] a vehicle that people hold up asks for so
                                      ///< much room ahead of its front bumper, along its way
+  double claimed = 0.0;              ///< [s] for how long it has asked: people mind who has
+                                     ///< asked for longest
   std::span<const Vec2> way;         ///< [m] from its rear along its next lanes; empty where
                                      ///< unknown. Read within the step only
   double length = 5.0, width = 1.8;  ///< [m]

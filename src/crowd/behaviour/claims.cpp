@@ -18,12 +18,6 @@ constexpr double kLookAhead = 1.2;  // [m] assumed: a person stops so far before
 constexpr double kLookStep = 0.3;   // [m] numerical
 constexpr double kCrossing = 3.0;   // [m] assumed: nobody steps across nearer to the bumper
 
-/// Whether a claim may touch what is within `reach` of a point: cheap and generous.
-bool far_from(const VehicleState& vehicle, const Vec2& point) {
-  const double reach = vehicle.claim + vehicle.length + vehicle.width;
-  return (point - vehicle.centre).squaredNorm() > reach * reach;
-}
-
 /// The side to which there is room to step out of the claim, the nearer one first: 1 left, -1
 /// right, 0 none.
 double wide_side(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle,
@@ -61,25 +55,21 @@ bool enters(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle)
   return false;
 }
 
-bool any_claim(const CrowdState& crowd) {
-  return std::any_of(crowd.vehicles.begin(), crowd.vehicles.end(),
-                     [](const VehicleState& vehicle) { return vehicle.claim > 0.0; });
-}
-
-/// Calls what(person, vehicle) for the pairs that may matter, persons in parallel.
+/// Calls what(person) for everybody, in parallel, where there are claims.
 template <class What>
-void for_each_claim(const CrowdState& crowd, const What& what) {
-  if (!any_claim(crowd)) return;
+void for_each_claimed(const CrowdState& crowd, const What& what) {
+  if (crowd.claimants.empty()) return;
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      for (const VehicleState& vehicle : crowd.vehicles) {
-        if (vehicle.claim > 0.0 && !far_from(vehicle, crowd.position(i))) what(i, vehicle);
-      }
-    }
+    for (std::size_t i = first; i < last; ++i) what(i);
   });
 }
 
 }  // namespace
+
+bool far_from(const VehicleState& vehicle, const Vec2& point) {
+  const double reach = vehicle.claim + vehicle.length + vehicle.width;
+  return (point - vehicle.centre).squaredNorm() > reach * reach;
+}
 
 double room_beside_claims(const CrowdState& crowd, std::size_t i) {
   return crowd.persons.radius[i] + kBeside;
@@ -91,22 +81,35 @@ bool lacks_wide_side(const CrowdState& crowd, std::size_t i, const VehicleState&
   return place && wide_side(crowd, i, vehicle, *place) == 0.0;
 }
 
+void order_claims(const CrowdState& crowd, std::vector<std::uint32_t>& claimants) {
+  claimants.clear();
+  for (std::uint32_t v = 0; v < crowd.vehicles.size(); ++v) {
+    if (crowd.vehicles[v].claim > 0.0) claimants.push_back(v);
+  }
+  std::ranges::sort(claimants, [&](std::uint32_t a, std::uint32_t b) {
+    const VehicleState &one = crowd.vehicles[a], &other = crowd.vehicles[b];
+    return one.claimed != other.claimed ? one.claimed > other.claimed : one.key < other.key;
+  });
+}
+
 void propose_ways_out_of_claims(const CrowdState& crowd, Proposals& proposals) {
-  for_each_claim(crowd, [&](std::size_t i, const VehicleState& vehicle) {
-    const auto place = place_in_claim(vehicle, crowd.position(i), room_beside_claims(crowd, i));
-    if (!place || crowd.walkers[i].arrived) return;
-    Wish wish = proposals.best(i);
-    wish.direction = angle_of(way_out(crowd, i, vehicle, *place, wish.direction));
-    wish.by = Behaviour::kClaim;
-    proposals.propose(i, wish);
+  for_each_claimed(crowd, [&](std::size_t i) {
+    if (crowd.walkers[i].arrived) return;
+    visit_claims(crowd, i, [&](const VehicleState& vehicle, const auto& place) {
+      if (!place) return;
+      Wish wish = proposals.best(i);
+      wish.direction = angle_of(way_out(crowd, i, vehicle, *place, wish.direction));
+      wish.by = Behaviour::kClaim;
+      proposals.propose(i, wish);
+    });
   });
 }
 
 void restrain_beside_claims(const CrowdState& crowd, Restraints& restraints) {
-  for_each_claim(crowd, [&](std::size_t i, const VehicleState& vehicle) {
-    const double margin = room_beside_claims(crowd, i);
-    if (place_in_claim(vehicle, crowd.position(i), margin) || !enters(crowd, i, vehicle)) return;
-    restraints.wait(i);
+  for_each_claimed(crowd, [&](std::size_t i) {
+    visit_claims(crowd, i, [&](const VehicleState& vehicle, const auto& place) {
+      if (!place && enters(crowd, i, vehicle)) restraints.wait(i);
+    });
   });
 }
 

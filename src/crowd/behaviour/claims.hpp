@@ -1,9 +1,20 @@
 // Room for vehicles that people hold up: those in the way step out of it, those beside it wait.
+//
+// Where the claims of two vehicles meet, people who may neither stay in the one nor step into the
+// other hold up both for ever. So vehicles have their turns: who has claimed room for longest is
+// first, and who is in its room is not held back by the claims of those after it.
 #pragma once
 
+#include <optional>
+
+#include "crowd/sense/claim_room.hpp"
 #include "crowd/state/state.hpp"
 
 namespace pedzone {
+
+/// Lists the vehicles that claim room, in the order of their turns; of two that have claimed it
+/// equally long, the one with the lower key is first.
+void order_claims(const CrowdState& crowd, std::vector<std::uint32_t>& claimants);
 
 /// Who stands in a claim steps out of it. Bends where the person goes otherwise: to be called after
 /// all other proposals.
@@ -14,6 +25,24 @@ void restrain_beside_claims(const CrowdState& crowd, Restraints& restraints);
 
 /// [m] that row i leaves between its centre and the sides of a vehicle that claims room.
 double room_beside_claims(const CrowdState& crowd, std::size_t i);
+
+/// Whether the claim and the body of a vehicle are out of reach: cheap and generous.
+bool far_from(const VehicleState& vehicle, const Vec2& point);
+
+/// Calls visit(vehicle, place) for the claims that row i minds, in the order of their turns: those
+/// near whose room it is not in (place: nothing), up to the first in whose room it is.
+template <class Visit>
+void visit_claims(const CrowdState& crowd, std::size_t i, const Visit& visit) {
+  const Vec2 here = crowd.position(i);
+  const double margin = room_beside_claims(crowd, i);
+  for (const std::uint32_t v : crowd.claimants) {
+    const VehicleState& vehicle = crowd.vehicles[v];
+    if (far_from(vehicle, here)) continue;
+    const std::optional<ClaimPlace> place = place_in_claim(vehicle, here, margin);
+    visit(vehicle, place);
+    if (place) return;
+  }
+}
 
 /// Whether row i is in the vehicle's claim and finds no room to step out of it with straight
 /// shoulders.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "crowd/behaviour/claims.hpp"
 #include "crowd/behaviour/way.hpp"
-#include "crowd/sense/claim_room.hpp"
 #include "crowd/sense/side_room.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
 #include "crowd/state/parallel.hpp"
@@ -135,6 +135,7 @@ std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
     if (!place) return std::nullopt;
     return step_to(*place - here, heading, crowd.persons.preferred_speed[i]);
   }
+  if (holds_up(vehicle, here, radius)) return std::nullopt;  // it cannot come past: no use to wait
   const Vec2 ahead = unit(decided.direction);
   bool enters = false;
   for (double way = kLookStep; way <= kLookAhead && !enters; way += kLookStep) {
@@ -146,31 +147,41 @@ std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
 
 /// What person i does about a vehicle that claims room; nothing: what it has decided.
 std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_t i,
-                                             const VehicleState& vehicle, const Decision& decided) {
+                                             const VehicleState& vehicle, bool in_claim,
+                                             const Decision& decided) {
+  if (!in_claim) return clear_of(crowd, i, vehicle, decided);
+  if (!lacks_wide_side(crowd, i, vehicle)) return std::nullopt;
   const Vec2 here = crowd.position(i);
   const double margin = room_beside_claims(crowd, i);
-  if (lacks_wide_side(crowd, i, vehicle)) {
-    const auto place = place_aside(crowd.zone.walls, vehicle, here, body_of(crowd, i), margin);
-    if (!place) return std::nullopt;
-    return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
-  }
-  if (place_in_claim(vehicle, here, margin)) return std::nullopt;
-  return clear_of(crowd, i, vehicle, decided);
+  const auto place = place_aside(crowd.zone.walls, vehicle, here, body_of(crowd, i), margin);
+  if (!place) return std::nullopt;
+  return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
 }
 
-/// What person i does about the vehicle; nothing: what it has decided.
-std::optional<Decision> decision_about(const CrowdState& crowd, std::size_t i,
-                                       const VehicleState& vehicle, const Decision& decided) {
-  if (vehicle.claim > 0.0) {
-    if (const auto decision = decision_about_claim(crowd, i, vehicle, decided)) return decision;
+/// The nearest vehicle that stands and is in the way decides.
+std::optional<Decision> decision_about_standing(const CrowdState& crowd, std::size_t i) {
+  std::optional<Decision> decision;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const VehicleState& vehicle : crowd.vehicles) {
+    if (vehicle.velocity.norm() >= kStaticSpeed || far_from(vehicle, crowd.position(i))) continue;
+    const double distance = distance_to(vehicle, crowd.position(i));
+    if (distance >= nearest) continue;
+    if (const auto passing = Passing(crowd, i, vehicle).decide()) {
+      decision = passing;
+      nearest = distance;
+    }
   }
-  const bool stands = vehicle.velocity.norm() < kStaticSpeed;
-  return stands ? Passing(crowd, i, vehicle).decide() : std::nullopt;
+  return decision;
 }
 
-bool far_from(const VehicleState& vehicle, const Vec2& point) {
-  const double reach = vehicle.claim + vehicle.length + vehicle.width;
-  return (point - vehicle.centre).squaredNorm() > reach * reach;
+/// What person i does about vehicles; nothing: what it has decided.
+std::optional<Decision> decision_about_vehicles(const CrowdState& crowd, std::size_t i,
+                                                const Decision& decided) {
+  std::optional<Decision> decision;
+  visit_claims(crowd, i, [&](const VehicleState& vehicle, const auto& place) {
+    if (!decision) decision = decision_about_claim(crowd, i, vehicle, place.has_value(), decided);
+  });
+  return decision ? decision : decision_about_standing(crowd, i);
 }
 
 }  // namespace
@@ -180,13 +191,8 @@ void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;
-      for (const VehicleState& vehicle : crowd.vehicles) {
-        if (far_from(vehicle, crowd.position(i))) continue;
-        const auto decision = decision_about(crowd, i, vehicle, decisions[i]);
-        if (!decision) continue;
-        decisions[i] = *decision;
-        break;
-      }
+      const auto decision = decision_about_vehicles(crowd, i, decisions[i]);
+      if (decision) decisions[i] = *decision;
     }
   });
 }

@@ -19,7 +19,9 @@ constexpr double kFarthest = 10.0;      // [m] assumed: nobody walks farther to 
 constexpr double kNearest = 0.5;        // [m] assumed: nor so near to the bumper
 constexpr double kSwing = 0.05;         // [m] numerical: what counts as coming nearer
 constexpr double kRing = 0.25;          // [m] numerical: steps that are tried
-constexpr double kFarthestClear = 4.0;  // [m] assumed
+constexpr double kWider = 1.1;          // numerical: farther out, steps grow by so much
+constexpr double kFarthestClear = 8.0;  // [m] assumed: out from between a car that turns round and
+                                        // a wall, and past its length
 constexpr int kDirections = 16;         // numerical
 constexpr double kLook = 0.25;          // [m] numerical: sampling of the swept area
 constexpr double kPassedBy = 1.0;       // [m] numerical: swept area beyond and behind the point
@@ -79,11 +81,15 @@ bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius) 
   return least < radius + kPast && least < distance_to(vehicle, point) - kSwing;
 }
 
+bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius) {
+  return least_distance(vehicle, point) < radius + kPast;
+}
+
 std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
                                 const Vec2& from, const BodyBeside& body) {
   const Rectangle frame = rectangle_of(vehicle);
   const double away = angle_of(from - frame.centre);
-  for (double step = kRing; step <= kFarthestClear; step += kRing) {
+  for (double step = kRing; step <= kFarthestClear; step = std::max(step + kRing, kWider * step)) {
     for (int k = 0; k < kDirections; ++k) {
       const int turn = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // straight away from it first
       const Vec2 to = from + unit(away + turn * 2.0 * kPi / kDirections) * step;

@@ -35,8 +35,11 @@ std::optional<Vec2> place_aside(const WallIndex& walls, const VehicleState& vehi
 /// and touches it, or nearly so: the rear of a vehicle that turns.
 bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius);
 
+/// Whether the vehicle cannot drive on along its way while a body stays at `point` [m].
+bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius);
+
 /// The nearest place to `from` [m] to which a turned body can step out of what the vehicle is about
-/// to sweep. Nothing where there is none within a few steps.
+/// to sweep. Nothing where there is none within 8 m.
 std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
                                 const Vec2& from, const BodyBeside& body);
 

@@ -119,9 +119,10 @@ struct CrowdState {
   std::uint64_t person_steps = 0;
 
   // Made anew in every substep, each by one phase.
-  Attention attention;               ///< where people differ in what they perceive
-  bool perception_varies = false;    ///< they do
-  std::vector<GroupMember> members;  ///< of groups, by group and key
+  Attention attention;                   ///< where people differ in what they perceive
+  bool perception_varies = false;        ///< they do
+  std::vector<std::uint32_t> claimants;  ///< vehicles that claim room, those first that come first
+  std::vector<GroupMember> members;      ///< of groups, by group and key
   Proposals proposals;
   std::vector<Decision> decisions;
   Restraints restraints;

@@ -44,6 +44,7 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
   state.length = vehicle.traits.length;
   state.width = vehicle.traits.width;
   state.claim = vehicle.claim;
+  state.claimed = vehicle.slowed;
   state.way = vehicle.way;
   const bool ahead = vehicle.velocity.dot(unit(vehicle.heading)) >= -1e-9;
   if (vehicle.traits.external || !ahead || !goes_on(vehicle) || dt <= 0.0) {

@@ -1,6 +1,7 @@
 #include "sumo/plan/insertions.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <unordered_set>
 
@@ -42,6 +43,7 @@ void Insertions::add_claim(const Departure& departure, int lane, std::vector<Veh
   state.centre = ways_.back().front() + 0.5 * kBar * unit(state.heading);
   state.claim = length_of(ways_.back()) + kBehind;
   state.length = kBar;
+  state.claimed = std::numeric_limits<double>::infinity();  // it cannot wait
   state.width = std::max(kBar, departure.width - 2.0 * kSides);
   state.key = person_key(departure.vehicle);
   state.way = ways_.back();

@@ -143,6 +143,28 @@ def stopped(forward: bool, kind: str = "car") -> Scene:
     return scene
 
 
+def both_ways(count: int, kind: str = "car", people: int = 5) -> Scene:
+    """People of both directions meet beside vehicles that follow each other."""
+    scene = street()
+    for k in range(people):
+        scene.person(f"there{k}", 2 * k, WHOLE, departPos="30", arrivalPos="55")
+        scene.person(f"back{k}", 2 * k, "after lane before", departPos="50", arrivalPos="5")
+    return cars(scene, count, 30, kind=kind)
+
+
+def two_lanes(count: int, kind: str = "car", people: int = 12) -> Scene:
+    """A street of two lanes: vehicles meet side by side before people of both directions."""
+    scene = Scene({"a": (0, 0), "b": (150, 0)}, {"there": ("a", "b", {}), "back": ("b", "a", {})},
+                  "there back")
+    for k in range(people):
+        scene.person(f"there{k}", k, "there", departPos="40", arrivalPos="140")
+        scene.person(f"back{k}", k, "back", departPos="40", arrivalPos="140")
+    for k in range(count):
+        scene.vehicle(f"east{k}", 15 + 4 * k, "there", kind)
+        scene.vehicle(f"west{k}", 15 + 4 * k, "back", kind)
+    return scene
+
+
 def zone_end(seed: int, people: int = 20, vans: int = 10) -> Scene:
     """A zone of one street ends at a junction that it shares with two ordinary ones: vans come
     through the junction, people leave the zone over it."""
@@ -180,5 +202,7 @@ for _count in (1, 3):
 for _kind in ("car", "van", "bus"):
     SCENES[f"stopped-forward-{_kind}"] = stopped(True, _kind)
     SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
+    SCENES[f"both-ways-{_kind}"] = both_ways(3, _kind)
+    SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
 for _seed in range(24):
     SCENES[f"zone-end-{_seed}"] = zone_end(_seed)

@@ -1,6 +1,8 @@
 // A vehicle that people hold up claims the room ahead of it.
 #include <gmock/gmock.h>
 
+#include <utility>
+
 #include "crowd/sense/claim_room.hpp"
 #include "scene.hpp"
 
@@ -112,6 +114,53 @@ TEST(Claim, people_cross_once_it_is_gone) {
   scene.vehicles.clear();
   scene.run(60.0);
   EXPECT_GT(scene.people[person].arrival_time, 0.0);
+}
+
+/// A van eastwards and a shuttle westwards come past each other in a street 6 m wide: the room that
+/// people leave beside the one is the other's.
+class TwoClaims {
+ public:
+  TwoClaims(double van_claimed, double shuttle_claimed) {
+    van_.way = eastwards_;
+    shuttle_.way = westwards_;
+    van_.claim = shuttle_.claim = 8.0;
+    van_.claimed = van_claimed;
+    shuttle_.claimed = shuttle_claimed;
+    van_.key = 1;
+    shuttle_.key = 2;
+  }
+
+  /// Whether somebody who stands at `from` is out of the van's, the shuttle's claim after 6 s.
+  std::pair<bool, bool> clears(const Vec2& from) {
+    Scene scene(zone_);
+    const Vec2 to(40.0, 0.0);
+    const std::size_t person = scene.add(from, Destination{to, to}, 1.3, 0.0);
+    for (int k = 0; k < 60; ++k) {
+      scene.vehicles = {van_, shuttle_};
+      scene.step();
+    }
+    const Vec2 there = scene.people[person].view.position;
+    return {!place_in_claim(van_, there, 0.6), !place_in_claim(shuttle_, there, 0.6)};
+  }
+
+ private:
+  Zone zone_ = zone_of(box(-30.0, -3.0, 60.0, 3.0));
+  Polyline eastwards_{{-5.0, -1.5}, {0.0, -1.5}, {40.0, -1.5}};
+  Polyline westwards_{{11.0, 1.5}, {7.0, 1.5}, {-30.0, 1.5}};
+  VehicleState van_ = vehicle_at({-2.5, -1.5}, 0.0, 0.0, 5.0, 1.9);
+  VehicleState shuttle_ = vehicle_at({9.0, 1.5}, kPi, 0.0, 4.0, 2.0);
+};
+
+TEST(Claim, of_two_that_meet_the_one_that_has_claimed_for_longer_is_let_through_first) {
+  const Vec2 in_both(4.0, 0.0);
+  EXPECT_TRUE(TwoClaims(20.0, 10.0).clears(in_both).first);
+  EXPECT_TRUE(TwoClaims(10.0, 20.0).clears(in_both).second);
+  EXPECT_TRUE(TwoClaims(10.0, 10.0).clears(in_both).first) << "the lower key";
+}
+
+TEST(Claim, the_claim_of_the_second_does_not_hold_back_who_leaves_that_of_the_first) {
+  EXPECT_TRUE(TwoClaims(20.0, 10.0).clears({4.0, -0.4}).first);
+  EXPECT_TRUE(TwoClaims(10.0, 20.0).clears({4.0, 0.4}).second);
 }
 
 }  // namespace

@@ -89,6 +89,13 @@ TEST(SteppingAside, of_two_that_meet_beside_a_vehicle_one_goes_back) {
   EXPECT_GT(street.scene().people[second].arrival_time, 0.0);
 }
 
+TEST(SteppingAside, who_holds_up_a_vehicle_from_beside_does_not_wait_for_it) {
+  NarrowStreet street(0.35, 8.0);
+  street.add({-0.6, 1.17}, {20.0, 0.0});
+  street.run(10.0);
+  EXPECT_GT(street.view(0).position.x(), 1.0) << "it could not drive past";
+}
+
 TEST(SideRoom, swings_over_who_stands_behind_the_corner) {
   VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
   const Polyline left{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 30.0}};
