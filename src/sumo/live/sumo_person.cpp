@@ -7,7 +7,10 @@ namespace pedzone::sumo_person {
 namespace {
 
 constexpr int kKeepRouteFree = 2;  // moveToXY: may leave the network
-constexpr double kNoMatch = -1.0;  // moveToXY matchThreshold: no lane is ever matched
+// [m] moveToXY's matchThreshold: below 0 no lane is ever matched. SUMO looks for lanes in a box grown
+// by it; so far below, the box is inside out beyond any network, and the search ends at its root
+// (measured: half the call's cost).
+constexpr double kNoMatch = -1e7;
 
 }  // namespace
 
