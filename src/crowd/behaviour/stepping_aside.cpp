@@ -168,21 +168,35 @@ std::optional<Decision> decision_about(const CrowdState& crowd, std::size_t i,
   return stands ? Passing(crowd, i, vehicle).decide() : std::nullopt;
 }
 
-bool far_from(const VehicleState& vehicle, const Vec2& point) {
-  const double reach = vehicle.claim + vehicle.length + vehicle.width;
-  return (point - vehicle.centre).squaredNorm() > reach * reach;
+/// One that claims room, or stands: those who drive past are nothing to step aside for.
+struct Asking {
+  Vec2 centre;
+  double reach2;  ///< [m²] square of how near to the centre it can matter
+  const VehicleState* vehicle;
+};
+
+std::vector<Asking> asking(const std::vector<VehicleState>& vehicles) {
+  std::vector<Asking> found;
+  for (const VehicleState& vehicle : vehicles) {
+    if (vehicle.claim <= 0.0 && vehicle.velocity.norm() >= kStaticSpeed) continue;
+    const double reach = vehicle.claim + vehicle.length + vehicle.width;
+    found.push_back({vehicle.centre, reach * reach, &vehicle});
+  }
+  return found;
 }
 
 }  // namespace
 
 void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
-  if (crowd.vehicles.empty()) return;
+  const std::vector<Asking> vehicles = asking(crowd.vehicles);
+  if (vehicles.empty()) return;
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;
-      for (const VehicleState& vehicle : crowd.vehicles) {
-        if (far_from(vehicle, crowd.position(i))) continue;
-        const auto decision = decision_about(crowd, i, vehicle, decisions[i]);
+      const Vec2 here = crowd.position(i);
+      for (const Asking& one : vehicles) {
+        if ((here - one.centre).squaredNorm() > one.reach2) continue;
+        const auto decision = decision_about(crowd, i, *one.vehicle, decisions[i]);
         if (!decision) continue;
         decisions[i] = *decision;
         break;
