@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/random.hpp"
 #include "core/vec.hpp"
 #include "model/heuristic_scratch.hpp"
 #include "model/trigonometry.hpp"
@@ -47,6 +46,7 @@ void HeuristicModel::prepare(const Snapshot& snapshot) {
   if (candidates_.field() != parameters.candidate_field) {
     candidates_ = Candidates(parameters.candidate_field);
   }
+  if (gives_way()) cautions_.draw(snapshot);
 }
 
 void HeuristicModel::decide(std::size_t first, std::size_t last,
@@ -139,9 +139,8 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
   const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
   if (vehicles.empty()) return {best, 1.0};
   const double pace = GivingWay::pace_near(self, vehicles, parameters);
-  const double z = random_normal(snapshot_.seed, snapshot_.persons->key[i], 0, Purpose::kCaution);
   const double own = snapshot_.attention ? snapshot_.attention->persons[i].caution : 1.0;
-  const auto caution = static_cast<float>(own * std::exp(parameters.margin_spread * z));
+  const auto caution = static_cast<float>(own * cautions_.of(i));
   GivingWay& giving_way = scratch.giving_way;
   const Heading way = heading_of(task, best);
   if (!giving_way.notice(self, vehicles, parameters, caution, way.x, way.y, best.time) ||

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/candidates.hpp"
+#include "model/cautions.hpp"
 #include "model/direction_kernel.hpp"
 #include "model/scenery.hpp"
 #include "model/walking_model.hpp"
@@ -61,6 +62,7 @@ class HeuristicModel : public WalkingModel {
   Snapshot snapshot_;
   Scenery scenery_;
   Candidates candidates_;
+  Cautions cautions_;
 };
 
 /// The paper's model with vehicles as in the paper: directions by Eq. 2 (or parameter `equation`),

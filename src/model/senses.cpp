@@ -6,6 +6,16 @@
 #include "core/vec.hpp"
 
 namespace pedzone {
+namespace {
+
+void set_field(Senses& senses, double field_of_view) {
+  const double half_field = field_of_view * kPi / 180.0;
+  senses.field_of_view = field_of_view;
+  senses.field_cos = static_cast<float>(std::cos(half_field));
+  senses.field_sin = static_cast<float>(std::sin(half_field));
+}
+
+}  // namespace
 
 bool minds_discomfort(const Parameters& parameters, VehicleForm form) {
   return form == VehicleForm::kDiscomfort && parameters.discomfort > 0.0;
@@ -18,14 +28,14 @@ Senses senses_of(const Parameters& parameters, VehicleForm form) {
   Senses senses;
   senses.sight = static_cast<float>(parameters.sight);
   senses.vehicle_sight = static_cast<float>(vehicle_sight);
-  return with(senses, {parameters.field_of_view, parameters.hearing, 1.0});
+  senses.hearing = static_cast<float>(parameters.hearing);
+  set_field(senses, parameters.field_of_view);
+  return senses;
 }
 
 Senses with(Senses senses, const Perception& perception) {
-  const double half_field = perception.field_of_view * kPi / 180.0;
   senses.hearing = static_cast<float>(perception.hearing);
-  senses.field_cos = static_cast<float>(std::cos(half_field));
-  senses.field_sin = static_cast<float>(std::sin(half_field));
+  if (perception.field_of_view != senses.field_of_view) set_field(senses, perception.field_of_view);
   return senses;
 }
 

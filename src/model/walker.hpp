@@ -12,7 +12,8 @@ struct Senses {
   float sight = 10.0F;                       ///< [m]
   float vehicle_sight = 10.0F;               ///< [m] of moving vehicles
   float hearing = 8.0F;                      ///< [m] of moving vehicles outside the field of view
-  float field_cos = 0.0F, field_sin = 1.0F;  ///< of the half field of view
+  double field_of_view = 90.0;               ///< [deg] half angle
+  float field_cos = 0.0F, field_sin = 1.0F;  ///< of that
 };
 
 struct Walker {

@@ -160,10 +160,12 @@ class Builder {
                               end_at(network_, link->to, junction).inside());
       });
     };
-    // The junction's own shapes are few and mostly enough; only then the whole area is looked at,
-    // since there may be a way round over open space.
-    const Region own = closed(unite(at_junction_.at(junction)));
-    keep_blocked(Passages(subtract(own, obstacles_near(box_of(own)))));
+    // The junction's own shapes are few and mostly enough, even before slits are closed; only then
+    // the whole area is looked at, since there may be a way round over open space.
+    const Region shapes = unite(at_junction_.at(junction));
+    const Region obstacles = obstacles_near(grown(box_of(shapes), kClosing));
+    keep_blocked(Passages(subtract(shapes, obstacles)));
+    if (!links.empty()) keep_blocked(Passages(subtract(closed(shapes), obstacles)));
     if (!links.empty()) keep_blocked(Passages(clip(walkable_, box_round(junction, links))));
     return links;
   }

@@ -21,7 +21,6 @@
 #include "crowd/sense/vehicle_motion.hpp"
 #include "crowd/state/parallel.hpp"
 #include "crowd/state/state.hpp"
-#include "crowd/state/wall_guard.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
@@ -60,14 +59,12 @@ struct Line {
 class Stander {
  public:
   /// widest: [m] largest turned radius of all.
-  Stander(const CrowdState& crowd, std::size_t i, double widest,
-          std::vector<std::uint32_t>& scratch)
+  Stander(const CrowdState& crowd, std::size_t i, double widest)
       : crowd_(crowd),
         i_(i),
         here_(crowd.position(i)),
         own_(crowd.persons.turned_radius[i]),
-        widest_(widest),
-        scratch_(scratch) {
+        widest_(widest) {
     const double reach = std::max(kTurnReach, own_ + widest + kPassReach + kMostGap);
     const Vec2 box = Vec2::Constant(reach);
     crowd.grid.visit_box(here_ - box, here_ + box,
@@ -139,15 +136,13 @@ class Stander {
   bool walls_allow(const Vec2& to) {
     const WallIndex& walls = crowd_.zone.walls;
     if (!walls.sees(here_, to) || !walls.inside(to)) return false;
-    const double room = std::min(own_, wall_distance(walls, here_, own_, scratch_));
-    return wall_distance(walls, to, own_, scratch_) >= room - kTolerance;
+    return walls.room(to, own_) >= walls.room(here_, own_) - kTolerance;
   }
 
   const CrowdState& crowd_;
   std::size_t i_;
   Vec2 here_;
   double own_, widest_;
-  std::vector<std::uint32_t>& scratch_;
   bool passed_ = false;
   Line worst_;
 };
@@ -176,9 +171,8 @@ Vec2 step_home(const Stander& stander, const SeenMemory& seen, double most) {
 }
 
 /// What person i, who stands, does for others.
-void make_room_by(CrowdState& crowd, std::size_t i, double dt, double widest,
-                  std::vector<std::uint32_t>& scratch) {
-  Stander stander(crowd, i, widest, scratch);
+void make_room_by(CrowdState& crowd, std::size_t i, double dt, double widest) {
+  Stander stander(crowd, i, widest);
   std::optional<Vec2> step = stander.step_aside(kStepSpeed * dt);
   const std::size_t walking = crowd.persons.walking;
   if (i < walking) {
@@ -233,10 +227,9 @@ void notice_standing(const CrowdState& crowd, double dt, Standing& standing, dou
 void make_room(CrowdState& crowd, double dt) {
   if (!crowd.standing.anybody) return;
   const double widest = std::ranges::max(crowd.persons.turned_radius);
-  for_each_block(crowd.persons.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+  for_each_block(crowd.persons.size(), [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      if (crowd.standing.stands[i] != 0)
-        make_room_by(crowd, i, dt, widest, crowd.near.blocks[block].walls);
+      if (crowd.standing.stands[i] != 0) make_room_by(crowd, i, dt, widest);
     }
   });
 }

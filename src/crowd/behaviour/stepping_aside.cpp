@@ -158,15 +158,28 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
   return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
 }
 
+using Standing = std::vector<const VehicleState*>;
+
+/// Vehicles that stand where people walk: those who drive are nothing to go past.
+Standing standing_vehicles(const CrowdState& crowd) {
+  Standing standing;
+  for (const VehicleState& vehicle : crowd.vehicles) {
+    const bool stands = vehicle.velocity.norm() < kStaticSpeed;
+    if (stands && !vehicle.apart) standing.push_back(&vehicle);
+  }
+  return standing;
+}
+
 /// The nearest vehicle that stands and is in the way decides.
-std::optional<Decision> decision_about_standing(const CrowdState& crowd, std::size_t i) {
+std::optional<Decision> decision_about_standing(const CrowdState& crowd, std::size_t i,
+                                                const Standing& standing) {
   std::optional<Decision> decision;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const VehicleState& vehicle : crowd.vehicles) {
-    if (vehicle.velocity.norm() >= kStaticSpeed || far_from(vehicle, crowd.position(i))) continue;
-    const double distance = distance_to(vehicle, crowd.position(i));
+  for (const VehicleState* vehicle : standing) {
+    if (far_from(*vehicle, crowd.position(i))) continue;
+    const double distance = distance_to(*vehicle, crowd.position(i));
     if (distance >= nearest) continue;
-    if (const auto passing = Passing(crowd, i, vehicle).decide()) {
+    if (const auto passing = Passing(crowd, i, *vehicle).decide()) {
       decision = passing;
       nearest = distance;
     }
@@ -176,22 +189,23 @@ std::optional<Decision> decision_about_standing(const CrowdState& crowd, std::si
 
 /// What person i does about vehicles; nothing: what it has decided.
 std::optional<Decision> decision_about_vehicles(const CrowdState& crowd, std::size_t i,
-                                                const Decision& decided) {
+                                                const Standing& standing, const Decision& decided) {
   std::optional<Decision> decision;
   visit_claims(crowd, i, [&](const VehicleState& vehicle, const auto& place) {
     if (!decision) decision = decision_about_claim(crowd, i, vehicle, place.has_value(), decided);
   });
-  return decision ? decision : decision_about_standing(crowd, i);
+  return decision ? decision : decision_about_standing(crowd, i, standing);
 }
 
 }  // namespace
 
 void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
-  if (crowd.vehicles.empty()) return;
+  const Standing standing = standing_vehicles(crowd);
+  if (standing.empty() && crowd.claimants.empty()) return;
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;
-      const auto decision = decision_about_vehicles(crowd, i, decisions[i]);
+      const auto decision = decision_about_vehicles(crowd, i, standing, decisions[i]);
       if (decision) decisions[i] = *decision;
     }
   });

@@ -22,7 +22,7 @@ constexpr double kHindered = 0.5;      // assumed: share of its way that a push 
 constexpr double kCoincident = 1e-9;   // [m] numerical: no direction between centres so near
 // Numerical: what a block's lists hold from the start, so that they need not grow step by step.
 // A person at four persons per square metre has about eight neighbours.
-constexpr std::size_t kNeighbours = 8 * kBlock, kWalls = 64;
+constexpr std::size_t kNeighbours = 8 * kBlock;
 constexpr double kUnitsPerMetre = 0x1p40;  // numerical: sums of pushes are exact to 1e-12 m
 
 /// A sum of vectors that does not depend on the order of its terms.
@@ -89,9 +89,7 @@ Vec2 push_of_pair(const CrowdState& crowd, Part part, std::size_t i, std::size_t
 
 void prepare_blocks(std::size_t persons, std::vector<BlockScratch>& blocks) {
   for (std::size_t n = blocks.size(); n < block_count(persons); ++n) {
-    BlockScratch& scratch = blocks.emplace_back();
-    scratch.neighbours.reserve(kNeighbours);
-    scratch.walls.reserve(kWalls);
+    blocks.emplace_back().neighbours.reserve(kNeighbours);
   }
 }
 
@@ -121,7 +119,7 @@ Vec2 pushed(CrowdState& crowd, Part part, std::size_t block, std::size_t i) {
   const double most = kPushPerPass + std::hypot(moves.dx[i], moves.dy[i]);
   if (push.norm() > most) push *= most / push.norm();
   return kept_inside(crowd.zone.walls, crowd.position(i), here + push,
-                     crowd.persons.present_radius[i], crowd.walkers[i].wall_room, scratch.walls);
+                     crowd.persons.present_radius[i], crowd.walkers[i].wall_room);
 }
 
 /// One pass over all contacts; whether there were any.
@@ -174,17 +172,16 @@ void find_neighbours(const CrowdState& crowd, BodyGrid& grid, Neighbourhood& nea
 
 void move_freely(CrowdState& crowd) {
   Moves& moves = crowd.moves;
-  for_each_block(
-      crowd.persons.walking, [&](std::size_t block, std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-          const Vec2 from = crowd.position(i);
-          const Vec2 to = from + Vec2(moves.dx[i], moves.dy[i]);
-          const Vec2 at = kept_inside(crowd.zone.walls, from, to, crowd.persons.present_radius[i],
-                                      crowd.walkers[i].wall_room, crowd.near.blocks[block].walls);
-          moves.x[i] = at.x();
-          moves.y[i] = at.y();
-        }
-      });
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec2 from = crowd.position(i);
+      const Vec2 to = from + Vec2(moves.dx[i], moves.dy[i]);
+      const Vec2 at = kept_inside(crowd.zone.walls, from, to, crowd.persons.present_radius[i],
+                                  crowd.walkers[i].wall_room);
+      moves.x[i] = at.x();
+      moves.y[i] = at.y();
+    }
+  });
   for (std::size_t j = crowd.persons.walking; j < crowd.persons.size(); ++j) {
     moves.x[j] = moves.next_x[j] = crowd.persons.x[j] + moves.dx[j];
     moves.y[j] = moves.next_y[j] = crowd.persons.y[j] + moves.dy[j];

@@ -38,7 +38,7 @@ struct Surroundings {
       }
     }
     // Where the street is narrower than the body, walls need not be farther than they are here.
-    wall_room = std::min(radius, wall_distance(walls, wanted, radius, scratch)) - kTolerance;
+    wall_room = std::min(radius, walls.room(wanted, radius)) - kTolerance;
   }
 
   /// Gap [m] around a body at `place` to the nearest other one; negative when they overlap.
@@ -54,8 +54,8 @@ struct Surroundings {
   }
 
   /// Whether one can get to `place` and stand between the walls there.
-  bool reachable(const Vec2& place) {
-    return walls.inside(place) && wall_distance(walls, place, own_radius, scratch) >= wall_room &&
+  bool reachable(const Vec2& place) const {
+    return walls.inside(place) && walls.room(place, own_radius) >= wall_room &&
            walls.free_line(origin, place);
   }
 
@@ -64,7 +64,6 @@ struct Surroundings {
   double own_radius, wall_room;
   std::vector<Body> bodies;
   std::vector<VehicleState> vehicles;
-  std::vector<std::uint32_t> scratch;
 };
 
 }  // namespace

@@ -95,6 +95,7 @@ void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits
                          vehicle.velocity.norm() * dt + 2.0 * crowd.moves.reach + kSlack;
     const Vec2 box = Vec2::Constant(reach);
     const Vec2 low = vehicle.centre - box, high = vehicle.centre + box;
+    if (!crowd.grid.maybe_anybody(low, high)) continue;
     crowd.grid.visit_box(low, high, [&](std::uint32_t i, const Vec2& there) {
       if (i >= persons.walking) return;
       if ((there - vehicle.centre).squaredNorm() > reach * reach) return;

@@ -30,6 +30,7 @@ constexpr double kTilesPerPerson = 8.0, kTilesAtLeast = 1024.0;
 /// What all persons of a substep share: vehicles, and where they can matter.
 struct TrafficShapes {
   LatticeOrigin origin;
+  Senses senses;  ///< of who perceives as most do
   std::vector<VehicleShape> shapes;
   std::vector<std::uint32_t> driving;       ///< vehicles that move
   std::vector<std::uint64_t> driving_keys;  ///< their keys, sorted
@@ -63,7 +64,7 @@ void list_by_place(const CrowdState& crowd, const Attention& attention, TrafficS
   const std::int64_t tile =
       tile_size_for(bounds, to_lattice(kTile),
                     kTilesPerPerson * static_cast<double>(crowd.walkers.size()) + kTilesAtLeast);
-  const double sight = senses_of(crowd.zone.parameters, crowd.model->vehicle_form()).vehicle_sight;
+  const double sight = traffic.senses.vehicle_sight;
   const auto everywhere = [](std::size_t, const LatticeBox&) { return true; };
   double longest = 0.0;
   for (const VehicleShape& shape : traffic.shapes) {
@@ -89,6 +90,7 @@ void list_by_place(const CrowdState& crowd, const Attention& attention, TrafficS
 TrafficShapes shapes_of(const CrowdState& crowd, const Attention& attention) {
   const std::vector<VehicleState>& vehicles = crowd.vehicles;
   TrafficShapes traffic;
+  traffic.senses = senses_of(crowd.zone.parameters, crowd.model->vehicle_form());
   const Vec2& near = vehicles.front().centre;
   traffic.origin = {to_lattice(near.x()), to_lattice(near.y())};
   for (std::uint32_t v = 0; v < vehicles.size(); ++v) {
@@ -117,7 +119,7 @@ class Observer {
         memory_(memory),
         attention_(attention),
         perception_(attention.persons[i]),
-        senses_(with(senses_of(crowd.zone.parameters, crowd.model->vehicle_form()), perception_)) {
+        senses_(with(traffic.senses, perception_)) {
     const Persons& persons = crowd.persons;
     self_.at = to_lattice(persons.x[i], persons.y[i], traffic.origin);
     self_.heading = persons.heading[i];

@@ -57,8 +57,7 @@ struct Standing {
 /// What one block of persons works with; no two blocks share it.
 struct BlockScratch {
   std::vector<std::uint32_t> neighbours;  ///< of the block's persons, one after the other
-  std::vector<std::uint32_t> walls;
-  bool touching = false;  ///< somebody of the block was pushed in the last pass
+  bool touching = false;                  ///< somebody of the block was pushed in the last pass
 };
 
 /// A person that a vehicle may reach within the substep.

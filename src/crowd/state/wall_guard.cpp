@@ -1,9 +1,6 @@
 #include "crowd/state/wall_guard.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "crowd/state/route.hpp"
 
 namespace pedzone {
 namespace {
@@ -14,23 +11,12 @@ constexpr double kLook = 3.0;
 
 }  // namespace
 
-double wall_distance(const WallIndex& walls, const Vec2& point, double reach,
-                     std::vector<std::uint32_t>& scratch) {
-  walls.near(point, reach, scratch);
-  double squared = reach * reach;
-  for (const std::uint32_t w : scratch) {
-    const Wall& wall = walls.walls()[w];
-    squared = std::min(squared, (nearest_on_segment(point, wall.a, wall.b) - point).squaredNorm());
-  }
-  return std::sqrt(squared);
-}
-
 Vec2 kept_inside(const WallIndex& walls, const Vec2& from, const Vec2& to, double radius,
-                 WallRoom& room, std::vector<std::uint32_t>& scratch) {
+                 WallRoom& room) {
   const double needed = radius + (to - from).norm();
   if (room.distance >= needed) return to;
   if (!room.measured) {
-    room = {wall_distance(walls, from, std::max(kLook, needed), scratch), true};
+    room = {walls.room(from, std::max(kLook, needed)), true};
     if (room.distance >= needed) return to;
   }
   return walls.slide(from, to, radius);

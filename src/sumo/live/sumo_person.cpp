@@ -7,12 +7,20 @@ namespace pedzone::sumo_person {
 namespace {
 
 constexpr int kKeepRouteFree = 2;  // moveToXY: may leave the network
-constexpr double kNoMatch = -1.0;  // moveToXY matchThreshold: no lane is ever matched
+// [m] moveToXY's matchThreshold: below 0 no lane is ever matched. SUMO looks for lanes in a box
+// grown by it; so far below, the box is inside out beyond any network, and the search ends at its
+// root (measured: half the call's cost).
+constexpr double kNoMatch = -1e7;
 
 }  // namespace
 
 /// Not getIDCount for their number: that counts those who are yet to depart, too.
 std::vector<std::string> ids() { return api::Person::getIDList(); }
+
+bool came_or_went() {
+  return api::Simulation::getDepartedPersonNumber() > 0 ||
+         api::Simulation::getArrivedPersonNumber() > 0;
+}
 
 Vec2 position(const std::string& id) {
   const auto at = api::Person::getPosition(id);

@@ -29,14 +29,22 @@ void Takeover::read(double time, const Fleet& fleet) {
   for (const std::string& id : bystanders_.gone()) guests_[guest_index_.at(id)].gone = true;
   drop_gone();
   check_guests(time, fleet);
-  for (const Bystander& person : bystanders_.all()) {
-    if (person.near && !person.guest) consider(person.id, nullptr, fleet);
+  for (Bystander& person : bystanders_.all()) {
+    if (!person.near || person.guest) continue;
+    const std::string edge = sumo_person::edge(person.id);
+    if (edge == person.barred_edge) continue;
+    const bool may_be_ours = consider(person.id, edge, nullptr, fleet);
+    person.barred_edge = may_be_ours ? "" : edge;
   }
   show_bystanders(fleet);
 }
 
 void Takeover::look_at_bystanders(double time) {
-  bystanders_.update(sumo_person::ids());
+  if (bystanders_.all().empty() || sumo_person::came_or_went()) {
+    bystanders_.update(sumo_person::ids());
+  } else {
+    bystanders_.nobody_gone();
+  }
   for (Bystander& person : bystanders_.all()) {
     if (Bystanders::is_due(person, time)) {
       bystanders_.look(person, time, sumo_person::position(person.id));
@@ -88,26 +96,29 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
   for (const auto& [id, position] : replanned) {
     past_[id] = {};
     past_[id].was_controlled = true;
-    consider(id, &position, fleet);
+    consider(id, sumo_person::edge(id), &position, fleet);
   }
 }
 
-void Takeover::consider(const std::string& id, const Vec2* known_position, const Fleet& fleet) {
-  const auto found = network_.edge_index.find(sumo_person::edge(id));
-  if (found == network_.edge_index.end()) return;
+/// False where it need not be asked again for as long as the person is on this edge.
+bool Takeover::consider(const std::string& id, const std::string& edge_id,
+                        const Vec2* known_position, const Fleet& fleet) {
+  const auto found = network_.edge_index.find(edge_id);
+  if (found == network_.edge_index.end()) return false;
   const int edge = found->second;
   const int zone = zone_of_edge_[edge];
-  if (zone < 0) return;
+  if (zone < 0) return false;
   PersonPast& past = past_[id];
-  if (past.refused_edge == edge) return;
+  if (past.refused_edge == edge) return false;
   auto walker = sumo_person::walker(id);
-  if (!walker) return;
+  if (!walker) return true;
   if (known_position != nullptr) walker->position = *known_position;
   const auto plan =
       plan_takeover(network_, zones_[zone], edge, *walker, known_position != nullptr, fleet, past);
-  if (!plan || !add_guest(*walker, zone, *plan, fleet)) return;
+  if (!plan || !add_guest(*walker, zone, *plan, fleet)) return true;
   if (!past.was_controlled) ++totals_.controlled;
   past.was_controlled = true;
+  return true;
 }
 
 /// False, and nothing has changed, where there is no room beside a vehicle.

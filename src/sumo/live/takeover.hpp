@@ -86,7 +86,8 @@ class Takeover {
   void check_guests(double time, const Fleet& fleet);
   void look_at_bystanders(double time);
   void show_bystanders(const Fleet& fleet);
-  void consider(const std::string& id, const Vec2* known_position, const Fleet& fleet);
+  bool consider(const std::string& id, const std::string& edge, const Vec2* known_position,
+                const Fleet& fleet);
   bool add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan, const Fleet& fleet);
   std::optional<ReleasePlan> hand_over(Guest& guest, const PersonView& view, double dt,
                                        const Fleet& fleet) const;

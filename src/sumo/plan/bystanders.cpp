@@ -82,6 +82,7 @@ void Bystanders::set_guest(const std::string& id, bool guest) {
   if (found == all_.end() || found->id != id) return;
   found->guest = guest;
   found->look_at = -1.0;
+  found->barred_edge.clear();
 }
 
 void Bystanders::seen_from(std::size_t zone, std::span<const Vec2> eyes,

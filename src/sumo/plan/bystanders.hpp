@@ -26,6 +26,7 @@ struct Bystander {
   Vec2 position = Vec2::Zero();  ///< [m] then
   Vec2 velocity = Vec2::Zero();  ///< [m/s] since the time before that
   double heading = 0.0;          ///< [rad] in which it moved last
+  std::string barred_edge;       ///< on which it was found that it stays SUMO's; empty: on none
 };
 
 /// Once its length and width are known.
@@ -37,6 +38,8 @@ class Bystanders {
 
   /// Takes in who is in SUMO after a step, and who of the guests has gone.
   void update(std::vector<std::string> ids);
+  /// After a step in which nobody came or went.
+  void nobody_gone() { gone_.clear(); }
 
   /// Whether a person has to be looked at, at `time` [s]: nobody who is walked by pedzone, nor who
   /// cannot have come near a zone since the last look.
