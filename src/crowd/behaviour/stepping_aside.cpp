@@ -158,11 +158,11 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
   return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
 }
 
-using Standing = std::vector<const VehicleState*>;
+using StandingVehicles = std::vector<const VehicleState*>;
 
 /// Vehicles that stand where people walk: those who drive are nothing to go past.
-Standing standing_vehicles(const CrowdState& crowd) {
-  Standing standing;
+StandingVehicles standing_on_ground(const CrowdState& crowd) {
+  StandingVehicles standing;
   for (const VehicleState& vehicle : crowd.vehicles) {
     const bool stands = vehicle.velocity.norm() < kStaticSpeed;
     if (stands && !vehicle.apart) standing.push_back(&vehicle);
@@ -172,7 +172,7 @@ Standing standing_vehicles(const CrowdState& crowd) {
 
 /// The nearest vehicle that stands and is in the way decides.
 std::optional<Decision> decision_about_standing(const CrowdState& crowd, std::size_t i,
-                                                const Standing& standing) {
+                                                const StandingVehicles& standing) {
   std::optional<Decision> decision;
   double nearest = std::numeric_limits<double>::infinity();
   for (const VehicleState* vehicle : standing) {
@@ -189,7 +189,8 @@ std::optional<Decision> decision_about_standing(const CrowdState& crowd, std::si
 
 /// What person i does about vehicles; nothing: what it has decided.
 std::optional<Decision> decision_about_vehicles(const CrowdState& crowd, std::size_t i,
-                                                const Standing& standing, const Decision& decided) {
+                                                const StandingVehicles& standing,
+                                                const Decision& decided) {
   std::optional<Decision> decision;
   visit_claims(crowd, i, [&](const VehicleState& vehicle, const auto& place) {
     if (!decision) decision = decision_about_claim(crowd, i, vehicle, place.has_value(), decided);
@@ -200,7 +201,7 @@ std::optional<Decision> decision_about_vehicles(const CrowdState& crowd, std::si
 }  // namespace
 
 void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
-  const Standing standing = standing_vehicles(crowd);
+  const StandingVehicles standing = standing_on_ground(crowd);
   if (standing.empty() && crowd.claimants.empty()) return;
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
