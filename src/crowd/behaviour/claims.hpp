@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "crowd/sense/claim_room.hpp"
+#include "crowd/sense/side_room.hpp"
 #include "crowd/state/state.hpp"
 
 namespace pedzone {
@@ -30,7 +31,8 @@ double room_beside_claims(const CrowdState& crowd, std::size_t i);
 bool far_from(const VehicleState& vehicle, const Vec2& point);
 
 /// Calls visit(vehicle, place) for the claims that row i minds, in the order of their turns: those
-/// near whose room it is not in (place: nothing), up to the first in whose room it is.
+/// near whose room it is not in (place: nothing), up to the first in whose room it is or that it
+/// holds up from beside.
 template <class Visit>
 void visit_claims(const CrowdState& crowd, std::size_t i, const Visit& visit) {
   const Vec2 here = crowd.position(i);
@@ -40,7 +42,7 @@ void visit_claims(const CrowdState& crowd, std::size_t i, const Visit& visit) {
     if (far_from(vehicle, here)) continue;
     const std::optional<ClaimPlace> place = place_in_claim(vehicle, here, margin);
     visit(vehicle, place);
-    if (place) return;
+    if (place || holds_up(vehicle, here, crowd.persons.radius[i])) return;
   }
 }
 

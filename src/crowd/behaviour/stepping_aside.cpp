@@ -29,6 +29,8 @@ BodyBeside body_of(const CrowdState& crowd, std::size_t i) {
   return {crowd.persons.radius[i], crowd.persons.turned_radius[i]};
 }
 
+SideRoom side_room(const CrowdState& crowd) { return {crowd.zone.walls, crowd.vehicles}; }
+
 /// Towards a place that is `way` [m] away, at most at `speed` [m/s].
 Decision step_to(const Vec2& way, double heading, double speed) {
   Decision decision;
@@ -88,10 +90,10 @@ class Passing {
   /// The way past the vehicle, the own side first; nothing where nobody need turn.
   std::optional<SideWay> narrow_way() const {
     const double own = local_.y() < 0.0 ? -1.0 : 1.0;
-    const WallIndex& walls = crowd_.zone.walls;
-    const auto first = way_beside(walls, vehicle_, own, body_of(crowd_, i_));
+    const SideRoom room = side_room(crowd_);
+    const auto first = way_beside(room, vehicle_, own, body_of(crowd_, i_));
     if (beside()) return first && first->narrow ? first : std::nullopt;
-    const auto second = way_beside(walls, vehicle_, -own, body_of(crowd_, i_));
+    const auto second = way_beside(room, vehicle_, -own, body_of(crowd_, i_));
     const bool wide = (first && !first->narrow) || (second && !second->narrow);
     if (wide) return std::nullopt;
     return first ? first : second;
@@ -131,7 +133,7 @@ std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
   const Vec2 here = crowd.position(i);
   const double radius = crowd.persons.radius[i], heading = crowd.persons.heading[i];
   if (swings_over(vehicle, here, radius)) {
-    const auto place = place_clear(crowd.zone.walls, vehicle, here, body_of(crowd, i));
+    const auto place = place_clear(side_room(crowd), vehicle, here, body_of(crowd, i));
     if (!place) return std::nullopt;
     return step_to(*place - here, heading, crowd.persons.preferred_speed[i]);
   }
@@ -153,7 +155,7 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
   if (!lacks_wide_side(crowd, i, vehicle)) return std::nullopt;
   const Vec2 here = crowd.position(i);
   const double margin = room_beside_claims(crowd, i);
-  const auto place = place_aside(crowd.zone.walls, vehicle, here, body_of(crowd, i), margin);
+  const auto place = place_aside(side_room(crowd), vehicle, here, body_of(crowd, i), margin);
   if (!place) return std::nullopt;
   return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
 }

@@ -22,24 +22,47 @@ constexpr double kRing = 0.25;          // [m] numerical: steps that are tried
 constexpr double kWider = 1.1;          // numerical: farther out, steps grow by so much
 constexpr double kFarthestClear = 8.0;  // [m] assumed: out from between a car that turns round and
                                         // a wall, and past its length
-constexpr int kDirections = 16;         // numerical
-constexpr double kLook = 0.25;          // [m] numerical: sampling of the swept area
-constexpr double kPassedBy = 1.0;       // [m] numerical: swept area beyond and behind the point
+constexpr double kCutCorner = 1.0;  // [m] a body leaves its front's way by less (yield_plan.cpp)
+constexpr int kDirections = 16;     // numerical
+constexpr double kLook = 0.25;      // [m] numerical: sampling of the swept area
+constexpr double kPassedBy = 1.0;   // [m] numerical: swept area beyond and behind the point
 
-/// Whether a turned body fits at a place and gets there.
-bool fits(const WallIndex& walls, const Vec2& from, const Vec2& to, double turned) {
-  const double room = turned + kTouch;
-  return walls.inside(to) && walls.sees(from, to) && walls.room(to, room) >= room;
+/// Whether a turned body at `to` has room between the walls and the other vehicles.
+bool has_room(const SideRoom& room, const VehicleState& vehicle, const Vec2& to, double turned) {
+  const double reach = turned + kTouch;
+  if (!room.walls.inside(to) || room.walls.room(to, reach) < reach) return false;
+  return std::ranges::none_of(room.vehicles, [&](const VehicleState& other) {
+    return &other != &vehicle && distance_to(other, to) < reach;
+  });
+}
+
+/// Whether it fits there and gets there.
+bool fits(const SideRoom& room, const VehicleState& vehicle, const Vec2& from, const Vec2& to,
+          double turned) {
+  return room.walls.sees(from, to) && has_room(room, vehicle, to, turned);
+}
+
+/// Whether a straight line keeps so far from the walls and the other vehicles.
+bool free_line(const SideRoom& room, const VehicleState& vehicle, const Vec2& from, const Vec2& to,
+               double reach) {
+  if (!room.walls.inside(from) || !room.walls.free_line(from, to, reach)) return false;
+  return std::ranges::none_of(room.vehicles, [&](const VehicleState& other) {
+    if (&other == &vehicle) return false;
+    Rectangle frame = rectangle_of(other);
+    frame.half += Vec2::Constant(reach);
+    return runs_through(frame, from, to);
+  });
 }
 
 /// The place beside the way at `offset` [m], on the one side, with most room up to `wanted`.
-std::optional<Vec2> place_at(const WallIndex& walls, const VehicleState& vehicle, const Vec2& from,
+std::optional<Vec2> place_at(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
                              double offset, double side, const BodyBeside& body, double wanted) {
   const LinePoint at = point_on(vehicle.way, offset);
   const double least = body.radius + kPast;
   for (double beyond = std::max(wanted, least); beyond > least - 1e-9; beyond -= kSideStep) {
     const Vec2 place = at.point + left_of(at.direction) * side * (0.5 * vehicle.width + beyond);
-    if (!fits(walls, from, place, body.turned)) continue;
+    if (!fits(room, vehicle, from, place, body.turned)) continue;
+    if (runs_through(rectangle_of(vehicle), from, place)) continue;
     if (least_distance(vehicle, place) >= least - 1e-9) return place;
   }
   return std::nullopt;
@@ -58,8 +81,8 @@ double least_distance(const VehicleState& vehicle, const Vec2& point) {
   return least;
 }
 
-std::optional<Vec2> place_aside(const WallIndex& walls, const VehicleState& vehicle,
-                                const Vec2& from, const BodyBeside& body, double wanted) {
+std::optional<Vec2> place_aside(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
+                                const BodyBeside& body, double wanted) {
   if (vehicle.way.size() < 2) return std::nullopt;
   const LineProjection here = project_on(vehicle.way, from);
   const double own = here.lateral < 0.0 ? -1.0 : 1.0;
@@ -67,7 +90,7 @@ std::optional<Vec2> place_aside(const WallIndex& walls, const VehicleState& vehi
     for (const double offset : {here.offset + away, here.offset - away}) {
       if (offset < vehicle.length + kNearest && away > 0.0) continue;
       for (const double side : {own, -own}) {
-        const auto place = place_at(walls, vehicle, from, offset, side, body, wanted);
+        const auto place = place_at(room, vehicle, from, offset, side, body, wanted);
         if (place) return place;
       }
       if (away == 0.0) break;
@@ -82,32 +105,36 @@ bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius) 
 }
 
 bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius) {
-  return least_distance(vehicle, point) < radius + kPast;
+  if (vehicle.way.size() < 2) return false;
+  const double reach = radius + kPast;
+  const double sideways = std::abs(project_on(vehicle.way, point).lateral);
+  if (sideways > 0.5 * vehicle.width + reach + kCutCorner) return false;
+  return least_distance(vehicle, point) < reach;
 }
 
-std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
-                                const Vec2& from, const BodyBeside& body) {
+std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
+                                const BodyBeside& body) {
   const Rectangle frame = rectangle_of(vehicle);
   const double away = angle_of(from - frame.centre);
   for (double step = kRing; step <= kFarthestClear; step = std::max(step + kRing, kWider * step)) {
     for (int k = 0; k < kDirections; ++k) {
       const int turn = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // straight away from it first
       const Vec2 to = from + unit(away + turn * 2.0 * kPi / kDirections) * step;
-      if (!fits(walls, from, to, body.turned) || runs_through(frame, from, to)) continue;
+      if (!fits(room, vehicle, from, to, body.turned) || runs_through(frame, from, to)) continue;
       if (least_distance(vehicle, to) >= body.radius + kPast) return to;
     }
   }
   return std::nullopt;
 }
 
-std::optional<SideWay> way_beside(const WallIndex& walls, const VehicleState& vehicle, double side,
+std::optional<SideWay> way_beside(const SideRoom& room, const VehicleState& vehicle, double side,
                                   const BodyBeside& body) {
   const Rectangle frame = rectangle_of(vehicle);
   const auto free_at = [&](double beyond) {
     const double lateral = side * (frame.half.y() + beyond);
     const Vec2 ahead = frame.out_of_frame({frame.half.x(), lateral});
     const Vec2 behind = frame.out_of_frame({-frame.half.x(), lateral});
-    return walls.inside(ahead) && walls.free_line(ahead, behind, body.turned + kTouch);
+    return free_line(room, vehicle, ahead, behind, body.turned + kTouch);
   };
   const double least = body.turned + kTouch, most = 2.0 * body.radius + kStraight;
   double first = -1.0, last = -1.0;

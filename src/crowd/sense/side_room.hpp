@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "geometry/wall_index.hpp"
 #include "world/snapshot.hpp"
@@ -20,6 +21,12 @@ struct BodyBeside {
   double turned = 0.12;  ///< [m] with its shoulders turned
 };
 
+/// What leaves people little room.
+struct SideRoom {
+  const WallIndex& walls;
+  std::span<const VehicleState> vehicles;  ///< all there are, that which is minded among them
+};
+
 /// Distance [m] to which a vehicle that drives on along its way comes to a point; 0: runs over it.
 double least_distance(const VehicleState& vehicle, const Vec2& point);
 
@@ -28,8 +35,8 @@ double least_distance(const VehicleState& vehicle, const Vec2& point);
 /// vehicle's way and a wall, the full body is not touched. Of the places at one distance along the
 /// way that with most room, up to `wanted` [m] beyond the vehicle's side. Nothing where there is
 /// none within reach.
-std::optional<Vec2> place_aside(const WallIndex& walls, const VehicleState& vehicle,
-                                const Vec2& from, const BodyBeside& body, double wanted);
+std::optional<Vec2> place_aside(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
+                                const BodyBeside& body, double wanted);
 
 /// Whether the vehicle, driving on along its way, comes nearer than now to a body at `point` [m]
 /// and touches it, or nearly so: the rear of a vehicle that turns.
@@ -40,8 +47,8 @@ bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius);
 
 /// The nearest place to `from` [m] to which a turned body can step out of what the vehicle is about
 /// to sweep. Nothing where there is none within 8 m.
-std::optional<Vec2> place_clear(const WallIndex& walls, const VehicleState& vehicle,
-                                const Vec2& from, const BodyBeside& body);
+std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
+                                const BodyBeside& body);
 
 /// A way along a standing vehicle from one end to the other.
 struct SideWay {
@@ -51,7 +58,7 @@ struct SideWay {
 
 /// The way along the vehicle's left (side 1) or right side (-1); nothing where a turned body does
 /// not fit.
-std::optional<SideWay> way_beside(const WallIndex& walls, const VehicleState& vehicle, double side,
+std::optional<SideWay> way_beside(const SideRoom& room, const VehicleState& vehicle, double side,
                                   const BodyBeside& body);
 
 }  // namespace pedzone

@@ -152,10 +152,11 @@ def both_ways(count: int, kind: str = "car", people: int = 5) -> Scene:
     return cars(scene, count, 30, kind=kind)
 
 
-def two_lanes(count: int, kind: str = "car", people: int = 12) -> Scene:
+def two_lanes(count: int, kind: str = "car", people: int = 12, width: str = "3.2") -> Scene:
     """A street of two lanes: vehicles meet side by side before people of both directions."""
-    scene = Scene({"a": (0, 0), "b": (150, 0)}, {"there": ("a", "b", {}), "back": ("b", "a", {})},
-                  "there back")
+    lane = {"width": width}
+    scene = Scene({"a": (0, 0), "b": (150, 0)},
+                  {"there": ("a", "b", lane), "back": ("b", "a", lane)}, "there back")
     for k in range(people):
         scene.person(f"there{k}", k, "there", departPos="40", arrivalPos="140")
         scene.person(f"back{k}", k, "back", departPos="40", arrivalPos="140")
@@ -204,5 +205,7 @@ for _kind in ("car", "van", "bus"):
     SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
     SCENES[f"both-ways-{_kind}"] = both_ways(3, _kind)
     SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
+for _width in ("2.6", "2.8"):
+    SCENES[f"two-lanes-{_width}m"] = two_lanes(3, "van", width=_width)
 for _seed in range(24):
     SCENES[f"zone-end-{_seed}"] = zone_end(_seed)

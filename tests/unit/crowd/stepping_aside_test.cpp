@@ -104,10 +104,41 @@ TEST(SideRoom, swings_over_who_stands_behind_the_corner) {
   EXPECT_FALSE(swings_over(vehicle, {-3.5, 1.4}, kRadius));
   EXPECT_FALSE(swings_over(vehicle, {-0.5, -2.0}, kRadius));
   const WallIndex open(Region{Polygon{box(-20.0, -20.0, 20.0, 20.0), {}}});
-  const auto place = place_clear(open, vehicle, {-0.5, 1.4}, {kRadius, kTurned});
+  const auto place = place_clear({open, {}}, vehicle, {-0.5, 1.4}, {kRadius, kTurned});
   ASSERT_TRUE(place);
   EXPECT_FALSE(swings_over(vehicle, *place, kRadius));
   EXPECT_LT((*place - Vec2(-0.5, 1.4)).norm(), 4.0);
+}
+
+TEST(SideRoom, is_not_where_another_vehicle_stands) {
+  const WallIndex open(Region{Polygon{box(-20.0, -5.0, 20.0, 5.0), {}}});
+  std::vector<VehicleState> vehicles{vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0),
+                                     vehicle_at({0.0, 2.2}, kPi, 0.0, 4.0, 2.0)};
+  const BodyBeside body{kRadius, kTurned};
+  EXPECT_TRUE(way_beside({open, {}}, vehicles[0], 1.0, body));
+  EXPECT_FALSE(way_beside({open, vehicles}, vehicles[0], 1.0, body)) << "0.2 m between them";
+  EXPECT_TRUE(way_beside({open, vehicles}, vehicles[0], -1.0, body));
+  const Polyline way{{-4.0, 0.0}, {0.0, 0.0}, {40.0, 0.0}};
+  vehicles[0].way = way;
+  const Vec2 here(1.0, 0.9);
+  const auto alone = place_aside({open, {}}, vehicles[0], here, body, 0.7);
+  ASSERT_TRUE(alone);
+  EXPECT_GT(alone->y(), 1.0) << "the nearer side";
+  const auto place = place_aside({open, vehicles}, vehicles[0], here, body, 0.7);
+  ASSERT_TRUE(place);
+  EXPECT_GT(distance_to(vehicles[1], *place), kTurned);
+}
+
+TEST(SideRoom, nobody_beside_a_vehicle_steps_aside_through_it) {
+  const WallIndex street(Region{Polygon{box(-20.0, -1.3, 20.0, 5.0), {}}});
+  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
+  const Polyline way{{-4.0, 0.0}, {0.0, 0.0}, {40.0, 0.0}};
+  vehicle.way = way;
+  const Vec2 here(-0.2, -1.15);
+  const auto place = place_aside({street, {}}, vehicle, here, {kRadius, kTurned}, 0.7);
+  ASSERT_TRUE(place);
+  EXPECT_GT(place->y(), 1.0) << "no room on this side";
+  EXPECT_GT(place->x(), 0.0) << "round the front";
 }
 
 TEST(VehicleMotion, goes_along_its_way_and_not_along_a_chord_of_it) {
