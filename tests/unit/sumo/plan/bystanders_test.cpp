@@ -134,7 +134,9 @@ TEST_F(BystandersTest, who_is_near_another_zone_is_not_seen_from_this_one) {
 }
 
 TEST_F(BystandersTest, who_is_longer_than_wide_does_not_turn_its_shoulders) {
-  Bystander walker{.id = "walker"}, pram{.id = "pram"};
+  Bystander walker, pram;
+  walker.id = "walker";
+  pram.id = "pram";
   measure(walker, {0.215, 0.478});
   EXPECT_TRUE(walker.turns);
   EXPECT_NEAR(walker.radius, 0.239, 1e-9);
