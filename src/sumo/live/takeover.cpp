@@ -86,8 +86,8 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
   }
   drop_gone();
   for (const auto& [id, position] : replanned) {
-    past_[id] = {};
-    past_[id].was_controlled = true;
+    PersonPast& past = past_[id];
+    past = {0, -1, -1, true, past.was_given_back};
     consider(id, &position, fleet);
   }
 }
@@ -106,6 +106,7 @@ void Takeover::consider(const std::string& id, const Vec2* known_position, const
   const auto plan =
       plan_takeover(network_, zones_[zone], edge, *walker, known_position != nullptr, fleet, past);
   if (!plan || !add_guest(*walker, zone, *plan, fleet)) return;
+  if (known_position == nullptr) ++totals_.takeovers;  // else it was ours already
   if (!past.was_controlled) ++totals_.controlled;
   past.was_controlled = true;
 }
@@ -182,7 +183,11 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     if (const auto plan = hand_over(guest, view, dt, fleet)) {
       sumo_person::release(guest.id, *plan);
       guest.gone = true;
-      past_[guest.id].last = guest.stretch.last;
+      PersonPast& past = past_[guest.id];
+      past.last = guest.stretch.last;
+      ++totals_.returns;
+      if (!past.was_given_back) ++totals_.given_back;
+      past.was_given_back = true;
     } else {
       sumo_person::show(guest.id, view.position, view.heading);
     }
@@ -203,6 +208,11 @@ void Takeover::drop_gone() {
   std::erase_if(guests_, gone);
   guest_index_.clear();
   for (std::size_t i = 0; i < guests_.size(); ++i) guest_index_[guests_[i].id] = i;
+}
+
+const Guest* Takeover::guest(const std::string& id) const {
+  const auto found = guest_index_.find(id);
+  return found == guest_index_.end() ? nullptr : &guests_[found->second];
 }
 
 void Takeover::people(std::vector<PersonAhead>& out) const {
