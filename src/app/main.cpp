@@ -51,6 +51,8 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--threads", options.threads, "Threads for walking; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  run_command->add_flag("--quiet", options.quiet,
+                        "No progress on the terminal and no summary; warnings and errors are told");
   run_command->add_option("--summary", options.summary,
                           "Write the summary as JSON; this and other outputs: - is standard "
                           "output, NAME.gz is compressed");

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <iostream>
 #include <string>
 
 #include "app/clock_text.hpp"
@@ -12,48 +12,58 @@
 namespace pedzone {
 namespace {
 
-constexpr double kOnTerminal = 0.2;  // [s] between two drawings of the bar
-constexpr double kElsewhere = 30.0;  // [s] between two plain lines
-constexpr int kBarWidth = 24;        // characters
+constexpr double kEvery = 0.2;  // [s] between two drawings of the bar
 
 }  // namespace
 
-Progress::Progress(double begin, double end)
-    : begin_(begin),
-      end_(end),
-      terminal_(isatty(STDERR_FILENO) == 1),
+Progress::Progress(bool quiet)
+    : quiet_(quiet),
       start_(Clock::now()),
-      last_(start_) {}
+      last_(start_),
+      errors_(std::cerr, [this](const std::string& line) { read(line); }) {
+  if (quiet || !line_.is_terminal() || isatty(STDOUT_FILENO) != 1) return;
+  output_.emplace(std::cout, [this](const std::string& line) {
+    line_.clear();
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  });
+}
+
+Progress::~Progress() { finish(); }
+
+void Progress::read(const std::string& line) {
+  warnings_.read(line);
+  print(line);
+}
+
+void Progress::start(double begin, double end) {
+  begin_ = begin;
+  end_ = end;
+  start_ = last_ = Clock::now();
+}
 
 void Progress::update(double time, std::size_t controlled) {
+  if (quiet_ || !line_.is_terminal()) return;
   const Clock::time_point now = Clock::now();
   const auto since = [&](Clock::time_point then) {
     return std::chrono::duration<double>(now - then).count();
   };
-  if (since(last_) < (terminal_ ? kOnTerminal : kElsewhere)) return;
+  if (since(last_) < kEvery) return;
   last_ = now;
-  const double elapsed = std::max(since(start_), 1e-9);
-  const double factor = (time - begin_) / elapsed;
-  std::string line = fmt::format("{:.0f} s simulated", time);
-  std::string left;
+  const double factor = (time - begin_) / std::max(since(start_), 1e-9);
+  std::string share, end;
   if (end_ > begin_) {
-    const double share = std::clamp((time - begin_) / (end_ - begin_), 0.0, 1.0);
-    line = fmt::format("{:3.0f} %  {:.0f} of {:.0f} s simulated", 100.0 * share, time, end_);
-    if (factor > 0.0) left = fmt::format(", {} left", clock_text((end_ - time) / factor));
-    if (terminal_) {
-      const int filled = static_cast<int>(share * kBarWidth);
-      line = "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + "] " + line;
-    }
+    const double done = std::clamp((time - begin_) / (end_ - begin_), 0.0, 1.0);
+    share = fmt::format("{} {:3.0f} %", bar_text(done), 100.0 * done);
+    if (factor > 0.0) share += fmt::format(", {} left", clock_text((end_ - time) / factor));
+    share += ": ";
+    end = fmt::format(" of {:.0f}", end_);
   }
-  line += fmt::format(", {:.1f}x real time, {} persons controlled{}", factor, controlled, left);
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", line, terminal_ ? "" : "\n");
-  std::fflush(stderr);
-  shown_ = true;
+  // The end of a line that is too long is cut off: what matters most comes first.
+  line_.draw(fmt::format("{}{:.0f}{} s, {:.1f}x real time, {} persons walked", share, time, end,
+                         factor, controlled));
 }
 
-void Progress::finish() {
-  if (terminal_ && shown_) fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
-}
+void Progress::finish() { line_.clear(); }
 
 }  // namespace pedzone

@@ -1,26 +1,44 @@
-// Progress of a long run: a bar on a terminal, a plain line every half minute elsewhere.
+// Progress of a run on a terminal: a bar with the time left. What SUMO and pedzone print goes above
+// it, line by line.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "app/terminal_line.hpp"
+#include "sumo/live/sumo_messages.hpp"
 
 namespace pedzone {
 
 class Progress {
  public:
-  /// `end` [s] simulated; negative when unknown. Writes to standard error.
-  Progress(double begin, double end);
-  /// Call after each step; prints only now and then.
+  /// From now on SUMO's messages are shown and counted. `quiet`: no bar.
+  explicit Progress(bool quiet);
+  ~Progress();
+  /// The run goes from `begin` to `end` [s]; a negative end is unknown.
+  void start(double begin, double end);
+  /// Call after each step; draws only now and then.
   void update(double time, std::size_t controlled);
-  /// Clears the bar.
+  /// Prints a line above the bar.
+  void print(const std::string& line) { line_.print(line); }
+  /// Clears the bar. SUMO's messages are shown on.
   void finish();
+  /// Of SUMO's messages so far.
+  const WarningCounts& warnings() const { return warnings_; }
 
  private:
   using Clock = std::chrono::steady_clock;
-  double begin_, end_;
-  bool terminal_;
+  void read(const std::string& line);
+
+  bool quiet_;
+  double begin_ = 0.0, end_ = -1.0;
+  TerminalLine line_;
   Clock::time_point start_, last_;
-  bool shown_ = false;
+  WarningCounts warnings_;
+  StreamLines errors_;
+  std::optional<StreamLines> output_;  ///< where both go to one terminal
 };
 
 }  // namespace pedzone

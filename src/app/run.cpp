@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/guarded.hpp"
 #include "app/interrupts.hpp"
 #include "app/output_files.hpp"
@@ -11,6 +9,7 @@
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
 #include "app/thread_limit.hpp"
+#include "app/warnings.hpp"
 #include "core/error.hpp"
 #include "model/walking_model.hpp"
 #include "sumo/simulation.hpp"
@@ -45,29 +44,6 @@ SimulationOptions prepare(const RunOptions& options) {
   return prepared;
 }
 
-/// Tells of people who are stuck among people, of the first ones by name.
-class JamWarnings {
- public:
-  void step(const std::vector<JamRecord>& jams) {
-    for (; told_ < std::min(jams.size(), kNamed); ++told_) {
-      const JamRecord& jam = jams[told_];
-      fmt::print(stderr,
-                 "Warning: person '{}' in zone '{}' is stuck among people at ({:.1f}, {:.1f}), "
-                 "time {:.1f}: it squeezes through.\n",
-                 jam.person, jam.zone, jam.position.x(), jam.position.y(), jam.time);
-    }
-  }
-  void finish(const std::vector<JamRecord>& jams) const {
-    if (jams.size() > kNamed) {
-      fmt::print(stderr, "Warning: {} more were stuck.\n", jams.size() - kNamed);
-    }
-  }
-
- private:
-  static constexpr std::size_t kNamed = 10;
-  std::size_t told_ = 0;
-};
-
 /// Tells of a run that was ended early.
 void warn_of_interrupt(const RunSummary& totals) {
   fmt::print(
@@ -76,36 +52,49 @@ void warn_of_interrupt(const RunSummary& totals) {
       totals.time.simulated_s, totals.interrupted_by);
 }
 
-/// Its exit code: 0, or 128 + the signal that ended it early.
-int simulate(const RunOptions& options) {
-  const ThreadLimit limit(options.threads);
-  const SimulationOptions prepared = prepare(options);
-  OutputFiles outputs(options);
-  Simulation simulation(prepared);
-  outputs.observe(simulation);
+void warn_of_shapes(const Simulation& simulation) {
   for (const Zone& zone : simulation.zones()) {
-    if (!zone.warnings.empty()) {
-      fmt::print(stderr, "Zone '{}': {} warnings about its shape; `pedzone inspect` lists them.\n",
-                 zone.id, zone.warnings.size());
-    }
+    if (zone.warnings.empty()) continue;
+    fmt::print(stderr, "Zone '{}': {} warnings about its shape; `pedzone inspect` lists them.\n",
+               zone.id, zone.warnings.size());
   }
+}
+
+/// To its end, or until it is interrupted.
+void walk(Simulation& simulation, OutputFiles& outputs, Progress& progress) {
   JamWarnings jams;
-  Progress progress(simulation.time(), simulation.end_time());
+  StuckWarning stuck;
+  progress.start(simulation.time(), simulation.end_time());
   note_interrupts();
   while (!simulation.finished() && noted_interrupt() == 0) {
     const double time = simulation.time();
     simulation.step();
     outputs.step(time, simulation);
-    jams.step(simulation.jams());
+    jams.step(simulation, progress);
+    stuck.step(simulation, progress);
     progress.update(simulation.time(), simulation.guests().size());
   }
   progress.finish();
-  jams.finish(simulation.jams());
+  jams.finish(simulation, progress);
+}
+
+/// Its exit code: 0, or 128 + the signal that ended it early.
+int simulate(const RunOptions& options) {
+  const ThreadLimit limit(options.threads);
+  const SimulationOptions prepared = prepare(options);
+  OutputFiles outputs(options);
+  Progress progress(options.quiet);
+  Simulation simulation(prepared);
+  outputs.observe(simulation);
+  warn_of_shapes(simulation);
+  walk(simulation, outputs, progress);
   RunSummary totals = simulation.summary();
   totals.interrupted_by = noted_interrupt();
+  const bool warns = simulation.warns();
   simulation.close();
+  if (warns) totals.sumo.warnings = progress.warnings();
   outputs.finish(simulation, totals);
-  fmt::print("{}", summary_table(totals));
+  if (!options.quiet) fmt::print("{}", summary_table(totals));
   if (totals.interrupted_by == 0) return 0;
   warn_of_interrupt(totals);
   return 128 + totals.interrupted_by;

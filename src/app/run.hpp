@@ -12,12 +12,13 @@
 namespace pedzone {
 
 struct RunOptions {
-  std::string config;     ///< .sumocfg
-  std::string zone_file;  ///< empty: the zone is found by itself
+  std::string config;                ///< .sumocfg
+  std::string zone_file;             ///< empty: the zone is found by itself
   std::optional<std::string> model;  ///< of every zone; unset: as the zone file says
   std::optional<std::uint64_t> seed;
   std::optional<double> end;                   ///< [s]
   int threads = 0;                             ///< 0: all cores
+  bool quiet = false;                          ///< no progress, and no summary on standard output
   std::string summary, trajectories, picture;  ///< files to write; empty: not
   std::string debug_shapes;                    ///< file to write; empty: not
   std::optional<double> debug_time;            ///< [s] of the shapes; unset: the end

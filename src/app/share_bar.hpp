@@ -6,6 +6,8 @@
 #include <mutex>
 #include <string>
 
+#include "app/terminal_line.hpp"
+
 namespace pedzone {
 
 class ShareBar {
@@ -19,7 +21,7 @@ class ShareBar {
  private:
   using Clock = std::chrono::steady_clock;
   std::string what_;
-  bool terminal_, shown_ = false;
+  TerminalLine line_;
   Clock::time_point start_, last_;
   std::mutex mutex_;
 };

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "app/terminal_line.hpp"
+
 namespace pedzone {
 
 class StudyProgress {
@@ -30,7 +32,7 @@ class StudyProgress {
   int jobs_;
   std::size_t timed_ = 0;
   double wall_s_ = 0.0;  ///< [s] of the runs in timed_
-  bool terminal_;
+  TerminalLine terminal_;
   Clock::time_point last_ = Clock::time_point::min();
 };
 

@@ -35,8 +35,69 @@ std::string run_into_text(const std::vector<RunIntoRecord>& events) {
   return text;
 }
 
-std::span<const LateBraking> first_of(const std::vector<LateBraking>& all) {
+template <typename Event>
+std::span<const Event> first_of(const std::vector<Event>& all) {
   return std::span(all).first(std::min(all.size(), kNamed));
+}
+
+std::string stuck_text(const Stuck& stuck) {
+  const std::string most =
+      stuck.most == 0 ? "" : fmt::format(", at most {} (at {:.0f} s)", stuck.most, stuck.most_at_s);
+  return fmt::format("{} at the end{}", stuck.now.size(), most);
+}
+
+std::string stuck_list(const Stuck& stuck) {
+  std::string text;
+  for (const Standstill& one : first_of(stuck.now)) {
+    text += fmt::format("    '{}' since {:.0f} s at ({:.1f}, {:.1f}) {}\n", one.id, one.since,
+                        one.position.x(), one.position.y(), one.where);
+  }
+  if (stuck.now.size() > kNamed)
+    text += fmt::format("    and {} more\n", stuck.now.size() - kNamed);
+  return text;
+}
+
+std::string warned_text(const RunSummary& summary, long WarningCounts::*count) {
+  return summary.sumo.warnings ? std::to_string((*summary.sumo.warnings).*count)
+                               : "not known, SUMO is told not to print each warning";
+}
+
+std::string teleport_text(const RunSummary& summary) {
+  const auto& warnings = summary.sumo.warnings;
+  if (!warnings) return std::to_string(summary.sumo.teleports);
+  return fmt::format("{} (jam {}, yield {}, wrong lane {})", summary.sumo.teleports, warnings->jam,
+                     warnings->yield, warnings->wrong_lane);
+}
+
+nlohmann::ordered_json stuck_json(const Stuck& stuck) {
+  nlohmann::ordered_json json{{"at_end", stuck.now.size()},
+                              {"most", stuck.most},
+                              {"most_at_s", stuck.most_at_s},
+                              {"first", nlohmann::ordered_json::array()}};
+  for (const Standstill& one : first_of(stuck.now)) {
+    json["first"].push_back({{"id", one.id},
+                             {"since", one.since},
+                             {"x", one.position.x()},
+                             {"y", one.position.y()},
+                             {"where", one.where}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json sumo_json(const RunSummary& summary) {
+  const auto& sumo = summary.sumo;
+  const auto warned = [&](long WarningCounts::*count) -> nlohmann::ordered_json {
+    if (!sumo.warnings) return nullptr;
+    return (*sumo.warnings).*count;
+  };
+  return {{"teleports", sumo.teleports},
+          {"jam_teleports", warned(&WarningCounts::jam)},
+          {"yield_teleports", warned(&WarningCounts::yield)},
+          {"wrong_lane_teleports", warned(&WarningCounts::wrong_lane)},
+          {"collisions", sumo.collisions},
+          {"emergency_stops", sumo.emergency_stops},
+          {"emergency_brakings", warned(&WarningCounts::emergency_brakings)},
+          {"jammed_persons", warned(&WarningCounts::jammed_persons)}};
 }
 
 }  // namespace
@@ -51,7 +112,9 @@ std::string summary_table(const RunSummary& summary) {
   };
   text += "Persons\n";
   line("seen", std::to_string(persons.seen));
-  line("taken over by pedzone", std::to_string(persons.controlled));
+  line("taken over by pedzone",
+       fmt::format("{} ({} times)", persons.controlled, persons.takeovers));
+  line("given back to SUMO", fmt::format("{} ({} times)", persons.given_back, persons.returns));
   line("arrived", std::to_string(persons.arrived));
   line("still walking", std::to_string(persons.walking));
   line("lost", std::to_string(persons.lost));
@@ -70,6 +133,17 @@ std::string summary_table(const RunSummary& summary) {
   line("ran into a person", std::to_string(summary.run_into.size()));
   text += run_into_text(summary.run_into);
   line("braked hard for a late step", std::to_string(summary.late_brakings.size()));
+  text += fmt::format("Has not moved for {:.0f} s\n", Standstills::kLong);
+  line("persons", stuck_text(summary.stuck_persons));
+  text += stuck_list(summary.stuck_persons);
+  line("vehicles", stuck_text(summary.stuck_vehicles));
+  text += stuck_list(summary.stuck_vehicles);
+  text += "Counted by SUMO\n";
+  line("teleports", teleport_text(summary));
+  line("collisions", std::to_string(summary.sumo.collisions));
+  line("emergency stops", std::to_string(summary.sumo.emergency_stops));
+  line("emergency brakings", warned_text(summary, &WarningCounts::emergency_brakings));
+  line("jammed persons", warned_text(summary, &WarningCounts::jammed_persons));
   text += "Time\n";
   line("simulated", fmt::format("{:.0f} s", time.simulated_s));
   line("wall", fmt::format("{:.1f} s (SUMO {:.1f} s, pedzone {:.1f} s)", time.wall_s, time.sumo_s,
@@ -87,6 +161,9 @@ std::string summary_json(const RunSummary& summary) {
   json["interrupted"] = summary.interrupted_by != 0;
   json["persons"] = {{"seen", persons.seen},
                      {"controlled", persons.controlled},
+                     {"takeovers", persons.takeovers},
+                     {"given_back", persons.given_back},
+                     {"returns", persons.returns},
                      {"arrived", persons.arrived},
                      {"walking", persons.walking},
                      {"lost", persons.lost},
@@ -132,6 +209,9 @@ std::string summary_json(const RunSummary& summary) {
                                      {"y", braking.front.y()},
                                      {"deceleration_mps2", braking.deceleration}});
   }
+  json["not_moved_for_60_s"] = {{"persons", stuck_json(summary.stuck_persons)},
+                                {"vehicles", stuck_json(summary.stuck_vehicles)}};
+  json["sumo"] = sumo_json(summary);
   json["time"] = {{"simulated_s", time.simulated_s},
                   {"wall_s", time.wall_s},
                   {"sumo_s", time.sumo_s},

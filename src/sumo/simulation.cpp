@@ -10,6 +10,7 @@
 #include "sumo/files/hint_values.hpp"
 #include "sumo/files/path_vehicles.hpp"
 #include "sumo/files/people_file.hpp"
+#include "sumo/live/stuck_watch.hpp"
 #include "sumo/live/sumo_vehicle.hpp"
 #include "sumo/plan/insertions.hpp"
 #include "sumo/plan/stand_off.hpp"
@@ -94,6 +95,8 @@ const std::vector<VehiclePath>& known_vehicles(const SimulationOptions& options)
   return options.vehicle_paths;
 }
 
+Stuck stuck_of(const Standstills& found) { return {found.all(), found.most(), found.most_at()}; }
+
 }  // namespace
 
 struct Simulation::Parts {
@@ -163,6 +166,7 @@ struct Simulation::Parts {
   Takeover takeover;
   PushRecords pushes{zones, crowds, takeover, fleet};
   RunTotals totals;
+  StuckWatch stuck{zones, crowds, takeover};
   SceneReader scene{fleet, takeover, crowds};
   std::function<void(const Scene&)> observer;
   bool stepped = false;  ///< SUMO has done a step
@@ -176,6 +180,7 @@ void Simulation::Parts::read(double dt) {
   steering.foresee(fleet, session.time(), dt);
   takeover.read(session.time(), fleet);
   totals.observe(fleet, takeover);
+  stuck.update(session.time());
   // SUMO's outputs name a step by the time at which it began.
   if (observer && stepped) observer(scene.read(session.time() - dt));
 }
@@ -210,6 +215,7 @@ void Simulation::step() {
     parts_->sumo_seconds += seconds_since(before);
     parts_->totals.count_persons(parts_->session.departed_persons(),
                                  parts_->session.arrived_persons());
+    parts_->totals.count_events(parts_->session.events());
   });
 }
 
@@ -243,6 +249,13 @@ PersonView Simulation::view(const Guest& guest) const {
   return parts_->crowds[guest.zone]->view(guest.handle);
 }
 
+bool Simulation::warns() const {
+  return parts_->session.option("no-warnings") == "false" &&
+         parts_->session.option("aggregate-warnings") == "-1";
+}
+
+const Standstills& Simulation::stuck_persons() const { return parts_->stuck.persons(); }
+
 std::vector<Insight> Simulation::insights() {
   const std::vector<Guest>& all = guests();
   std::vector<Insight> insights(all.size());
@@ -261,9 +274,11 @@ std::vector<Insight> Simulation::insights() {
 }
 
 RunSummary Simulation::summary() const {
-  RunSummary summary =
-      parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding,
-                             sumo_person::ids().size());
+  RunSummary summary = parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding,
+                                              sumo_person::ids().size());
+  parts_->stuck.look(time());
+  summary.stuck_persons = stuck_of(parts_->stuck.persons());
+  summary.stuck_vehicles = stuck_of(parts_->stuck.vehicles());
   summary.time.simulated_s = time();
   summary.time.wall_s = seconds_since(parts_->started);
   summary.time.sumo_s = parts_->sumo_seconds;

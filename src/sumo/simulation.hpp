@@ -59,6 +59,10 @@ class Simulation {
   const std::vector<RunIntoRecord>& run_into() const;
   /// What the guests are about to do, in their order; slow.
   std::vector<Insight> insights();
+  /// Who has not moved for long, looked for every few seconds.
+  const Standstills& stuck_persons() const;
+  /// Whether SUMO prints each of its warnings. Not to be asked after close().
+  bool warns() const;
   /// Figures so far.
   RunSummary summary() const;
 

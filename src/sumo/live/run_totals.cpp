@@ -15,6 +15,16 @@ void RunTotals::count_persons(long departed, long arrived) {
   arrived_ += arrived;
 }
 
+/// SUMO tells of a collision in every step that it lasts.
+void RunTotals::count_events(const SumoEvents& events) {
+  teleports_ += events.teleports;
+  emergency_stops_ += events.emergency_stops;
+  for (const SumoEvents::Collision& collision : events.collisions) {
+    if (std::ranges::find(colliding_, collision) == colliding_.end()) ++collisions_;
+  }
+  colliding_ = events.collisions;
+}
+
 void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
   person_steps_ += static_cast<long>(takeover.guests().size());
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
@@ -40,6 +50,9 @@ RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushe
   const double persons = static_cast<double>(std::max(1L, walks.controlled));
   summary.persons.seen = departed_;
   summary.persons.controlled = walks.controlled;
+  summary.persons.given_back = walks.given_back;
+  summary.persons.takeovers = walks.takeovers;
+  summary.persons.returns = walks.returns;
   summary.persons.arrived = arrived_;
   summary.persons.walking = static_cast<long>(walking);
   summary.persons.lost = departed_ - arrived_ - summary.persons.walking;
@@ -61,6 +74,9 @@ RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushe
   summary.vehicles.min_clearance_m = min_clearance_;
   for (const auto& [id, delay] : delays_) summary.vehicles.mean_delay_s += delay.last - delay.first;
   if (!delays_.empty()) summary.vehicles.mean_delay_s /= static_cast<double>(delays_.size());
+  summary.sumo.teleports = teleports_;
+  summary.sumo.collisions = collisions_;
+  summary.sumo.emergency_stops = emergency_stops_;
   summary.time.person_steps = person_steps_;
   return summary;
 }

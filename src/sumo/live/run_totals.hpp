@@ -2,24 +2,37 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "sumo/live/push_records.hpp"
+#include "sumo/live/session.hpp"
+#include "sumo/live/sumo_messages.hpp"
 #include "sumo/live/takeover.hpp"
+#include "sumo/plan/standstills.hpp"
 #include "sumo/plan/yielding.hpp"
 
 namespace pedzone {
+
+/// Those who have not moved for Standstills::kLong.
+struct Stuck {
+  std::vector<Standstill> now;  ///< the longest first
+  std::size_t most = 0;         ///< at any time
+  double most_at_s = 0.0;       ///< [s] when that was first
+};
 
 /// The summary of a run, as printed and as written by `--summary`.
 struct RunSummary {
   struct {
     long seen = 0, controlled = 0, arrived = 0, walking = 0, lost = 0;
-    double mean_speed = 0.0;      ///< [m/s] inside the zone
-    double mean_delay_s = 0.0;    ///< [s] per person, over its free walk of the same distance
-    double mean_waiting_s = 0.0;  ///< [s] per person
+    long given_back = 0;              ///< persons, at least once
+    long takeovers = 0, returns = 0;  ///< of all of them
+    double mean_speed = 0.0;          ///< [m/s] inside the zone
+    double mean_delay_s = 0.0;        ///< [s] per person, over its free walk of the same distance
+    double mean_waiting_s = 0.0;      ///< [s] per person
   } persons;
   struct {
     long seen = 0, yielding = 0, contacts = 0;
@@ -28,6 +41,12 @@ struct RunSummary {
     long insertion_contacts = 0;  ///< of the contacts: of a vehicle that SUMO put onto somebody
   } vehicles;
   std::vector<LateBraking> late_brakings;  ///< in time
+  Stuck stuck_persons, stuck_vehicles;     ///< anywhere in SUMO
+  struct {
+    long teleports = 0, collisions = 0, emergency_stops = 0;
+    std::optional<WarningCounts>
+        warnings;  ///< unset: nobody listened, or SUMO is told to be silent
+  } sumo;          ///< as it counts
   struct {
     long persons = 0;                           ///< whom a vehicle that drives pushed
     double longest_m = 0.0, fastest_mps = 0.0;  ///< of all their pushes
@@ -47,6 +66,8 @@ class RunTotals {
  public:
   /// How many departed and arrived in SUMO's last step.
   void count_persons(long departed, long arrived);
+  /// What SUMO counted in its last step.
+  void count_events(const SumoEvents& events);
   /// Distances between guests and vehicles now; delays of vehicles.
   void observe(const Fleet& fleet, const Takeover& takeover);
 
@@ -58,6 +79,8 @@ class RunTotals {
   struct Delay {
     double first = 0.0, last = 0.0;  ///< [s] SUMO's timeLoss when first and last seen
   };
+  long teleports_ = 0, collisions_ = 0, emergency_stops_ = 0;
+  std::vector<SumoEvents::Collision> colliding_;  ///< in the last step
   long departed_ = 0, arrived_ = 0, person_steps_ = 0;
   double min_clearance_ = std::numeric_limits<double>::infinity();
   std::set<std::pair<std::string, std::string>> contacts_;

@@ -54,6 +54,16 @@ bool Session::nobody_left() const { return api::Simulation::getMinExpectedNumber
 long Session::departed_persons() const { return api::Simulation::getDepartedPersonNumber(); }
 long Session::arrived_persons() const { return api::Simulation::getArrivedPersonNumber(); }
 
+SumoEvents Session::events() const {
+  SumoEvents events;
+  events.teleports = api::Simulation::getStartingTeleportNumber();
+  events.emergency_stops = api::Simulation::getEmergencyStoppingVehiclesNumber();
+  for (const auto& collision : api::Simulation::getCollisions()) {
+    events.collisions.push_back({collision.collider, collision.victim});
+  }
+  return events;
+}
+
 std::string Session::option(const std::string& name) const {
   return translated("to tell option " + name, [&] { return api::Simulation::getOption(name); });
 }

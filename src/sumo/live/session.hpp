@@ -8,6 +8,17 @@
 
 namespace pedzone {
 
+/// What SUMO counted in its last step.
+struct SumoEvents {
+  /// Who hit whom.
+  struct Collision {
+    std::string by, victim;
+    bool operator==(const Collision&) const = default;
+  };
+  long teleports = 0, emergency_stops = 0;
+  std::vector<Collision> collisions;  ///< those that go on included
+};
+
 class Session {
  public:
   /// Starts SUMO in this process. Finds SUMO's data itself where SUMO_HOME is not set.
@@ -25,6 +36,7 @@ class Session {
   bool nobody_left() const;
   long departed_persons() const;  ///< in the last step
   long arrived_persons() const;   ///< in the last step
+  SumoEvents events() const;
   /// An option's value as SUMO has it.
   std::string option(const std::string& name) const;
 

@@ -45,6 +45,10 @@ int stages_left(const std::string& id) { return api::Person::getRemainingStages(
 
 std::vector<std::string> edges(const std::string& id) { return api::Person::getEdges(id); }
 
+bool walks(const std::string& id) {
+  return api::Person::getStage(id).type == libsumo::STAGE_WALKING;
+}
+
 std::optional<WalkerSeen> walker(const std::string& id) {
   const auto stage = api::Person::getStage(id);
   if (stage.type != libsumo::STAGE_WALKING) return std::nullopt;

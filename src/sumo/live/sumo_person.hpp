@@ -29,6 +29,7 @@ std::string lane(const std::string& id);     ///< that SUMO has it on
 std::string vehicle(const std::string& id);  ///< in which it rides; empty: none
 int stages_left(const std::string& id);
 std::vector<std::string> edges(const std::string& id);  ///< of its present stage
+bool walks(const std::string& id);                      ///< its present stage is a walk
 /// Nothing where its present stage is no walk.
 std::optional<WalkerSeen> walker(const std::string& id);
 /// Its own parameter, else that of its type.

@@ -58,20 +58,19 @@ const std::vector<int>& VehicleReader::route(const std::string& id) {
 std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet) {
   std::vector<VehicleSeen> seen;
   for (const std::string& id : api::Vehicle::getIDList()) {
-    const auto position = api::Vehicle::getPosition(id);
-    const Vec2 front(position.x, position.y);
-    if (!fleet.near_zone(front)) continue;  // also INVALID while teleporting
+    const auto front = sumo_vehicle::front(id);
+    if (!front || !fleet.near_zone(*front)) continue;
     VehicleSeen vehicle;
     vehicle.id = id;
     vehicle.traits = traits(id, fleet.grip());
-    vehicle.front = front;
+    vehicle.front = *front;
     vehicle.heading = radians_from_sumo(api::Vehicle::getAngle(id));
     vehicle.speed = std::max(0.0, api::Vehicle::getSpeed(id));
     vehicle.allowed_speed = api::Vehicle::getAllowedSpeed(id);
     vehicle.time_loss = api::Vehicle::getTimeLoss(id);
     vehicle.horn = is_true(parameter(id, "pedzone.horn"));
     vehicle.invites = parameter(id, "pedzone.signal") == "after-you";
-    vehicle.stopped = (api::Vehicle::getStopState(id) & 1) != 0;
+    vehicle.stopped = sumo_vehicle::is_at_stop(id);
     const auto lane = network_.lane_index.find(api::Vehicle::getLaneID(id));
     if (lane != network_.lane_index.end()) {
       vehicle.lane = lane->second;
@@ -89,6 +88,16 @@ namespace sumo_vehicle {
 std::vector<std::string> ids() { return api::Vehicle::getIDList(); }
 
 double length(const std::string& id) { return api::Vehicle::getLength(id); }
+
+std::optional<Vec2> front(const std::string& id) {
+  const auto position = api::Vehicle::getPosition(id);
+  if (position.x == libsumo::INVALID_DOUBLE_VALUE) return std::nullopt;
+  return Vec2(position.x, position.y);
+}
+
+std::string edge(const std::string& id) { return api::Vehicle::getRoadID(id); }
+
+bool is_at_stop(const std::string& id) { return (api::Vehicle::getStopState(id) & 1) != 0; }
 
 SafeSpeeds safe_speeds() {
   return {[](const FleetVehicle& vehicle, double gap) {

@@ -1,6 +1,7 @@
 // What is read of vehicles in SUMO, and what they are told: calls, and no decision.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -32,8 +33,11 @@ class VehicleReader {
 
 namespace sumo_vehicle {
 
-std::vector<std::string> ids();        ///< of all in SUMO
-double length(const std::string& id);  ///< [m]
+std::vector<std::string> ids();                    ///< of all in SUMO
+double length(const std::string& id);              ///< [m]
+std::optional<Vec2> front(const std::string& id);  ///< [m] nothing while it teleports
+std::string edge(const std::string& id);
+bool is_at_stop(const std::string& id);  ///< of its own, parking included
 /// What the vehicle's own car-following model finds safe.
 SafeSpeeds safe_speeds();
 void send(const std::vector<SpeedOrder>& orders);

@@ -94,8 +94,11 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
   }
   drop_gone();
   for (const auto& [id, position] : replanned) {
-    past_[id] = {};
-    past_[id].was_controlled = true;
+    PersonPast& past = past_[id];
+    const bool given_back = past.was_given_back;
+    past = {};
+    past.was_controlled = true;
+    past.was_given_back = given_back;
     consider(id, sumo_person::edge(id), &position, fleet);
   }
 }
@@ -116,6 +119,7 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id,
   const auto plan =
       plan_takeover(network_, zones_[zone], edge, *walker, known_position != nullptr, fleet, past);
   if (!plan || !add_guest(*walker, zone, *plan, fleet)) return true;
+  if (known_position == nullptr) ++totals_.takeovers;  // else it was ours already
   if (!past.was_controlled) ++totals_.controlled;
   past.was_controlled = true;
   return true;
@@ -193,7 +197,11 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     if (const auto plan = hand_over(guest, view, dt, fleet)) {
       sumo_person::release(guest.id, *plan);
       guest.gone = true;
-      past_[guest.id].last = guest.stretch.last;
+      PersonPast& past = past_[guest.id];
+      past.last = guest.stretch.last;
+      ++totals_.returns;
+      if (!past.was_given_back) ++totals_.given_back;
+      past.was_given_back = true;
     } else {
       sumo_person::show(guest.id, view.position, view.heading);
     }
@@ -214,6 +222,11 @@ void Takeover::drop_gone() {
   std::erase_if(guests_, gone);
   guest_index_.clear();
   for (std::size_t i = 0; i < guests_.size(); ++i) guest_index_[guests_[i].id] = i;
+}
+
+const Guest* Takeover::guest(const std::string& id) const {
+  const auto found = guest_index_.find(id);
+  return found == guest_index_.end() ? nullptr : &guests_[found->second];
 }
 
 void Takeover::people(std::vector<PersonAhead>& out) const {

@@ -43,6 +43,9 @@ struct Guest {
 /// Sums over all persons, for the summary.
 struct WalkTotals {
   long controlled = 0;     ///< persons taken over at least once
+  long given_back = 0;     ///< persons given back to SUMO at least once
+  long takeovers = 0;      ///< of all of them
+  long returns = 0;        ///< of all of them to SUMO
   double distance = 0.0;   ///< [m] walked while controlled
   double time = 0.0;       ///< [s] while controlled
   double free_time = 0.0;  ///< [s] that distance at the preferred speed
@@ -72,6 +75,8 @@ class Takeover {
   void write(double time, double dt, const Fleet& fleet);
 
   const std::vector<Guest>& guests() const { return guests_; }
+  /// The guest of that id; nullptr: SUMO walks it.
+  const Guest* guest(const std::string& id) const;
   const WalkTotals& totals() const { return totals_; }
   /// Of all steps so far, in time.
   const std::vector<JamRecord>& jams() const { return jams_; }

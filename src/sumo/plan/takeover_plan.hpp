@@ -31,6 +31,7 @@ struct PersonPast {
   int last = -1;                ///< route index of the edge it was released on
   int refused_edge = -1;        ///< edge on which it was found that it cannot be taken over
   bool was_controlled = false;  ///< pedzone has walked it before
+  bool was_given_back = false;  ///< and has given it back to SUMO
 };
 
 /// The walk of a person that is taken over.

@@ -1,0 +1,60 @@
+#include "app/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pedzone {
+namespace {
+
+constexpr std::size_t kNamed = 10;   // who are stuck among people
+constexpr std::size_t kMany = 10;    // people: more are warned of
+constexpr double kStoodFor = 120.0;  // [s]
+constexpr double kOnePlace = 10.0;   // [m] assumed: so near to one, others stand at the same place
+
+long others_near(const Standstill& one, const std::vector<Standstill>& all) {
+  return std::ranges::count_if(all, [&](const Standstill& other) {
+    return (other.position - one.position).norm() <= kOnePlace;
+  });
+}
+
+}  // namespace
+
+void JamWarnings::step(const Simulation& simulation, Progress& progress) {
+  const std::vector<JamRecord>& jams = simulation.jams();
+  for (; told_ < std::min(jams.size(), kNamed); ++told_) {
+    const JamRecord& jam = jams[told_];
+    progress.print(
+        fmt::format("Warning: person '{}' in zone '{}' is stuck among people at ({:.1f}, {:.1f}), "
+                    "time {:.1f}: it squeezes through.",
+                    jam.person, jam.zone, jam.position.x(), jam.position.y(), jam.time));
+  }
+}
+
+void JamWarnings::finish(const Simulation& simulation, Progress& progress) const {
+  const std::size_t all = simulation.jams().size();
+  if (all > kNamed) progress.print(fmt::format("Warning: {} more were stuck.", all - kNamed));
+}
+
+void StuckWarning::step(const Simulation& simulation, Progress& progress) {
+  const std::vector<Standstill>& stuck = simulation.stuck_persons().all();
+  if (told_ || stuck.size() <= kMany) return;
+  std::vector<Standstill> long_stuck;
+  for (const Standstill& one : stuck) {
+    if (simulation.time() - one.since >= kStoodFor) long_stuck.push_back(one);
+  }
+  if (long_stuck.size() <= kMany) return;
+  told_ = true;
+  const Standstill* most = &long_stuck.front();
+  for (const Standstill& one : long_stuck) {
+    if (others_near(one, long_stuck) > others_near(*most, long_stuck)) most = &one;
+  }
+  progress.print(fmt::format(
+      "Warning: at {:.0f} s {} people have stood for {:.0f} s, {} of them within {:.0f} m of '{}' "
+      "at ({:.1f}, {:.1f}){}{}.",
+      simulation.time(), long_stuck.size(), kStoodFor, others_near(*most, long_stuck), kOnePlace,
+      most->id, most->position.x(), most->position.y(), most->where.empty() ? "" : " ",
+      most->where));
+}
+
+}  // namespace pedzone
