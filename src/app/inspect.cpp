@@ -10,6 +10,7 @@
 #include "sumo/files/scenario.hpp"
 #include "view/zone_report.hpp"
 #include "view/zone_svg.hpp"
+#include "zone/any_zones.hpp"
 
 namespace pedzone {
 namespace {
@@ -21,7 +22,7 @@ void report(const InspectOptions& options) {
   std::unique_ptr<CompleteFile> picture;
   if (!options.svg.empty()) picture = std::make_unique<CompleteFile>(options.svg, "--svg");
   const Network network = read_scenario_network(scenario);
-  const std::vector<Zone> zones = build_zones(network, file.zones);
+  const std::vector<Zone> zones = build_any_zones(network, file.zones);
   const std::vector<WaypointPath> paths = find_paths(network, zones, file.paths);
   require_known_hints(scenario, {file.profiles, paths});
   if (picture) {

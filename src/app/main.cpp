@@ -6,6 +6,7 @@
 #include "app/animate.hpp"
 #include "app/conflicts.hpp"
 #include "app/demand.hpp"
+#include "app/guarded.hpp"
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
 #include "app/plot.hpp"
@@ -16,10 +17,37 @@
 #include "app/verify.hpp"
 #include "core/error.hpp"
 #include "results/trajectories.hpp"
+#include "study/plan/sumo_options.hpp"
 #include "world/model_names.hpp"
 
 namespace pedzone {
 namespace {
+
+/// What to do about an option that stands on the wrong side of `--`; empty: nothing is known.
+std::string hint_before(const std::vector<std::string>& unknown) {
+  for (const std::string& word : unknown) {
+    const std::string name = word.substr(word.find_first_not_of('-') == 2 ? 2 : 0);
+    if (name == word) continue;
+    try {
+      if (!study::known_sumo_option(name.substr(0, name.find('=')))) continue;
+    } catch (const std::exception&) {  // no `sumo` that could tell: no hint
+      return "";
+    }
+    return "--" + name + " is an option of SUMO: options of SUMO go after --.\n";
+  }
+  return "";
+}
+
+/// Throws InputError for an option of the command's that SUMO does not have.
+void require_sumo_options(const CLI::App& command, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || command.get_option_no_throw(name) == nullptr) continue;
+    if (study::known_sumo_option(name.substr(2))) continue;
+    throw InputError("is an option of pedzone",
+                     {"", 0, "after --", name, "options of SUMO; those of pedzone go before --"});
+  }
+}
 
 void add_run(CLI::App& app, RunOptions& options, int& code) {
   CLI::App* run_command = app.add_subcommand(
@@ -34,7 +62,9 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
       "              --pedestrians-profiles \"senior=0.5 wheelchair=0.1\" --end 1200\n\n"
       "Without --zone, the zone is all shared space of the network: edges of type\n"
       "highway.pedestrian and highway.living_street and lanes that persons and vehicles share at\n"
-      "no more than 20 km/h. `pedzone inspect` shows it. Everything after -- goes to SUMO.\n\n"
+      "no more than 20 km/h. `pedzone inspect` shows it. Everything after -- goes to SUMO and "
+      "wins\n"
+      "over what pedzone would tell it.\n\n"
       "Persons with the parameter pedzone.path (their own or their vType's) come by the POIs of\n"
       "type pedzone.waypoint that <path id=\"...\" waypoints=\"poi1 poi2\"/> in the zone file "
       "names,\n"
@@ -51,6 +81,9 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--threads", options.threads, "Threads for walking; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  run_command->add_flag("--strict", options.strict,
+                        "A scenario without persons or without shared space is an error; else it "
+                        "runs as in SUMO, with a warning");
   run_command->add_flag("--quiet", options.quiet,
                         "No progress on the terminal and no summary; warnings and errors are told");
   run_command->add_option("--summary", options.summary,
@@ -71,7 +104,10 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   add_conflict_options(*run_command, options.conflicts);
   add_panel_options(*run_command, options.panel);
   run_command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
-  run_command->callback([&options, &code] { code = run(options); });
+  run_command->callback([&options, &code, run_command] {
+    code = guarded([&] { require_sumo_options(*run_command, options.sumo_options); });
+    if (code == 0) code = run(options);
+  });
 }
 
 void add_inspect(CLI::App& app, InspectOptions& options, int& code) {
@@ -82,7 +118,10 @@ void add_inspect(CLI::App& app, InspectOptions& options, int& code) {
   command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");
   command->add_option("--svg", options.svg, "Draw the zone");
   command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
-  command->callback([&options, &code] { code = inspect(options); });
+  command->callback([&options, &code, command] {
+    code = guarded([&] { require_sumo_options(*command, options.sumo_options); });
+    if (code == 0) code = inspect(options);
+  });
 }
 
 void add_parameters(CLI::App& app) {
@@ -137,7 +176,10 @@ void add_demand(CLI::App& app, DemandOptions& options, int& code) {
   command->add_option("--out", options.out, "Route file to write")->required();
   add_panel_options(*command, options.panel);
   command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
-  command->callback([&options, &code] { code = demand(options); });
+  command->callback([&options, &code, command] {
+    code = guarded([&] { require_sumo_options(*command, options.sumo_options); });
+    if (code == 0) code = demand(options);
+  });
 }
 
 int command_line(int argc, char** argv) {
@@ -165,7 +207,8 @@ int command_line(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    fmt::print(stderr, "Error: {}\nRun with --help to see what is allowed.\n", error.what());
+    fmt::print(stderr, "Error: {}\n{}Run with --help to see what is allowed.\n", error.what(),
+               hint_before(app.remaining(true)));
     return kExitInput;
   }
   return code;

@@ -16,12 +16,12 @@ constexpr double kEvery = 0.2;  // [s] between two drawings of the bar
 
 }  // namespace
 
-Progress::Progress(bool quiet)
-    : quiet_(quiet),
-      start_(Clock::now()),
+Progress::Progress(bool bar)
+    : start_(Clock::now()),
       last_(start_),
       errors_(std::cerr, [this](const std::string& line) { read(line); }) {
-  if (quiet || !line_.is_terminal() || isatty(STDOUT_FILENO) != 1) return;
+  bar_ = bar && line_.is_terminal();
+  if (!bar_ || isatty(STDOUT_FILENO) != 1) return;
   output_.emplace(std::cout, [this](const std::string& line) {
     line_.clear();
     fmt::print("{}\n", line);
@@ -43,7 +43,7 @@ void Progress::start(double begin, double end) {
 }
 
 void Progress::update(double time, std::size_t controlled) {
-  if (quiet_ || !line_.is_terminal()) return;
+  if (!bar_) return;
   const Clock::time_point now = Clock::now();
   const auto since = [&](Clock::time_point then) {
     return std::chrono::duration<double>(now - then).count();

@@ -14,8 +14,8 @@ namespace pedzone {
 
 class Progress {
  public:
-  /// From now on SUMO's messages are shown and counted. `quiet`: no bar.
-  explicit Progress(bool quiet);
+  /// From now on SUMO's messages are shown and counted. `bar`: wanted, where there is a terminal.
+  explicit Progress(bool bar);
   ~Progress();
   /// The run goes from `begin` to `end` [s]; a negative end is unknown.
   void start(double begin, double end);
@@ -32,7 +32,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void read(const std::string& line);
 
-  bool quiet_;
+  bool bar_ = false;
   double begin_ = 0.0, end_ = -1.0;
   TerminalLine line_;
   Clock::time_point start_, last_;

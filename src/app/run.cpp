@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/guarded.hpp"
 #include "app/interrupts.hpp"
 #include "app/output_files.hpp"
@@ -28,11 +30,29 @@ void set_model(const std::string& model, std::vector<ZoneSpec>& zones) {
   for (ZoneSpec& zone : zones) zone.model = model;
 }
 
+/// A study of many towns goes on.
+void tell_of_nobody(const RunOptions& options, const Scenario& scenario) {
+  if (names_person(scenario)) return;
+  const InputError error = no_person(scenario);
+  if (options.strict) throw error;
+  fmt::print(stderr, "Warning: {}. Nobody is walked.\n", error.what());
+}
+
+void tell_of_no_zone(const RunOptions& options, const Simulation& simulation) {
+  if (!simulation.zones().empty()) return;
+  fmt::print(stderr,
+             "Warning: {} has no shared space: SUMO walks everybody. `pedzone inspect {}` shows "
+             "edges that could be a zone, and what a zone file (--zone) has to say of them. With "
+             "--strict this is an error.\n",
+             simulation.network().file, options.config);
+}
+
 SimulationOptions prepare(const RunOptions& options) {
   SimulationOptions prepared;
   prepared.scenario = read_scenario(options.config, options.sumo_options);
   ZoneFile file = read_zone_file(options.zone_file, options.panel);
-  if (file.panels.empty()) require_persons(prepared.scenario);
+  if (file.panels.empty()) tell_of_nobody(options, prepared.scenario);
+  prepared.needs_zone = options.strict || !file.panels.empty();
   if (options.model) set_model(*options.model, file.zones);
   prepared.zones = std::move(file.zones);
   prepared.profiles = std::move(file.profiles);
@@ -50,6 +70,21 @@ void warn_of_interrupt(const RunSummary& totals) {
       stderr,
       "Interrupted at {:.1f} s (signal {}): the outputs hold what was simulated until then.\n",
       totals.time.simulated_s, totals.interrupted_by);
+}
+
+/// Farther out people decide otherwise by rounding; measured: nearer they do as at the origin, to
+/// 1 nm (cli.any_scenario).
+void warn_of_far_places(const Network& network) {
+  constexpr double kFar = 8388608.0;  // [m] 2^23
+  const bool far = std::ranges::any_of(network.lanes, [](const Lane& lane) {
+    return std::ranges::any_of(
+        lane.shape, [](const Vec2& point) { return point.cwiseAbs().maxCoeff() > kFar; });
+  });
+  if (!far) return;
+  fmt::print(stderr,
+             "Warning: {} has coordinates beyond {:.0f} m: people walk a little differently there "
+             "than near the origin. netconvert's --offset.x and --offset.y move a network.\n",
+             network.file, kFar);
 }
 
 void warn_of_shapes(const Simulation& simulation) {
@@ -83,9 +118,11 @@ int simulate(const RunOptions& options) {
   const ThreadLimit limit(options.threads);
   const SimulationOptions prepared = prepare(options);
   OutputFiles outputs(options);
-  Progress progress(options.quiet);
+  Progress progress(!options.quiet && !has_step_log(prepared.scenario));
   Simulation simulation(prepared);
   outputs.observe(simulation);
+  tell_of_no_zone(options, simulation);
+  warn_of_far_places(simulation.network());
   warn_of_shapes(simulation);
   walk(simulation, outputs, progress);
   RunSummary totals = simulation.summary();

@@ -16,9 +16,10 @@ struct RunOptions {
   std::string zone_file;             ///< empty: the zone is found by itself
   std::optional<std::string> model;  ///< of every zone; unset: as the zone file says
   std::optional<std::uint64_t> seed;
-  std::optional<double> end;                   ///< [s]
-  int threads = 0;                             ///< 0: all cores
-  bool quiet = false;                          ///< no progress, and no summary on standard output
+  std::optional<double> end;  ///< [s]
+  int threads = 0;            ///< 0: all cores
+  bool strict = false;        ///< where there is nobody or nowhere to walk, that is an error
+  bool quiet = false;         ///< no progress, and no summary on standard output
   std::string summary, trajectories, picture;  ///< files to write; empty: not
   std::string debug_shapes;                    ///< file to write; empty: not
   std::optional<double> debug_time;            ///< [s] of the shapes; unset: the end

@@ -16,6 +16,7 @@
 #include "sumo/plan/stand_off.hpp"
 #include "sumo/plan/steering.hpp"
 #include "sumo/plan/yielding.hpp"
+#include "zone/any_zones.hpp"
 
 namespace pedzone {
 namespace {
@@ -24,13 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::vector<std::string> options_for(const SimulationOptions& options) {
-  std::vector<std::string> more;
-  if (options.seed) more.insert(more.end(), {"--seed", std::to_string(*options.seed)});
-  if (options.end) more.insert(more.end(), {"--end", std::to_string(*options.end)});
-  return more;
 }
 
 double number_option(const Session& session, const std::string& name) {
@@ -102,11 +96,13 @@ Stuck stuck_of(const Standstills& found) { return {found.all(), found.most(), fo
 struct Simulation::Parts {
   explicit Parts(const SimulationOptions& options)
       : network(read_scenario_network(options.scenario)),
-        zones(build_zones(network, with_models(options.zones))),
+        zones(options.needs_zone ? build_zones(network, with_models(options.zones))
+                                 : build_any_zones(network, with_models(options.zones))),
         paths(read_paths(options)),
         steering(known_vehicles(options)),
         panel_people(options, network, zones),
-        session(panel_people.scenario(), options_for(options)),
+        session(options.scenario.config,
+                words_for_sumo(panel_people.scenario(), options.seed, options.end)),
         vehicles(network),
         fleet(network, zones),
         yielding(zones),

@@ -17,6 +17,7 @@ namespace pedzone {
 struct SimulationOptions {
   Scenario scenario;
   std::vector<ZoneSpec> zones;             ///< empty: the zone is found by itself
+  bool needs_zone = true;                  ///< else a network without shared space is SUMO's alone
   Profiles profiles;                       ///< that persons may name
   std::vector<PanelSpec> panels;           ///< people to be made beside the scenario's own
   std::vector<PathSpec> paths;             ///< that persons may name

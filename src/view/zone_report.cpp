@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "zone/selection.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -47,8 +49,7 @@ void add_zone(const Network& network, const Zone& zone, std::string& text) {
   add_types(zone.inside, text);
 }
 
-void add_left_out(const std::vector<Zone>& zones, std::string& text) {
-  const auto& left_out = zones.front().left_out;
+void add_left_out(const std::vector<TypeLength>& left_out, std::string& text) {
   if (left_out.empty()) {
     text += "Left to SUMO: no edge that persons may use\n";
     return;
@@ -75,7 +76,13 @@ void add_warnings(const std::string& heading, const std::vector<std::string>& wa
 std::string zone_report(const Network& network, const std::vector<Zone>& zones) {
   std::string text;
   for (const Zone& zone : zones) add_zone(network, zone, text);
-  if (!zones.empty()) add_left_out(zones, text);
+  if (zones.empty()) {
+    text += "No shared space\n";
+    const std::vector<bool> none_taken(network.edges.size(), false);
+    add_left_out(lengths_left_out(network, none_taken), text);
+  } else {
+    add_left_out(zones.front().left_out, text);
+  }
   add_warnings("Input files", network.warnings, text);
   for (const Zone& zone : zones) add_warnings("Zone \"" + zone.id + "\"", zone.warnings, text);
   return text;

@@ -13,7 +13,7 @@ class ZoneDistance {
   explicit ZoneDistance(const Zone& zone);
 
   /// A lower bound [m] of the distance from a point to the zone's walkable area; never less than
-  /// half of it by more than 20 m.
+  /// half of it by more than 20 m, or three cells where the area is so large that these are larger.
   double at_least(const Vec2& point) const;
 
  private:
@@ -21,6 +21,7 @@ class ZoneDistance {
   int row(double y) const;
 
   Vec2 low_ = Vec2::Zero(), high_ = Vec2::Zero();  ///< [m] bounds of the walkable area
+  double cell_ = 0.0;                              ///< [m]
   int columns_ = 0, rows_ = 0;
   std::vector<int> steps_;  ///< per cell: moves of a chess king to the nearest cell of the area
 };

@@ -120,7 +120,7 @@ void check_conditions(const Plan& plan) {
     if (plain && peopled.contains(condition.scenario)) continue;
     const Scenario read = scenario_of(plan.study, condition);
     if (!zone_file_of(plan.study, scenario, settings).panels.empty()) continue;
-    require_persons(read);
+    if (!names_person(read)) throw no_person(read);
     peopled.insert(condition.scenario);
   }
 }

@@ -9,62 +9,52 @@
 #include <memory>
 #include <optional>
 
-#include "core/xml.hpp"
 #include "sumo/files/file_list.hpp"
 #include "sumo/files/net_reader.hpp"
+#include "sumo/files/said_options.hpp"
 
 namespace pedzone {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// One option of SUMO's with its synonyms, as on the command line and in a configuration.
-struct Option {
-  std::vector<std::string> names;  ///< the first is the one SUMO prints
+const SumoOption kNetFile{{"net-file", "n", "net"}};
+const SumoOption kAdditional{{"additional-files", "a", "additional"}};
+const SumoOption kRoutes{{"route-files", "r", "routes"}};
+const SumoOption kModel{{"pedestrian.model"}};
+const SumoOption kSeed{{"seed", "srand"}};
+const SumoOption kRandom{{"random", "abs-rand"}};
+const SumoOption kBegin{{"begin", "b"}};
+const SumoOption kEnd{{"end", "e"}};
+const SumoOption kDawdling{{"pedestrian.striping.dawdling"}};
+const SumoOption kNoStepLog{{"no-step-log"}};
+const SumoOption kMesoscopic{{"mesosim"}};
+
+// What pedzone cannot go along with, and why.
+struct Refused {
+  SumoOption option;
+  std::string_view problem, allowed;
 };
-
-const Option kNetFile{{"net-file", "n", "net"}};
-const Option kAdditional{{"additional-files", "a", "additional"}};
-const Option kRoutes{{"route-files", "r", "routes"}};
-const Option kModel{{"pedestrian.model"}};
-const Option kSeed{{"seed"}};
-const Option kBegin{{"begin", "b"}};
-const Option kDawdling{{"pedestrian.striping.dawdling"}};
-
-bool is_name_of(const Option& option, std::string_view name) {
-  return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
-}
-
-/// An option on SUMO's command line: `--name value`, `--name=value`, `-n value`.
-struct Given {
-  std::string value;
-  std::size_t first, count;  ///< the words that say it
+constexpr std::string_view kOtherWork = "makes SUMO do something else than simulate";
+constexpr std::string_view kUseSumo = "what `sumo` itself is for";
+constexpr std::string_view kStates =
+    "is about saved states, which do not hold whom pedzone walks or how";
+constexpr std::string_view kNoStates = "a run from its begin to its end";
+const Refused kRefused[] = {
+    {{{"configuration-file", "c", "configuration"}},
+     "names a second configuration",
+     "the one before --"},
+    {{{"help", "?"}}, kOtherWork, kUseSumo},
+    {{{"version", "V"}}, kOtherWork, kUseSumo},
+    {{{"save-configuration", "C", "save-config"}}, kOtherWork, kUseSumo},
+    {{{"save-template"}}, kOtherWork, kUseSumo},
+    {{{"save-schema"}}, kOtherWork, kUseSumo},
+    {{{"remote-port"}}, "waits for another program to run SUMO", "pedzone alone"},
+    {{{"load-state"}}, kStates, kNoStates},
+    {{{"save-state.times"}}, kStates, kNoStates},
+    {{{"save-state.period"}}, kStates, kNoStates},
+    {{{"save-state.files"}}, kStates, kNoStates},
 };
-std::optional<Given> find_given(const std::vector<std::string>& words, const Option& option) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    std::string_view word = words[i];
-    if (word.size() < 2 || word.front() != '-') continue;
-    word.remove_prefix(word.starts_with("--") ? 2 : 1);
-    const std::size_t equals = word.find('=');
-    if (!is_name_of(option, word.substr(0, equals))) continue;
-    if (equals != std::string_view::npos) return Given{std::string(word.substr(equals + 1)), i, 1};
-    if (i + 1 < words.size()) return Given{words[i + 1], i, 2};
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> on_command_line(const std::vector<std::string>& words,
-                                           const Option& option) {
-  const auto given = find_given(words, option);
-  return given ? std::optional(given->value) : std::nullopt;
-}
-
-/// The element of an option in a configuration; sections nest it one level deep.
-pugi::xml_node in_configuration(const pugi::xml_node& root, const Option& option) {
-  return root.find_node([&](const pugi::xml_node& node) {
-    return is_name_of(option, node.name()) && node.attribute("value");
-  });
-}
 
 /// A number, or a time as "h:m:s" or "d:h:m:s" in seconds.
 std::optional<double> parse_time(const std::string& text) {
@@ -80,17 +70,11 @@ std::optional<double> parse_time(const std::string& text) {
   return sum;
 }
 
-double number_of(const XmlFile& config, const std::vector<std::string>& words, const Option& option,
-                 double otherwise) {
-  const auto given = on_command_line(words, option);
-  const pugi::xml_node node = in_configuration(config.root(), option);
-  if (!given && !node) return otherwise;
-  const std::string text = given ? *given : node.attribute("value").value();
-  if (const auto number = parse_time(text)) return *number;
-  const std::string allowed = "a number";
-  if (!given) throw config.error("is not a number", node, "value", text, allowed);
-  throw InputError("is not a number",
-                   {"", 0, "SUMO option --" + option.names.front(), text, allowed});
+double number_of(const SaidOptions& said, const SumoOption& option, double otherwise) {
+  const auto text = said.value(option);
+  if (!text) return otherwise;
+  if (const auto number = parse_time(*text)) return *number;
+  throw said.error(option, "is not a number", *text, "a number");
 }
 
 std::vector<std::string> split_files(const std::string& list, const fs::path& folder) {
@@ -102,33 +86,37 @@ std::vector<std::string> split_files(const std::string& list, const fs::path& fo
   return files;
 }
 
-std::vector<std::string> files_of(const XmlFile& config, const std::vector<std::string>& words,
-                                  const Option& option) {
-  const auto given = on_command_line(words, option);
-  const pugi::xml_node node = in_configuration(config.root(), option);
-  const std::vector<std::string> files =
-      given ? split_files(*given, {})
-            : split_files(node.attribute("value").value(), fs::path(config.file()).parent_path());
+std::vector<std::string> files_of(const SaidOptions& said, const SumoOption& option) {
+  const fs::path folder =
+      said.on_command_line(option) ? fs::path() : fs::path(said.config().file()).parent_path();
+  const std::vector<std::string> files = split_files(said.value(option).value_or(""), folder);
   for (const std::string& file : files) {
     if (fs::is_regular_file(file)) continue;
-    if (given) {
-      throw InputError("does not exist", {"", 0, "SUMO option --" + option.names.front(), file,
-                                          "a file that can be read"});
-    }
-    throw config.error("does not exist", node, "value", file, "a file that can be read");
+    throw said.error(option, "does not exist", file, "a file that can be read");
   }
   return files;
 }
 
-void require_striping(const XmlFile& config, const std::vector<std::string>& words) {
-  const std::string problem = "is a pedestrian model that pedzone cannot take persons over from";
-  if (const auto given = on_command_line(words, kModel)) {
-    if (*given == "striping") return;
-    throw InputError(problem, {"", 0, "SUMO option --pedestrian.model", *given, "striping"});
+void require_microscopic_striping(const SaidOptions& said) {
+  if (said.is_true(kMesoscopic)) {
+    throw said.error(kMesoscopic, "has vehicles without a place on their lane", "true", "false");
   }
-  const pugi::xml_node node = in_configuration(config.root(), kModel);
-  const std::string model = node.attribute("value").value();
-  if (node && model != "striping") throw config.error(problem, node, "value", model, "striping");
+  if (const auto model = said.value(kModel); model && *model != "striping") {
+    throw said.error(kModel, "is a pedestrian model that pedzone cannot take persons over from",
+                     *model, "striping");
+  }
+}
+
+/// An empty value, false and a negative number switch an option off.
+void require_simulation(const SaidOptions& said) {
+  for (const Refused& refused : kRefused) {
+    const auto value = said.value(refused.option);
+    double number = 0.0;
+    if (!value || value->empty() || *value == "false" || *value == "0") continue;
+    if (parse_number(*value, number) && number < 0.0) continue;
+    throw said.error(refused.option, std::string(refused.problem), *value,
+                     std::string(refused.allowed));
+  }
 }
 
 /// Whether a file, gzipped or not, has a person or a flow of them. Read in pieces: route files
@@ -150,63 +138,86 @@ bool has_person(const std::string& name) {
 }  // namespace
 
 Scenario read_scenario(const std::string& config, const std::vector<std::string>& sumo_options) {
-  require_striping(XmlFile(config), sumo_options);
+  const SaidOptions said(config, sumo_options);
+  require_microscopic_striping(said);
+  require_simulation(said);
   return read_any_scenario(config, sumo_options);
 }
 
 Scenario read_any_scenario(const std::string& config,
                            const std::vector<std::string>& sumo_options) {
-  const XmlFile file(config);
+  const SaidOptions said(config, sumo_options);
   Scenario scenario;
   scenario.config = config;
   scenario.sumo_options = sumo_options;
-  const std::vector<std::string> nets = files_of(file, sumo_options, kNetFile);
+  const std::vector<std::string> nets = files_of(said, kNetFile);
   if (nets.size() != 1) {
-    throw file.error("names no network", file.root(), "", "",
-                     "a SUMO configuration with <net-file value=\"...\"/>");
+    throw said.config().error("names no network", said.config().root(), "", "",
+                              "a SUMO configuration with <net-file value=\"...\"/>");
   }
   scenario.net_file = nets.front();
-  scenario.additional_files = files_of(file, sumo_options, kAdditional);
-  scenario.route_files = files_of(file, sumo_options, kRoutes);
+  scenario.additional_files = files_of(said, kAdditional);
+  scenario.route_files = files_of(said, kRoutes);
   return scenario;
+}
+
+std::vector<std::string> words_for_sumo(const Scenario& scenario,
+                                        const std::optional<std::uint64_t>& seed,
+                                        const std::optional<double>& end) {
+  const SaidOptions said(scenario.config, scenario.sumo_options);
+  std::vector<std::string> words = scenario.sumo_options;
+  const auto add = [&](const SumoOption& option, const std::string& value) {
+    if (said.on_command_line(option)) {
+      throw said.error(option, "is said twice", *said.value(option),
+                       "--" + option.names.front() + " before -- or after it");
+    }
+    words.insert(words.end(), {"--" + option.names.front(), value});
+  };
+  if (seed) {
+    add(kSeed, std::to_string(*seed));
+    if (said.is_true(kRandom)) add(kRandom, "false");
+  }
+  if (end) add(kEnd, std::to_string(*end));
+  if (!said.value(kNoStepLog)) add(kNoStepLog, "true");
+  return words;
+}
+
+bool has_step_log(const Scenario& scenario) {
+  const SaidOptions said(scenario.config, scenario.sumo_options);
+  return said.value(kNoStepLog) && !said.is_true(kNoStepLog);
 }
 
 Network read_scenario_network(const Scenario& scenario) {
   Network network = read_network(scenario.net_file);
-  const bool walkable = std::any_of(network.lanes.begin(), network.lanes.end(),
-                                    [](const Lane& lane) { return lane.persons; });
-  if (!walkable) {
-    throw InputError(
-        "has no lane that persons may use",
-        {scenario.net_file, 0, "<net>", "", "a network with lanes that allow pedestrians"});
-  }
   for (const std::string& file : scenario.additional_files) read_shapes(file, network);
   return network;
 }
 
-void require_persons(const Scenario& scenario) {
+bool names_person(const Scenario& scenario) {
   const auto any = [](const std::vector<std::string>& files) {
     return std::any_of(files.begin(), files.end(), has_person);
   };
-  if (any(scenario.route_files) || any(scenario.additional_files)) return;
-  throw InputError("names no person", {scenario.config, 0, "<route-files>", "",
-                                       "route or additional files with <person> or <personFlow>"});
+  return any(scenario.route_files) || any(scenario.additional_files);
+}
+
+InputError no_person(const Scenario& scenario) {
+  return {"names no person",
+          {scenario.config, 0, "<route-files>", "",
+           "route or additional files with <person> or <personFlow>"}};
 }
 
 ScenarioNumbers read_numbers(const Scenario& scenario) {
   constexpr double kSumoSeed = 23423, kSumoDawdling = 0.2;  // SUMO's defaults
-  const XmlFile config(scenario.config);
-  const auto number = [&](const Option& option, double otherwise) {
-    return number_of(config, scenario.sumo_options, option, otherwise);
-  };
-  return {static_cast<std::uint64_t>(std::max(0.0, number(kSeed, kSumoSeed))), number(kBegin, 0.0),
-          std::clamp(number(kDawdling, kSumoDawdling), 0.0, 1.0)};
+  const SaidOptions said(scenario.config, scenario.sumo_options);
+  return {static_cast<std::uint64_t>(std::max(0.0, number_of(said, kSeed, kSumoSeed))),
+          number_of(said, kBegin, 0.0),
+          std::clamp(number_of(said, kDawdling, kSumoDawdling), 0.0, 1.0)};
 }
 
 void add_additional_file(Scenario& scenario, const std::string& file) {
   auto& words = scenario.sumo_options;
   // SUMO takes an option once.
-  while (const auto given = find_given(words, kAdditional)) {
+  while (const auto given = find_option_words(words, kAdditional)) {
     const auto first = words.begin() + static_cast<std::ptrdiff_t>(given->first);
     words.erase(first, first + static_cast<std::ptrdiff_t>(given->count));
   }

@@ -53,9 +53,9 @@ RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushe
   summary.persons.given_back = walks.given_back;
   summary.persons.takeovers = walks.takeovers;
   summary.persons.returns = walks.returns;
-  summary.persons.arrived = arrived_;
+  summary.persons.arrived = arrived_ + walks.ended;
   summary.persons.walking = static_cast<long>(walking);
-  summary.persons.lost = departed_ - arrived_ - summary.persons.walking;
+  summary.persons.lost = departed_ - summary.persons.arrived - summary.persons.walking;
   summary.jams = takeover.jams();
   for (const auto& [key, person] : pushes.log().persons()) {
     ++summary.pushes.persons;

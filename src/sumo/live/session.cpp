@@ -1,11 +1,19 @@
 #include "sumo/live/session.hpp"
 
+#include <iostream>
+#include <string_view>
+
 #include "core/error.hpp"
 #include "sumo/files/sumo_home.hpp"
 #include "sumo/live/api.hpp"
+#include "sumo/live/sumo_messages.hpp"
 
 namespace pedzone {
 namespace {
+
+constexpr std::string_view kError = "Error: ";  // so SUMO begins its messages
+constexpr std::string_view kBadOptions = "Could not parse commandline options";
+constexpr std::string_view kBadNumber = "Invalid Number Format";  // of an option's value
 
 /// Runs a call of SUMO's and turns whatever it throws into a SumoError.
 template <typename Call>
@@ -21,12 +29,33 @@ auto translated(const std::string& doing, Call call) {
 
 }  // namespace
 
-Session::Session(const Scenario& scenario, const std::vector<std::string>& more_options) {
+Session::Session(const std::string& config, const std::vector<std::string>& words) {
   find_sumo_data();
-  std::vector<std::string> command{"sumo", "-c", scenario.config, "--no-step-log", "true"};
-  command.insert(command.end(), scenario.sumo_options.begin(), scenario.sumo_options.end());
-  command.insert(command.end(), more_options.begin(), more_options.end());
-  translated("to start " + scenario.config, [&] { api::Simulation::start(command); });
+  std::vector<std::string> command{"sumo", "-c", config};
+  command.insert(command.end(), words.begin(), words.end());
+  std::ostream before(std::cerr.rdbuf());
+  std::string errors;  // and all that follows: an error can take several lines
+  const StreamLines lines(std::cerr, [&](const std::string& line) {
+    if (errors.empty() && !line.starts_with(kError)) {
+      before << line << std::endl;
+    } else {
+      errors += "\n" + (line.starts_with(kError) ? line.substr(kError.size()) : line);
+    }
+  });
+  try {
+    api::Simulation::start(command);
+  } catch (const std::exception& error) {
+    const std::string_view what = error.what();
+    if (what.starts_with(kBadOptions)) {
+      throw InputError("SUMO does not understand its options:" + errors, {});
+    }
+    if (what.starts_with(kBadNumber)) {
+      throw InputError("SUMO does not understand its options: " + std::string(what), {});
+    }
+    throw SumoError("SUMO failed to start " + config + ": " + error.what() + errors);
+  } catch (...) {
+    throw SumoError("SUMO failed to start " + config + errors);
+  }
   open_ = true;
 }
 

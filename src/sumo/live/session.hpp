@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "sumo/files/scenario.hpp"
-
 namespace pedzone {
 
 /// What SUMO counted in its last step.
@@ -22,8 +20,9 @@ struct SumoEvents {
 class Session {
  public:
   /// Starts SUMO in this process. Finds SUMO's data itself where SUMO_HOME is not set.
-  /// Throws SumoError with what SUMO said.
-  Session(const Scenario& scenario, const std::vector<std::string>& more_options);
+  /// `words`: its options beside the configuration. Throws InputError where it does not know them,
+  /// else SumoError, with what SUMO said.
+  Session(const std::string& config, const std::vector<std::string>& words);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;

@@ -31,7 +31,7 @@ class StreamLines : private std::streambuf {
 struct WarningCounts {
   long emergency_brakings = 0;
   long jam = 0, yield = 0, wrong_lane = 0;  ///< teleports of vehicles that waited too long, by why
-  long jammed_persons = 0;  ///< whom striping lets squeeze through
+  long jammed_persons = 0;                  ///< whom striping lets squeeze through
 
   /// Takes one line of SUMO's in.
   void read(const std::string& line);

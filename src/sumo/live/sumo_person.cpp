@@ -87,7 +87,12 @@ void show(const std::string& id, const Vec2& position, double heading) {
                         kKeepRouteFree, kNoMatch);
 }
 
-void release(const std::string& id, const ReleasePlan& plan) {
+bool release(const std::string& id, const ReleasePlan& plan) {
+  // SUMO would show a stop of 0 s in tripinfo where the last stage is removed.
+  if (plan.remove_stage && stages_left(id) == 1) {
+    api::Person::remove(id, libsumo::REMOVE_ARRIVED);
+    return true;
+  }
   if (plan.remove_stage) api::Person::removeStage(id, 0);
   for (const LaneMove& move : plan.moves) {
     if (move.lateral) {
@@ -96,6 +101,7 @@ void release(const std::string& id, const ReleasePlan& plan) {
       api::Person::moveTo(id, move.lane, move.position);
     }
   }
+  return false;
 }
 
 }  // namespace pedzone::sumo_person

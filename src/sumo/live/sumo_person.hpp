@@ -41,8 +41,8 @@ void set_colour(const std::string& id, const TraciColour& colour);
 /// From the end of the next step on it is exactly there, on no lane, and no model of SUMO's moves
 /// it. To be called for every step.
 void show(const std::string& id, const Vec2& position, double heading);
-/// It is SUMO's again.
-void release(const std::string& id, const ReleasePlan& plan);
+/// It is SUMO's again. True: its plan is over and SUMO knows it no more.
+bool release(const std::string& id, const ReleasePlan& plan);
 
 }  // namespace sumo_person
 }  // namespace pedzone

@@ -194,9 +194,12 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     count(guest, view, dt);
-    if (const auto plan = hand_over(guest, view, dt, fleet)) {
-      sumo_person::release(guest.id, *plan);
-      guest.gone = true;
+    const auto plan = hand_over(guest, view, dt, fleet);
+    guest.gone = plan.has_value();
+    // Before it is released: it may be over then.
+    guest.colour.show(guest.id, guest.gone ? Activity::kNone : view.activity);
+    if (plan) {
+      if (sumo_person::release(guest.id, *plan)) ++totals_.ended;
       PersonPast& past = past_[guest.id];
       past.last = guest.stretch.last;
       ++totals_.returns;
@@ -205,7 +208,6 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     } else {
       sumo_person::show(guest.id, view.position, view.heading);
     }
-    guest.colour.show(guest.id, guest.gone ? Activity::kNone : view.activity);
     guest.position = view.position;
   }
   drop_gone();

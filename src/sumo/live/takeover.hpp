@@ -46,6 +46,7 @@ struct WalkTotals {
   long given_back = 0;     ///< persons given back to SUMO at least once
   long takeovers = 0;      ///< of all of them
   long returns = 0;        ///< of all of them to SUMO
+  long ended = 0;          ///< persons whose plan was ended by us: SUMO does not count them
   double distance = 0.0;   ///< [m] walked while controlled
   double time = 0.0;       ///< [s] while controlled
   double free_time = 0.0;  ///< [s] that distance at the preferred speed

@@ -1,0 +1,72 @@
+#include "sumo/files/said_options.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace pedzone {
+namespace {
+
+constexpr std::string_view kTrue[] = {"1", "yes", "true", "on", "x", "t"};  // as SUMO reads them
+
+bool is_name_of(const SumoOption& option, std::string_view name) {
+  return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
+}
+
+/// -5 is a value, -e an option.
+bool begins_option(std::string_view word) {
+  return word.size() > 1 && word.front() == '-' && (word[1] < '0' || word[1] > '9');
+}
+
+}  // namespace
+
+std::optional<OptionWords> find_option_words(const std::vector<std::string>& words,
+                                             const SumoOption& option) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string_view word = words[i];
+    if (!begins_option(word)) continue;
+    word.remove_prefix(word.starts_with("--") ? 2 : 1);
+    const std::size_t equals = word.find('=');
+    if (!is_name_of(option, word.substr(0, equals))) continue;
+    if (equals != std::string_view::npos) {
+      return OptionWords{std::string(word.substr(equals + 1)), i, 1};
+    }
+    const bool has_value = i + 1 < words.size() && !begins_option(words[i + 1]);
+    return has_value ? OptionWords{words[i + 1], i, 2} : OptionWords{"true", i, 1};
+  }
+  return std::nullopt;
+}
+
+/// Sections nest an option's element one level deep.
+pugi::xml_node SaidOptions::in_configuration(const SumoOption& option) const {
+  return config_.root().find_node([&](const pugi::xml_node& node) {
+    return is_name_of(option, node.name()) && node.attribute("value");
+  });
+}
+
+std::optional<std::string> SaidOptions::value(const SumoOption& option) const {
+  if (const auto given = find_option_words(words_, option)) return given->value;
+  const pugi::xml_node node = in_configuration(option);
+  return node ? std::optional<std::string>(node.attribute("value").value()) : std::nullopt;
+}
+
+bool SaidOptions::on_command_line(const SumoOption& option) const {
+  return find_option_words(words_, option).has_value();
+}
+
+bool SaidOptions::is_true(const SumoOption& option) const {
+  std::string said = value(option).value_or("");
+  std::ranges::transform(said, said.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::ranges::find(kTrue, said) != std::end(kTrue);
+}
+
+InputError SaidOptions::error(const SumoOption& option, const std::string& problem,
+                              const std::string& value, const std::string& allowed) const {
+  if (!on_command_line(option)) {
+    if (const pugi::xml_node node = in_configuration(option)) {
+      return config_.error(problem, node, "value", value, allowed);
+    }
+  }
+  return {problem, {"", 0, "SUMO option --" + option.names.front(), value, allowed}};
+}
+
+}  // namespace pedzone
