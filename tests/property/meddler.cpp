@@ -151,7 +151,7 @@ class Meddler {
 };
 
 void run_plain(const pedzone::Scenario& scenario, unsigned long seed, const std::string& events) {
-  pedzone::Session session(scenario, {});
+  pedzone::Session session(scenario.config, pedzone::words_for_sumo(scenario, {}, {}));
   Meddler meddler(seed, events, session.step_length());
   while (session.time() < session.end_time()) {
     meddler.meddle();
