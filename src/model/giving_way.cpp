@@ -11,10 +11,9 @@ constexpr float kSlow[] = {0.5F, 0.0F};  // shares of the speed
 constexpr float kMuchFaster = 1.5F;  // assumed: as fast as a vehicle must be to be let past fully;
                                      // who is followed by one no faster walks ahead of it
 constexpr float kPassReach = 8.0F;   // [m] measured (CITR, back): farther away nobody slows down
-constexpr float kMeeting = 0.09F;  // share of the speed; CITR, front: they walk at 0.94 of it, and
-                                   // this fits their least speed
-constexpr float kMeetingReach = 10.0F;  // [m] measured (the same): farther away nobody slows down
-constexpr float kMeetingRamp = 2.0F;    // [m] assumed
+constexpr float kMeetingReach =
+    10.0F;                            // [m] measured (CITR, front): farther away nobody slows down
+constexpr float kMeetingRamp = 2.0F;  // [m] assumed
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr float kSlack = 1e-5F;           // numerical: share of d_max² that rounding may take
 constexpr float kFullMarginSpeed = 0.5F;  // [m/s] slower vehicles have smaller margins (vehicle.md)
@@ -80,6 +79,7 @@ void GivingWay::worst_of(const DirectionTask& task, float share, const Parameter
 double GivingWay::pace_near(const Walker& walker, std::span<const VehicleView> vehicles,
                             const Parameters& parameters) {
   const auto letting_pass = static_cast<float>(parameters.letting_pass);
+  const auto meeting = static_cast<float>(parameters.meeting);
   float most = 0.0F;
   for (const VehicleView& view : vehicles) {
     const VehicleShape& s = *view.shape;
@@ -87,7 +87,7 @@ double GivingWay::pace_near(const Walker& walker, std::span<const VehicleView> v
     const float along = cosine_to(s, walker);
     if (along < 0.0F) {
       const float near = std::clamp((kMeetingReach - view.distance) / kMeetingRamp, 0.0F, 1.0F);
-      most = std::max(most, kMeeting * -along * near);
+      most = std::max(most, meeting * -along * near);
       continue;
     }
     const float ratio = along * s.speed / walker.speed;

@@ -15,7 +15,7 @@ struct Parameters {
   double turned_width, turn_time, jam_time;
   double group_preferred_distance, group_maximum_distance;
   double vehicle_sight, discomfort, discomfort_margin, discomfort_margin_time, discomfort_horizon;
-  double slowing_cost, hurry_cost, margin_spread, room_behind, letting_pass;
+  double slowing_cost, hurry_cost, margin_spread, room_behind, letting_pass, meeting;
   double yield_gap, yield_margin, yield_horizon, creep_after, creep_speed, creep_gap;
 
   Parameters();  ///< the defaults of parameter_list()

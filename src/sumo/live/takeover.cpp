@@ -40,7 +40,11 @@ void Takeover::read(double time, const Fleet& fleet) {
 }
 
 void Takeover::look_at_bystanders(double time) {
-  if (bystanders_.all().empty() || sumo_person::came_or_went()) {
+  // Whom somebody removes between two steps is in no list of SUMO's.
+  const int loaded = sumo_person::loaded();
+  const bool same = loaded == loaded_ && !sumo_person::came_or_went();
+  loaded_ = loaded;
+  if (bystanders_.all().empty() || !same) {
     bystanders_.update(sumo_person::ids());
   } else {
     bystanders_.nobody_gone();

@@ -184,7 +184,7 @@ Scene with_one_vehicle(Numbers& number, bool wall) {
   scene.parameters.slowing_cost = number(0.05, 0.8);
   scene.parameters.hurry_cost = number(0.1, 2.0);
   scene.parameters.discomfort = number(0.3, 4.0);
-  scene.parameters.letting_pass = 0.0;
+  scene.parameters.letting_pass = scene.parameters.meeting = 0.0;
   PersonSpec p = walking_to({0, 0}, number(-kPi, kPi));
   p.key = static_cast<std::uint64_t>(number(1.0, 1e6));
   p.speed = number(0.8, 1.8);
