@@ -215,7 +215,7 @@ class BadInput(RefusalChecks, Caller):
     def test_nobody_asked_for(self):
         self.check_refused(self.call(PEDZONE, "demand", self.config, "--out", "out/p.rou.xml"),
                            "--pedestrians")
-        self.check_refused(self.call(PEDZONE, "run", self.config, *self.outputs()),
+        self.check_refused(self.call(PEDZONE, "run", self.config, "--strict", *self.outputs()),
                            "names no person")
 
     def test_out_that_cannot_be_written(self):

@@ -201,9 +201,10 @@ TEST(NarrowLane, too_narrow_for_both_makes_the_person_turn_and_walk_ahead_of_a_s
 }
 
 TEST(NarrowLane, a_niche_is_used_to_stand_aside) {
-  // Over parameters and speeds, of 60 one walks past it and goes on before the vehicle (measured).
+  // 3 of 28 walk past it and on before the vehicle (measured; none with roomBehind = 0.6).
   int gone_by = 0;
-  for (const double speed : {0.9, 1.0, 1.1, 1.2, 1.3}) {
+  for (int k = 0; k < 28; ++k) {
+    const double speed = 0.8 + 0.025 * k;
     Scene scene;  // 2.4 m wide, with a niche of 2 × 1.5 m on the left at x = 4
     scene.people = {walking_to({8.0, 0.05}, 0.0)};
     scene.walls = {{{-60.0, -1.2}, {90.0, -1.2}}, {{90.0, 1.2}, {6.0, 1.2}},
@@ -215,7 +216,7 @@ TEST(NarrowLane, a_niche_is_used_to_stand_aside) {
     EXPECT_GT(walk.least_clearance(), -kLag);
     gone_by += walk.at(0).x() > walk.scene().vehicles[0].centre.x() ? 1 : 0;
   }
-  EXPECT_GE(gone_by, 4);
+  EXPECT_GE(gone_by, 23);
 }
 
 }  // namespace
