@@ -17,13 +17,6 @@ constexpr double kNoMatch = -1e7;
 /// Not getIDCount for their number: that counts those who are yet to depart, too.
 std::vector<std::string> ids() { return api::Person::getIDList(); }
 
-int loaded() { return api::Person::getIDCount(); }
-
-bool came_or_went() {
-  return api::Simulation::getDepartedPersonNumber() > 0 ||
-         api::Simulation::getArrivedPersonNumber() > 0;
-}
-
 Vec2 position(const std::string& id) {
   const auto at = api::Person::getPosition(id);
   return {at.x, at.y};

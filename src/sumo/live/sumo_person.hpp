@@ -19,8 +19,6 @@ struct TraciColour {
 namespace sumo_person {
 
 std::vector<std::string> ids();         ///< of all in SUMO
-bool came_or_went();                    ///< somebody, in SUMO's last step
-int loaded();                           ///< how many, those who wait to depart included
 Vec2 position(const std::string& id);   ///< [m]
 double speed(const std::string& id);    ///< [m/s]
 double heading(const std::string& id);  ///< [rad]

@@ -40,14 +40,13 @@ void Takeover::read(double time, const Fleet& fleet) {
 }
 
 void Takeover::look_at_bystanders(double time) {
-  // Whom somebody removes between two steps is in no list of SUMO's.
-  const int loaded = sumo_person::loaded();
-  const bool same = loaded == loaded_ && !sumo_person::came_or_went();
-  loaded_ = loaded;
-  if (bystanders_.all().empty() || !same) {
-    bystanders_.update(sumo_person::ids());
-  } else {
+  // Read in each step: whom a program removes between two of them is in no list of SUMO's.
+  std::vector<std::string> ids = sumo_person::ids();
+  if (ids == listed_) {
     bystanders_.nobody_gone();
+  } else {
+    listed_ = ids;
+    bystanders_.update(std::move(ids));
   }
   for (Bystander& person : bystanders_.all()) {
     if (Bystanders::is_due(person, time)) {
