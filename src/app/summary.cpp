@@ -14,7 +14,7 @@ std::string metres(double value) {
   return std::isfinite(value) ? fmt::format("{:.2f} m", value) : "no vehicle came near";
 }
 
-constexpr std::size_t kNamed = 10;  // events that the table names
+constexpr std::size_t kNamed = Standstills::kNamed;  // events that the table names, too
 
 std::string push_text(const RunSummary& summary) {
   const auto& pushes = summary.pushes;

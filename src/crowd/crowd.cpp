@@ -187,8 +187,10 @@ void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
   std::vector<VehicleState>& present = state_->vehicles;
   present.assign(vehicles.begin(), vehicles.end());
   std::erase_if(present, [](const VehicleState& vehicle) { return !finite(vehicle); });
-  for (VehicleState& vehicle : present) {
-    vehicle.apart = keeps_apart(state_->zone.walls, vehicle);
+  if (state_->persons.walking > 0) {
+    for (VehicleState& vehicle : present) {
+      vehicle.apart = keeps_apart(state_->zone.walls, vehicle);
+    }
   }
   walk(*state_, dt);
   // What stays is where they are; their ways belong to the caller.

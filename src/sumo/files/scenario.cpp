@@ -135,20 +135,10 @@ bool has_person(const std::string& name) {
   return false;
 }
 
-}  // namespace
-
-Scenario read_scenario(const std::string& config, const std::vector<std::string>& sumo_options) {
-  const SaidOptions said(config, sumo_options);
-  require_microscopic_striping(said);
-  require_simulation(said);
-  return read_any_scenario(config, sumo_options);
-}
-
-Scenario read_any_scenario(const std::string& config,
-                           const std::vector<std::string>& sumo_options) {
-  const SaidOptions said(config, sumo_options);
+/// `sumo_options`: the words of `said`.
+Scenario scenario_of(const SaidOptions& said, const std::vector<std::string>& sumo_options) {
   Scenario scenario;
-  scenario.config = config;
+  scenario.config = said.config().file();
   scenario.sumo_options = sumo_options;
   const std::vector<std::string> nets = files_of(said, kNetFile);
   if (nets.size() != 1) {
@@ -159,6 +149,20 @@ Scenario read_any_scenario(const std::string& config,
   scenario.additional_files = files_of(said, kAdditional);
   scenario.route_files = files_of(said, kRoutes);
   return scenario;
+}
+
+}  // namespace
+
+Scenario read_scenario(const std::string& config, const std::vector<std::string>& sumo_options) {
+  const SaidOptions said(config, sumo_options);
+  require_microscopic_striping(said);
+  require_simulation(said);
+  return scenario_of(said, sumo_options);
+}
+
+Scenario read_any_scenario(const std::string& config,
+                           const std::vector<std::string>& sumo_options) {
+  return scenario_of(SaidOptions(config, sumo_options), sumo_options);
 }
 
 std::vector<std::string> words_for_sumo(const Scenario& scenario,

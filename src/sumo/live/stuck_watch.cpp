@@ -9,8 +9,7 @@
 namespace pedzone {
 namespace {
 
-constexpr double kEvery = 5.0;     // [s] assumed: looking at everybody is dear
-constexpr std::size_t kTold = 10;  // as many as are named are asked where they are
+constexpr double kEvery = 5.0;  // [s] assumed: looking at everybody is dear
 
 std::string on_edge(const std::string& edge) {
   return edge.empty() ? edge : "on edge '" + edge + "'";
@@ -37,10 +36,10 @@ void StuckWatch::look(double time) {
     if (const auto position = sumo_vehicle::front(id)) present_.push_back({id, *position});
   }
   vehicles_.update(time, present_, sumo_vehicle::is_at_stop);
-  for (std::size_t k = 0; k < std::min(kTold, persons_.all().size()); ++k) {
+  for (std::size_t k = 0; k < std::min(Standstills::kNamed, persons_.all().size()); ++k) {
     persons_.all()[k].where = place_of_person(persons_.all()[k].id);
   }
-  for (std::size_t k = 0; k < std::min(kTold, vehicles_.all().size()); ++k) {
+  for (std::size_t k = 0; k < std::min(Standstills::kNamed, vehicles_.all().size()); ++k) {
     vehicles_.all()[k].where = on_edge(sumo_vehicle::edge(vehicles_.all()[k].id));
   }
 }

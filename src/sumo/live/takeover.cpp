@@ -41,13 +41,7 @@ void Takeover::read(double time, const Fleet& fleet) {
 
 void Takeover::look_at_bystanders(double time) {
   // Read in each step: whom a program removes between two of them is in no list of SUMO's.
-  std::vector<std::string> ids = sumo_person::ids();
-  if (ids == listed_) {
-    bystanders_.nobody_gone();
-  } else {
-    listed_ = ids;
-    bystanders_.update(std::move(ids));
-  }
+  bystanders_.update(sumo_person::ids());
   for (Bystander& person : bystanders_.all()) {
     if (Bystanders::is_due(person, time)) {
       bystanders_.look(person, time, sumo_person::position(person.id));

@@ -109,8 +109,7 @@ class Takeover {
   double striping_share_;          ///< of top speed, see takeover_plan.hpp
   std::vector<int> zone_of_edge_;  ///< -1: SUMO's
   Bystanders bystanders_;
-  std::vector<std::string> listed_;  ///< of all in SUMO, in its order
-  std::vector<Guest> guests_;        ///< in order of takeover
+  std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;
   std::unordered_map<std::string, PersonPast> past_;
   std::vector<Vec2> eyes_;                     ///< [m] who looks at bystanders

@@ -42,9 +42,10 @@ Bystanders::Bystanders(const std::vector<Zone>& zones) : zones_(zones) {
 /// SUMO's list and ours have the same order, so one pass over both finds who came and who went.
 void Bystanders::update(std::vector<std::string> ids) {
   if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
+  gone_.clear();
+  if (std::ranges::equal(ids, all_, {}, {}, &Bystander::id)) return;  // as in most steps
   std::swap(all_, before_);
   all_.clear();
-  gone_.clear();
   auto known = before_.begin();
   const auto leave = [&](const Bystander& person) {
     if (person.guest) gone_.push_back(person.id);

@@ -38,8 +38,6 @@ class Bystanders {
 
   /// Takes in who is in SUMO after a step, and who of the guests has gone.
   void update(std::vector<std::string> ids);
-  /// After a step in which nobody came or went.
-  void nobody_gone() { gone_.clear(); }
 
   /// Whether a person has to be looked at, at `time` [s]: nobody who is walked by pedzone, nor who
   /// cannot have come near a zone since the last look.

@@ -21,7 +21,8 @@ struct Standstill {
 
 class Standstills {
  public:
-  static constexpr double kLong = 60.0;  ///< [s] without moving, to be counted
+  static constexpr double kLong = 60.0;      ///< [s] without moving, to be counted
+  static constexpr std::size_t kNamed = 10;  ///< of those so many are named, with where they are
 
   /// Somebody who is in SUMO now.
   struct Present {
