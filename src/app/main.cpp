@@ -49,6 +49,16 @@ void require_sumo_options(const CLI::App& command, const std::vector<std::string
   }
 }
 
+/// Makes the command what `call` does, once what goes to SUMO is found to be SUMO's. Both outlive
+/// the parsing of the command line.
+template <class Options>
+void set_callback(CLI::App& command, Options& options, int (*call)(const Options&), int& code) {
+  command.callback([&command, &options, call, &code] {
+    code = guarded([&] { require_sumo_options(command, options.sumo_options); });
+    if (code == 0) code = call(options);
+  });
+}
+
 void add_run(CLI::App& app, RunOptions& options, int& code) {
   CLI::App* run_command = app.add_subcommand(
       "run", "Run a SUMO scenario; pedzone walks its persons through shared space");
@@ -104,10 +114,7 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   add_conflict_options(*run_command, options.conflicts);
   add_panel_options(*run_command, options.panel);
   run_command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
-  run_command->callback([&options, &code, run_command] {
-    code = guarded([&] { require_sumo_options(*run_command, options.sumo_options); });
-    if (code == 0) code = run(options);
-  });
+  set_callback(*run_command, options, run, code);
 }
 
 void add_inspect(CLI::App& app, InspectOptions& options, int& code) {
@@ -118,10 +125,7 @@ void add_inspect(CLI::App& app, InspectOptions& options, int& code) {
   command->add_option("--zone", options.zone_file, "Zone file (.zone.xml)");
   command->add_option("--svg", options.svg, "Draw the zone");
   command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
-  command->callback([&options, &code, command] {
-    code = guarded([&] { require_sumo_options(*command, options.sumo_options); });
-    if (code == 0) code = inspect(options);
-  });
+  set_callback(*command, options, inspect, code);
 }
 
 void add_parameters(CLI::App& app) {
@@ -176,10 +180,7 @@ void add_demand(CLI::App& app, DemandOptions& options, int& code) {
   command->add_option("--out", options.out, "Route file to write")->required();
   add_panel_options(*command, options.panel);
   command->add_option("sumo_options", options.sumo_options, "-- and any options for SUMO");
-  command->callback([&options, &code, command] {
-    code = guarded([&] { require_sumo_options(*command, options.sumo_options); });
-    if (code == 0) code = demand(options);
-  });
+  set_callback(*command, options, demand, code);
 }
 
 int command_line(int argc, char** argv) {
