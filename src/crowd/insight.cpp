@@ -39,7 +39,7 @@ std::vector<Insight> look_into(CrowdState& crowd, std::span<const std::size_t> r
     crowd.proposals.propose(i, wish_of_route(crowd, i));
   }
   resolve(crowd.proposals, crowd.persons);
-  decide(crowd, kLongestSubstep, crowd.decisions);
+  decide(crowd, kLongestSubstep, crowd.vehicles, crowd.decisions);
   std::vector<Insight> insights;
   for (const std::size_t i : rows) insights.push_back(insight_of(crowd, i));
   resize_rows(crowd.persons, crowd.persons.walking);

@@ -17,6 +17,7 @@
 #include "crowd/behaviour/stepping_aside.hpp"
 #include "crowd/behaviour/way.hpp"
 #include "crowd/behaviour/waypoints.hpp"
+#include "crowd/free_walk.hpp"
 #include "crowd/motion/contacts.hpp"
 #include "crowd/motion/moves.hpp"
 #include "crowd/motion/shoulders.hpp"
@@ -69,7 +70,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   resolve(proposals, crowd.persons);
 
   // The model decides; behaviours hold people back.
-  decide(crowd, dt, crowd.decisions);
+  decide(crowd, dt, crowd.vehicles, crowd.decisions);
   Restraints& restraints = crowd.restraints;
   restraints.begin(crowd.persons.walking);
   restrain_by_activity(crowd, restraints);
@@ -102,13 +103,41 @@ void walk_substep(CrowdState& crowd, double dt) {
   count(crowd, dt);
 }
 
+/// Those who walk freely walk the whole step at once; the others see them walk meanwhile.
+void walk_free(CrowdState& crowd, double dt, std::uint64_t substeps) {
+  append_seen(crowd, crowd.persons);
+  const std::size_t all = crowd.persons.walking, free = gather_free(crowd, dt);
+  if (free == 0) return;
+  crowd.persons.walking = free;
+  crowd.others = all - free;
+  crowd.span = substeps;
+
+  set_paces(crowd, crowd.persons.preferred_speed);
+  crowd.perception_varies = perceives_otherwise(crowd);
+  if (crowd.perception_varies) set_perceptions(crowd, crowd.attention);
+  crowd.proposals.begin(free);
+  propose_way(crowd, dt, crowd.walkers, crowd.proposals);
+  resolve(crowd.proposals, crowd.persons);
+  decide(crowd, dt, {}, crowd.decisions);
+  set_moves(crowd, dt);
+  find_neighbours(crowd, crowd.grid, crowd.near);
+  move_freely(crowd);
+  commit(crowd);
+  follow_waypoints(crowd, dt);
+  notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
+
+  crowd.span = 1;
+  crowd.person_steps += free * substeps;
+  set_apart(crowd, free, dt, crowd.free_walks);
+}
+
 }  // namespace
 
 void append_seen(const CrowdState& crowd, Persons& persons) {
-  resize_rows(persons, persons.walking + crowd.seen.size());
+  resize_rows(persons, crowd.first_seen() + crowd.seen.size());
   for (std::size_t k = 0; k < crowd.seen.size(); ++k) {
     const SeenPerson& person = crowd.seen[k];
-    const std::size_t i = persons.walking + k;
+    const std::size_t i = crowd.first_seen() + k;
     const Vec2 place = own_place(crowd, k);
     persons.x[i] = place.x();
     persons.y[i] = place.y();
@@ -132,9 +161,10 @@ void resize_rows(Persons& persons, std::size_t rows) {
   persons.key.resize(rows);
 }
 
-void decide(const CrowdState& crowd, double dt, std::vector<Decision>& decisions) {
+void decide(const CrowdState& crowd, double dt, std::span<const VehicleState> vehicles,
+            std::vector<Decision>& decisions) {
   const Snapshot snapshot{&crowd.persons,
-                          crowd.vehicles,
+                          vehicles,
                           &crowd.zone.walls,
                           &crowd.zone.parameters,
                           crowd.perception_varies ? &crowd.attention : nullptr,
@@ -143,16 +173,25 @@ void decide(const CrowdState& crowd, double dt, std::vector<Decision>& decisions
                           crowd.time};
   decisions.resize(crowd.persons.size());
   crowd.model->prepare(snapshot);
-  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
-    crowd.model->decide(first, last, decisions);
-  });
+  for_each_block(
+      crowd.persons.walking,
+      [&](std::size_t, std::size_t first, std::size_t last) {
+        crowd.model->decide(first, last, decisions);
+      },
+      Work::kDecision);
 }
 
 void walk(CrowdState& crowd, double dt) {
   crowd.jam_notices.clear();
   crowd.pushes.clear();
+  crowd.free_walks.clear();
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
+  // A model that sets velocities is made for short steps.
+  if (substeps > 1 && !crowd.model->sets_velocity()) {
+    walk_free(crowd, dt, static_cast<std::uint64_t>(substeps));
+  }
   for (int k = 0; k < substeps; ++k) walk_substep(crowd, dt / substeps);
+  take_back(crowd, crowd.free_walks);
   resize_rows(crowd.persons, crowd.persons.walking);
 }
 

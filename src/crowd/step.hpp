@@ -15,7 +15,8 @@ void append_seen(const CrowdState& crowd, Persons& persons);
 /// Sets the length of every column.
 void resize_rows(Persons& persons, std::size_t rows);
 
-/// What everybody chooses by the model for the next `dt` [s].
-void decide(const CrowdState& crowd, double dt, std::vector<Decision>& decisions);
+/// What everybody who is walked chooses by the model for the next `dt` [s], with those vehicles.
+void decide(const CrowdState& crowd, double dt, std::span<const VehicleState> vehicles,
+            std::vector<Decision>& decisions);
 
 }  // namespace pedzone

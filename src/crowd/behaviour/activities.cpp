@@ -69,7 +69,7 @@ Vec2 way_to_seat(const CrowdState& crowd, std::size_t i) {
 }  // namespace
 
 void carry_on_activities(const CrowdState& crowd, double dt, ByHandle<ActivityMemory>& activities) {
-  for_each_block(crowd.walkers.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       ActivityMemory& memory = activities[crowd.handle(i)];
       if (memory.activity == Activity::kNone) {
@@ -83,7 +83,7 @@ void carry_on_activities(const CrowdState& crowd, double dt, ByHandle<ActivityMe
 
 void propose_seats(const CrowdState& crowd, Proposals& proposals) {
   if (crowd.zone.seats.empty()) return;
-  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     const Vec2 way = way_to_seat(crowd, i);
     if (crowd.walkers[i].arrived || way == Vec2::Zero()) continue;
     proposals.propose(i, towards(way, Behaviour::kSeat));
@@ -91,7 +91,7 @@ void propose_seats(const CrowdState& crowd, Proposals& proposals) {
 }
 
 void restrain_by_activity(const CrowdState& crowd, Restraints& restraints) {
-  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     const Activity activity = crowd.activities[crowd.handle(i)].activity;
     if (activity == Activity::kNone || info_of(activity).speed > 0.0) continue;
     if (way_to_seat(crowd, i) != Vec2::Zero()) continue;

@@ -127,7 +127,8 @@ class Stander {
   /// Whether it gets as far as that: SUMO holds the places of those whom it walks.
   bool in_reach(const Vec2& step) const {
     const std::size_t walking = crowd_.persons.walking;
-    return i_ < walking || (crowd_.seen_memory[i_ - walking].stepped + step).norm() <= kStepBack;
+    return i_ < walking ||
+           (crowd_.seen_memory[i_ - crowd_.first_seen()].stepped + step).norm() <= kStepBack;
   }
 
   bool free(const Vec2& step) { return walls_allow(here_ + step) && others_allow(step, 0.0); }
@@ -178,7 +179,7 @@ void make_room_by(CrowdState& crowd, std::size_t i, double dt, double widest) {
   if (i < walking) {
     crowd.standing.passed[i] = stander.passed() ? 1 : 0;
   } else {
-    SeenMemory& seen = crowd.seen_memory[i - walking];
+    SeenMemory& seen = crowd.seen_memory[i - crowd.first_seen()];
     const double change = dt / std::max(crowd.zone.parameters.turn_time, dt);
     seen.turn = stander.passed() ? 1.0 : std::max(0.0, seen.turn - change);
     step = seen.key == 0
@@ -211,13 +212,14 @@ void recognise_seen(CrowdState& crowd) {
 }
 
 void notice_standing(const CrowdState& crowd, double dt, Standing& standing, double& reach) {
-  const std::size_t walking = crowd.persons.walking;
+  const std::size_t walking = crowd.persons.walking, first_seen = crowd.first_seen();
   standing.stands.assign(crowd.persons.size(), 0);
   standing.passed.assign(walking, 0);
   standing.anybody = false;
   for (std::size_t i = 0; i < standing.stands.size(); ++i) {
-    const bool stands = i < walking ? stands_by_choice(crowd, i)
-                                    : crowd.seen_memory[i - walking].still >= kStandingTime;
+    const bool stands =
+        i < walking ? stands_by_choice(crowd, i)
+                    : i >= first_seen && crowd.seen_memory[i - first_seen].still >= kStandingTime;
     standing.stands[i] = stands ? 1 : 0;
     standing.anybody = standing.anybody || stands;
   }

@@ -39,7 +39,7 @@ bool begins(const CrowdState& crowd, std::size_t i, double dt) {
 }  // namespace
 
 void begin_dashes(const CrowdState& crowd, double dt, ByHandle<ActivityMemory>& activities) {
-  for_each_block(crowd.walkers.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       double& left = activities[crowd.handle(i)].dash;
       left = std::max(0.0, left - dt);
@@ -49,7 +49,7 @@ void begin_dashes(const CrowdState& crowd, double dt, ByHandle<ActivityMemory>& 
 }
 
 void propose_dashes(const CrowdState& crowd, Proposals& proposals, Attention& attention) {
-  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     if (crowd.activities[crowd.handle(i)].dash <= 0.0) continue;
     const VehicleState* vehicle = nearest_moving(crowd, i);
     if (vehicle == nullptr) continue;

@@ -114,7 +114,7 @@ void index_members(const CrowdState& crowd, std::vector<GroupMember>& members,
                    ByHandle<GroupMemory>& groups, ByHandle<ChildMemory>& children) {
   members.clear();
   if (crowd.grouped == 0) return;
-  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     const PersonHandle handle = crowd.handle(i);
     const std::uint64_t group = groups[handle].group;
     if (group == 0) continue;

@@ -5,7 +5,7 @@
 namespace pedzone {
 
 void set_paces(const CrowdState& crowd, std::vector<double>& preferred_speed) {
-  for_each_block(crowd.walkers.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const WalkState& walker = crowd.walkers[i];
       const ActivityMemory& memory = crowd.activities[walker.handle];

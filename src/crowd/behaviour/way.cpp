@@ -35,7 +35,7 @@ void propose_way(const CrowdState& crowd, double dt, std::vector<WalkState>& wal
   const Parameters& parameters = crowd.zone.parameters;
   const double deviation = parameters.heading_noise * kPi / 180.0;
   const Variation variation(deviation, parameters.heading_noise_time, dt);
-  for_each_block(walkers.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+  for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       WalkState& walker = walkers[i];
       if (deviation > 0.0 && !walker.arrived) {

@@ -65,17 +65,20 @@ class Follower {
       walker_.entered = true;
     }
     if (walker_.entered && !route_.on_last()) take_entered();
-    if (!route_.on_last() && turn_ % kLookEvery == 0) {
+    if (!route_.on_last() && due(kLookEvery)) {
       route_.beside = beside_corner(crowd_, row_);
       // Who takes a corner wide turns only there: to turn as soon as the way beyond is in view
       // leads back to the inside.
       if (route_.beside.isZero()) look_ahead();
     }
-    if (turn_ % kCheckEvery == 0) check_sight();
+    if (due(kCheckEvery)) check_sight();
     lose_patience(dt);
   }
 
  private:
+  /// Whether it is this person's turn to look, in one of the substeps that the pass stands for.
+  bool due(std::uint64_t every) const { return (every - turn_ % every) % every < crowd_.span; }
+
   bool sees(const Vec2& point, double clearance) const {
     return walls_.free_line(here_, point, clearance);
   }

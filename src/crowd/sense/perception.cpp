@@ -49,7 +49,7 @@ LatticeBox box_around(const VehicleShape& shape, double range) {
 LatticeBox bounds_of(const CrowdState& crowd, const LatticeOrigin& origin) {
   constexpr auto kFarthest = std::numeric_limits<std::int64_t>::max();
   LatticeBox bounds{kFarthest, kFarthest, -kFarthest, -kFarthest};
-  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     const LatticePoint at = to_lattice(crowd.persons.x[i], crowd.persons.y[i], origin);
     bounds = {std::min<std::int64_t>(bounds.left, at.x), std::min<std::int64_t>(bounds.low, at.y),
               std::max<std::int64_t>(bounds.right, at.x),
@@ -63,7 +63,7 @@ void list_by_place(const CrowdState& crowd, const Attention& attention, TrafficS
   const LatticeBox bounds = bounds_of(crowd, traffic.origin);
   const std::int64_t tile =
       tile_size_for(bounds, to_lattice(kTile),
-                    kTilesPerPerson * static_cast<double>(crowd.walkers.size()) + kTilesAtLeast);
+                    kTilesPerPerson * static_cast<double>(crowd.persons.walking) + kTilesAtLeast);
   const double sight = traffic.senses.vehicle_sight;
   const auto everywhere = [](std::size_t, const LatticeBox&) { return true; };
   double longest = 0.0;
@@ -233,9 +233,21 @@ Perception perception_of(const CrowdState& crowd, std::size_t i) {
   return p;
 }
 
-/// Sets everybody's perception, and minds all vehicles.
-void begin(const CrowdState& crowd, Attention& attention) {
-  const std::size_t walking = crowd.walkers.size();
+}  // namespace
+
+bool perceives_otherwise(const CrowdState& crowd) {
+  if (crowd.zone.weather->field_of_view != 1.0) return true;
+  const bool views_blocked = !crowd.zone.obstacles.empty() || crowd.vehicles.size() > 1;
+  if (!crowd.vehicles.empty() && views_blocked) return true;
+  return std::ranges::any_of(crowd.walkers, [&](const WalkState& walker) {
+    return walker.profile != nullptr ||
+           crowd.activities[walker.handle].activity != Activity::kNone ||
+           !crowd.traffic[walker.handle].aware;
+  });
+}
+
+void set_perceptions(const CrowdState& crowd, Attention& attention) {
+  const std::size_t walking = crowd.persons.walking;
   attention.persons.resize(walking);
   attention.words = (crowd.vehicles.size() + 63) / 64;
   attention.ignored.assign(walking * attention.words, 0);
@@ -250,32 +262,22 @@ void begin(const CrowdState& crowd, Attention& attention) {
   attention.widest_field = std::ceil(attention.widest_field / kFieldStep) * kFieldStep;
 }
 
-}  // namespace
-
-bool perceives_otherwise(const CrowdState& crowd) {
-  if (crowd.zone.weather->field_of_view != 1.0) return true;
-  const bool views_blocked = !crowd.zone.obstacles.empty() || crowd.vehicles.size() > 1;
-  if (!crowd.vehicles.empty() && views_blocked) return true;
-  return std::ranges::any_of(crowd.walkers, [&](const WalkState& walker) {
-    return walker.profile != nullptr ||
-           crowd.activities[walker.handle].activity != Activity::kNone ||
-           !crowd.traffic[walker.handle].aware;
-  });
-}
-
 void perceive(const CrowdState& crowd, double now, ByHandle<TrafficMemory>& memory,
               Attention& attention) {
-  begin(crowd, attention);
+  set_perceptions(crowd, attention);
   if (crowd.vehicles.empty()) {
-    for (const WalkState& walker : crowd.walkers) memory[walker.handle].noticed.clear();
+    for (std::size_t i = 0; i < crowd.persons.walking; ++i) memory[crowd.handle(i)].noticed.clear();
     return;
   }
   const TrafficShapes traffic = shapes_of(crowd, attention);
-  for_each_block(crowd.walkers.size(), [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      Observer(crowd, traffic, now, i, memory[crowd.handle(i)], attention).look();
-    }
-  });
+  for_each_block(
+      crowd.persons.walking,
+      [&](std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+          Observer(crowd, traffic, now, i, memory[crowd.handle(i)], attention).look();
+        }
+      },
+      Work::kDecision);
 }
 
 }  // namespace pedzone

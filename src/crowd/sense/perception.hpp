@@ -8,6 +8,9 @@ namespace pedzone {
 /// Whether anybody perceives otherwise than the zone's parameters say.
 bool perceives_otherwise(const CrowdState& crowd);
 
+/// Sets how each perceives; it minds all vehicles.
+void set_perceptions(const CrowdState& crowd, Attention& attention);
+
 /// Looks round for everybody at the time `now` [s] of the crowd's clock: what each has noticed, how
 /// it perceives, and which vehicles it does not mind.
 void perceive(const CrowdState& crowd, double now, ByHandle<TrafficMemory>& memory,

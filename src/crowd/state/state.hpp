@@ -86,6 +86,12 @@ struct GroupMember {
   bool steps_aside = false;  ///< waits, but is in the way of a member behind it
 };
 
+/// Where somebody is after the step, whom the others see walk there meanwhile.
+struct FreeWalk {
+  PersonHandle handle = 0;
+  Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
+};
+
 struct CrowdState {
   CrowdState(const Zone& its_zone, std::uint64_t its_seed, std::unique_ptr<WalkingModel> its_model)
       : zone(its_zone), seed(its_seed), model(std::move(its_model)) {}
@@ -94,8 +100,10 @@ struct CrowdState {
   std::uint64_t seed;
   std::unique_ptr<WalkingModel> model;
 
-  // Who is there. Rows: those pedzone walks, then, within a step, those it only sees.
+  // Who is there. Rows: those pedzone walks; within a step, then those of ours that walk the whole
+  // of it at once (free_walk.hpp), and those it only sees.
   Persons persons;
+  std::size_t others = 0;                            ///< of ours, not walked at present
   std::vector<WalkState> walkers;                    ///< of the first persons.walking rows
   std::vector<std::uint32_t> row;                    ///< of each handle
   std::vector<PersonHandle> unused;                  ///< handles to give out again
@@ -115,6 +123,7 @@ struct CrowdState {
   // The clock: one.
   double time = 0.0;          ///< [s] of all substeps so far
   std::uint64_t substep = 0;  ///< their number: a key of random numbers
+  std::uint64_t span = 1;     ///< of them, that the present pass stands for
   std::uint64_t person_steps = 0;
 
   // Made anew in every substep, each by one phase.
@@ -130,11 +139,14 @@ struct CrowdState {
   BodyGrid grid;
   Neighbourhood near;
   std::vector<double> next_radius;     ///< [m] of each walked person's body, while it is found
+  std::vector<FreeWalk> free_walks;    ///< of this step
   std::vector<JamNotice> jam_notices;  ///< begun in this step
   std::vector<VehiclePush> pushes;     ///< of this step, by person and vehicle
   bool solid_vehicles = true;          ///< bodies are kept out of vehicles
   bool kept_out = false;               ///< one ever was
 
+  /// Row of the first of crowd.seen.
+  std::size_t first_seen() const { return persons.walking + others; }
   Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
   Vec2 velocity(std::size_t i) const { return {persons.vx[i], persons.vy[i]}; }
   PersonHandle handle(std::size_t i) const { return walkers[i].handle; }

@@ -1,0 +1,165 @@
+#include "crowd/free_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "crowd/state/parallel.hpp"
+#include "model/senses.hpp"
+#include "model/vehicle_view.hpp"
+#include "world/speeds.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kGap = 1.0;    // [m] assumed: left between bodies that hurry towards each other
+constexpr double kAhead = 1.0;  // [m] assumed: what somebody heads for is farther than the step
+
+/// A place where people may mind a vehicle within the step.
+struct Traffic {
+  Vec2 centre;
+  double reach;  ///< [m]
+};
+
+std::vector<Traffic> traffic_of(const CrowdState& crowd, double dt) {
+  const Senses senses = senses_of(crowd.zone.parameters, crowd.model->vehicle_form());
+  std::vector<Traffic> traffic;
+  for (const VehicleState& vehicle : crowd.vehicles) {
+    if (vehicle.apart) continue;
+    const auto speed = static_cast<float>(vehicle.velocity.norm());
+    const float heard =
+        vehicle.horn ? kHornReach : senses.hearing * loudness_of(speed, vehicle.electric);
+    const auto range = static_cast<double>(std::max(senses.vehicle_sight, heard));
+    const double body = 0.5 * std::hypot(vehicle.length, vehicle.width);
+    traffic.push_back(
+        {vehicle.centre, range + body + vehicle.claim + vehicle.velocity.norm() * dt});
+  }
+  return traffic;
+}
+
+/// Whether it walks along its route as it likes, and has nothing else to do.
+bool strolls(const CrowdState& crowd, std::size_t i) {
+  const WalkState& walker = crowd.walkers[i];
+  const PersonHandle handle = walker.handle;
+  const ActivityMemory& activity = crowd.activities[handle];
+  const bool held_up = walker.new_here || walker.arrived || walker.waits || walker.pressed ||
+                       walker.standing > 0.0 || crowd.jams[handle].squeezes() ||
+                       crowd.persons.present_radius[i] != crowd.persons.radius[i];
+  const bool busy = activity.activity != Activity::kNone || activity.dash > 0.0 ||
+                    std::ranges::any_of(activity.rates, [](float rate) { return rate > 0.0F; });
+  return !held_up && !busy && crowd.groups[handle].group == 0 && crowd.paths[handle] == nullptr &&
+         walker.route.found && !walker.entered;
+}
+
+/// [m] that it walks within the step, at most.
+double longest_way(const CrowdState& crowd, std::size_t i, double dt) {
+  return std::max(crowd.persons.preferred_speed[i], crowd.velocity(i).norm()) * dt;
+}
+
+bool room_ahead(const CrowdState& crowd, std::size_t i, double way) {
+  const Vec2 aim = heading_point(crowd.walkers[i].route, crowd.position(i));
+  const double near = std::max(crowd.zone.parameters.waypoint_radius, kAhead);
+  return (aim - crowd.position(i)).norm() > way + near + crowd.persons.radius[i];
+}
+
+bool nobody_within_reach(const CrowdState& crowd, std::size_t i, double way, double most,
+                         double widest, double dt) {
+  const Persons& persons = crowd.persons;
+  const Vec2 here = crowd.position(i);
+  const double own = way + persons.radius[i] + kGap;
+  const Vec2 box = Vec2::Constant(own + most + widest);
+  bool alone = true;
+  crowd.grid.visit_box(here - box, here + box, [&](std::uint32_t j, const Vec2& there) {
+    const double reach = own + longest_way(crowd, j, dt) + persons.radius[j];
+    alone = alone && (j == i || (there - here).squaredNorm() > reach * reach);
+  });
+  return alone;
+}
+
+/// Exchanges two persons' rows.
+void swap_rows(CrowdState& crowd, std::size_t a, std::size_t b) {
+  if (a == b) return;
+  for (std::vector<double>* column : crowd.persons.numbers()) {
+    std::swap((*column)[a], (*column)[b]);
+  }
+  std::swap(crowd.persons.key[a], crowd.persons.key[b]);
+  std::swap(crowd.walkers[a], crowd.walkers[b]);
+  crowd.row[crowd.walkers[a].handle] = static_cast<std::uint32_t>(a);
+  crowd.row[crowd.walkers[b].handle] = static_cast<std::uint32_t>(b);
+}
+
+/// Of each walked person, 1: walks freely. Rows of those who are only seen have been appended.
+std::vector<std::uint8_t> find_free(CrowdState& crowd, double dt) {
+  const Persons& persons = crowd.persons;
+  std::vector<std::uint8_t> free(persons.walking, 0);
+  double most = 0.0;
+  for (std::size_t i = 0; i < persons.size(); ++i) {
+    most = std::max(most, longest_way(crowd, i, dt));
+  }
+  const double widest = std::ranges::max(persons.radius);
+  crowd.grid.build(persons.x, persons.y, 2.0 * (most + widest) + kGap);
+  const std::vector<Traffic> traffic = traffic_of(crowd, dt);
+  for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const double way = longest_way(crowd, i, dt);
+      const auto minds = [&](const Traffic& vehicle) {
+        return (vehicle.centre - crowd.position(i)).norm() < vehicle.reach + way;
+      };
+      free[i] = strolls(crowd, i) && room_ahead(crowd, i, way) &&
+                        nobody_within_reach(crowd, i, way, most, widest, dt) &&
+                        std::ranges::none_of(traffic, minds)
+                    ? 1
+                    : 0;
+    }
+  });
+  return free;
+}
+
+}  // namespace
+
+std::size_t gather_free(CrowdState& crowd, double dt) {
+  if (crowd.persons.walking == 0) return 0;
+  std::vector<std::uint8_t> free = find_free(crowd, dt);
+  std::size_t first = 0, last = free.size();
+  while (true) {
+    while (first < last && free[first] != 0) ++first;
+    while (first < last && free[last - 1] == 0) --last;
+    if (first == last) return first;
+    swap_rows(crowd, first++, --last);
+  }
+}
+
+void set_apart(CrowdState& crowd, std::size_t free, double dt, std::vector<FreeWalk>& ends) {
+  Persons& persons = crowd.persons;
+  Moves& moves = crowd.moves;
+  const std::size_t all = crowd.first_seen(), rest = all - free;
+  // moves.x holds the places before the step.
+  persons.x.swap(moves.x);
+  persons.y.swap(moves.y);
+  ends.clear();
+  for (std::size_t i = 0; i < free; ++i) {
+    const Vec2 end(moves.x[i], moves.y[i]);
+    ends.push_back({crowd.handle(i), end, crowd.velocity(i)});
+    const Vec2 velocity = (end - crowd.position(i)) / dt;
+    persons.vx[i] = velocity.x();
+    persons.vy[i] = velocity.y();
+  }
+  for (std::size_t k = 0, n = std::min(free, rest); k < n; ++k) swap_rows(crowd, k, all - n + k);
+  persons.walking = rest;
+  crowd.others = free;
+}
+
+void take_back(CrowdState& crowd, const std::vector<FreeWalk>& ends) {
+  Persons& persons = crowd.persons;
+  for (const FreeWalk& end : ends) {
+    const std::size_t i = crowd.row[end.handle];
+    persons.x[i] = end.position.x();
+    persons.y[i] = end.position.y();
+    persons.vx[i] = end.velocity.x();
+    persons.vy[i] = end.velocity.y();
+  }
+  persons.walking += crowd.others;
+  crowd.others = 0;
+}
+
+}  // namespace pedzone
