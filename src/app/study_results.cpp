@@ -36,14 +36,15 @@ void print_findings(const Plan& plan, const std::vector<Comparison>& comparisons
     }
     std::erase_if(different, [](const Sentence& sentence) { return sentence.head.empty(); });
   }
+  print_sentence(summary_sentence(primary, plan.study.reference));
   fmt::print("{} instead of {}:\n", model, plan.study.reference);
   for (const Sentence& sentence : different) print_sentence(sentence);
-  if (different.empty()) fmt::print("  No difference was found.\n");
 }
 
 /// The verdict's first lines.
 void print_verdict(const Plan& plan, const std::vector<Comparison>& comparisons,
                    const std::vector<FreeSpeed>& speeds) {
+  for (const Sentence& sentence : cut_off_sentences(comparisons, plan)) print_sentence(sentence);
   for (const Sentence& sentence : free_speed_sentences(speeds, plan)) print_sentence(sentence);
   for (const std::string& model : plan.study.models) {
     if (model != plan.study.reference) print_findings(plan, comparisons, model);

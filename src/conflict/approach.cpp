@@ -61,6 +61,12 @@ Vec2 contact_point(const Approach& a, double ttc) {
           std::clamp(at.y(), -a.sizes.half_width, a.sizes.half_width)};
 }
 
+double closing_speed(const Approach& a, double time) {
+  const Vec2 way = a.at + a.velocity * time - contact_point(a, time);
+  const double length = way.norm();
+  return length > 0.0 ? -a.velocity.dot(way) / length : a.velocity.norm();
+}
+
 //   The person is in the vehicle's way from t1 to t2. To be only at the person's place at t, it
 //   needs f(t) = 2 (w t - gap)/t² with the speed w at which it closes in, or stands by then with
 //   v/t. The smaller of both rises to one maximum and falls again; what is needed is its maximum

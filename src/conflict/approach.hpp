@@ -53,6 +53,11 @@ std::optional<double> time_to_contact(const Approach& approach);
 /// centre, in the vehicle's frame.
 Vec2 contact_point(const Approach& approach, double ttc);
 
+/// Speed [m/s] at which the bodies come nearer after `time` [s] (negative: before now): the
+/// relative velocity along the line from the nearest point of the rectangle to the person's centre.
+/// Negative: they part. The whole relative speed where the centre lies within the rectangle.
+double closing_speed(const Approach& approach, double time);
+
 /// DRAC: the least constant deceleration [m/s²] > 0 along the vehicle's axis with which it does
 /// not touch a person who keeps its velocity, or stands by the time they meet. Nothing where no
 /// contact is ahead, or where braking does not help: it touches already, or the person walks into

@@ -31,6 +31,8 @@ struct Extreme {
                                  ///< person's centre
   EncounterType type = EncounterType::kHeadOn;
   double person_speed = 0.0, vehicle_speed = 0.0, relative_speed = 0.0;  ///< [m/s]
+  double closing_speed = 0.0;  ///< [m/s] at which the bodies come nearer where they touch or would
+                               ///< touch, or are nearest; negative: they part
 };
 
 /// TTC at a moment of the vehicle's reaction.

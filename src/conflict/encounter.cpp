@@ -7,14 +7,17 @@ namespace {
 
 constexpr double kSameStep = 1e-6;  // [s] numerical: rounding of times
 
-Extreme extreme(const Meeting& meeting, double value, double time, const Vec2& position) {
+/// `touch`: [s] from the meeting's moment, when the bodies touch or are as near as it tells.
+Extreme extreme(const Meeting& meeting, double value, double time, const Vec2& position,
+                double touch = 0.0) {
   return {value,
           time,
           position,
           meeting.type,
           meeting.person_velocity.norm(),
           meeting.vehicle_velocity.norm(),
-          (meeting.person_velocity - meeting.vehicle_velocity).norm()};
+          (meeting.person_velocity - meeting.vehicle_velocity).norm(),
+          closing_speed(meeting.approach, touch)};
 }
 
 /// The point of contact after `ttc` [s], in the plane.
@@ -61,13 +64,13 @@ void Encounter::record_contact_course(const Meeting& meeting) {
   if (!conflict.detection) conflict.detection = last_ttc_;
   const Vec2 place = contact_place(meeting, ttc);
   if (!conflict.ttc || ttc < conflict.ttc->value) {
-    conflict.ttc = extreme(meeting, ttc, meeting.time, place);
+    conflict.ttc = extreme(meeting, ttc, meeting.time, place, ttc);
     conflict.aware = noticed_;
     if (!conflict.contact) conflict.type = meeting.type;
   }
   const auto drac = deceleration_to_avoid(meeting.approach);
   if (drac && (!conflict.drac || *drac > conflict.drac->value)) {
-    conflict.drac = extreme(meeting, *drac, meeting.time, place);
+    conflict.drac = extreme(meeting, *drac, meeting.time, place, ttc);
   }
 }
 
@@ -90,7 +93,8 @@ void Encounter::record_closeness(const Meeting& meeting) {
   }
   if (closest.touch && !conflict.contact) {
     const double time = meeting.before + (meeting.time - meeting.before) * *closest.touch;
-    conflict.contact = extreme(meeting, 0.0, time, contact_place(meeting, 0.0));
+    conflict.contact =
+        extreme(meeting, 0.0, time, contact_place(meeting, 0.0), time - meeting.time);
     conflict.contact->value = conflict.contact->relative_speed;
     conflict.type = meeting.type;
   }

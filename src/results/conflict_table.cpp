@@ -95,6 +95,9 @@ void add_measure(std::vector<Column>& columns, const ConflictMeasure& measure) {
       "_vehicleSpeed", "m/s", "then", [](auto& at) -> auto& { return at.vehicle_speed; });
   add(
       "_relativeSpeed", "m/s", "then", [](auto& at) -> auto& { return at.relative_speed; });
+  add(
+      "_closingSpeed", "m/s", "then, along the line between the bodies",
+      [](auto& at) -> auto& { return at.closing_speed; });
 }
 
 /// `kept`: where the reaction stands when it is read; null: it follows from a measure.

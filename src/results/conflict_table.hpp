@@ -29,7 +29,7 @@ struct ConflictReaction {
 /// For testing a protection system: TTC at first detection, at first braking, and at its least.
 std::array<ConflictReaction, 3> reactions_of(const Conflict& conflict);
 
-/// Who, when and how; eight columns for each measure; the reactions.
+/// Who, when and how; nine columns for each measure; the reactions.
 const Table<Conflict>& conflict_table();
 
 }  // namespace pedzone

@@ -25,10 +25,11 @@ std::string xml_of(const Conflict& conflict) {
     if (!extreme) continue;
     text += fmt::format(
         "        <{} time=\"{:.2f}\" position=\"{:.2f},{:.2f}\" type=\"{}\" value=\"{:.2f}\" "
-        "personSpeed=\"{:.2f}\" vehicleSpeed=\"{:.2f}\" relativeSpeed=\"{:.2f}\"/>\n",
+        "personSpeed=\"{:.2f}\" vehicleSpeed=\"{:.2f}\" relativeSpeed=\"{:.2f}\" "
+        "closingSpeed=\"{:.2f}\"/>\n",
         measure.name, extreme->time, extreme->position.x(), extreme->position.y(),
         name_of(extreme->type), extreme->value, extreme->person_speed, extreme->vehicle_speed,
-        extreme->relative_speed);
+        extreme->relative_speed, extreme->closing_speed);
   }
   for (const auto& [name, meaning, reaction] : reactions_of(conflict)) {
     if (!reaction) continue;

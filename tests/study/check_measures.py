@@ -159,6 +159,20 @@ class Comparison:
         print(f"  {what}: {'yes' if good else 'no  FAILED'}")
 
 
+def parted(rows):
+    """Insertions, conflicts with vehicles that move at the moment each is told by, and others."""
+    put, moving, standing = [], [], []
+    for row in rows:
+        moment = next(name for name in ("contact", "minTTC", "PET", "minClearance") if row[name])
+        if row["contact"] and float(row["contact_time"]) <= float(row["begin"]):
+            put.append(row)
+        elif float(row[f"{moment}_vehicleSpeed"]) > 0.5:
+            moving.append(row)
+        else:
+            standing.append(row)
+    return put, moving, standing
+
+
 def check_conflicts(comparison, arguments, folder, fcd, scenario, persons, edges):
     table = folder / "again.csv"
     run([arguments.pedzone, "conflicts", folder / "fcd.xml.gz", "--scenario", arguments.scenario,
@@ -174,23 +188,30 @@ def check_conflicts(comparison, arguments, folder, fcd, scenario, persons, edges
     def values(name):
         return [float(row[name]) for row in rows if row[name]]
 
-    contacts = [row for row in rows if row["contact"]]
-    serious = [row for row in rows if row["contact"] or float(row["minTTC"] or 9) < 1.5
-               or float(row["PET"] or 9) < 1.0]
-    comparison.check("conflict.count", len(rows), absolute=unsure)
-    comparison.check("conflict.contacts", len(contacts), absolute=unsure)
+    put, moving, standing = parted(rows)
+    comparison.check("conflict.insertions", len(put), absolute=unsure)
     # Values of the table are rounded: one at a limit may count or not.
-    comparison.check("conflict.serious", len(serious), absolute=1 + unsure)
+    for end, part in (("", moving), ("Standing", standing)):
+        contacts = [row for row in part if row["contact"]]
+        serious = [row for row in part if row["contact"] or float(row["minTTC"] or 9) < 1.5
+                   or float(row["PET"] or 9) < 1.0]
+        comparison.check("conflict.standing" if end else "conflict.count", len(part),
+                         absolute=1 + unsure)
+        comparison.check(f"conflict.contacts{end}", len(contacts), absolute=1 + unsure)
+        comparison.check(f"conflict.serious{end}", len(serious), absolute=1 + unsure)
+    rows = moving
+    contacts = [row for row in rows if row["contact"]]
     kinds = {"headOn": ("headOn",), "fromBehind": ("fromBehind",), "following": ("following",),
-             "crossing": ("crossingLeft", "crossingRight"), "parked": ("parked",)}
+             "crossing": ("crossingLeft", "crossingRight")}
     for key, names in kinds.items():
         comparison.check(f"conflict.{key}", sum(row["type"] in names for row in rows),
                          absolute=unsure)
     for key, name in (("ttc", "minTTC"), ("pet", "PET"), ("drac", "maxDRAC")):
         if values(name) and not unsure:
             comparison.check(f"conflict.{key}", statistics.median(values(name)), absolute=0.0051)
-    clearance = 0.0 if contacts else max(0.0, min(values("minClearance")))
-    comparison.check("conflict.clearance", clearance, absolute=0.0051)
+    if rows:
+        clearance = 0.0 if contacts else max(0.0, min(values("minClearance")))
+        comparison.check("conflict.clearance", clearance, absolute=0.0051)
     told = {(row["person"], row["vehicle"]) for row in everywhere if row["contact"]}
     # From the places alone: who overlaps in a step has touched, who touched was near in a step.
     near = touching(fcd, scenario, persons)

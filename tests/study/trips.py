@@ -50,8 +50,20 @@ def trip_measures(persons, vehicles, end):
         values[f"{who}.count"] = len(trips)
         values[f"{who}.travelTime"] = numpy.mean(times)
         values[f"{who}.arrived"] = numpy.mean([trip.arrival is not None for trip in trips])
+    values["person.nearlyAll"] = nearly_all(persons, end)
     values["vehicle.delay"] = numpy.mean([trip.loss for trip in vehicles])
     return values
+
+
+def nearly_all(persons, end):
+    """When 99 % have arrived; after the end as if people went on to arrive as in its last quarter."""
+    arrivals = sorted(trip.arrival for trip in persons if trip.arrival is not None)
+    wanted = int(numpy.ceil(0.99 * len(persons)))
+    if len(arrivals) >= wanted:
+        return arrivals[wanted - 1]
+    part = 0.25 * (end - min(trip.due for trip in persons))
+    late = sum(arrival > end - part for arrival in arrivals)
+    return end + (wanted - len(arrivals)) * part / late
 
 
 def demand(trips):

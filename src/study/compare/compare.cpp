@@ -127,6 +127,18 @@ std::string_view finding_name(Finding finding) {
   return "tooFew";
 }
 
+std::string_view bound_name(Bound bound) {
+  switch (bound) {
+    case Bound::kAtLeast:
+      return "atLeast";
+    case Bound::kUnknown:
+      return "unknown";
+    case Bound::kExact:
+      break;
+  }
+  return "exact";
+}
+
 std::vector<Comparison> compare(const Plan& plan, const Records& records) {
   std::vector<Comparison> comparisons;
   for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
@@ -139,6 +151,7 @@ std::vector<Comparison> compare(const Plan& plan, const Records& records) {
         const Pairs pairs = collect_pairs(records, reference_runs, model_runs, key);
         comparisons.push_back(compare_pairs_of(plan, condition, model, pairs, key));
       }
+      mark_cut_off(std::span(comparisons).last(measure_list().size()));
     }
   }
   correct_family(comparisons, true);

@@ -11,15 +11,25 @@ namespace {
 
 constexpr double kAgreement = 0.02;  // project's requirement on a model's free speed
 
-/// A model's speed over the reference's, of those whom both walked.
-std::vector<double> ratios(const RunRecord& reference, const RunRecord& model) {
-  std::vector<double> all;
-  for (const auto& [person, speed] : model.measures) {
-    const auto found = reference.measures.find(person);
+/// Of those whom both walked and `what` is known of: model and reference.
+std::vector<std::pair<double, double>> both(const RunRecord& reference, const RunRecord& model,
+                                            std::string_view what) {
+  std::vector<std::pair<double, double>> all;
+  for (const auto& [key, value] : model.measures) {
+    if (!key.starts_with(what)) continue;
+    const auto found = reference.measures.find(key);
     if (found == reference.measures.end() || !(found->second > 0.0)) continue;
-    if (std::isfinite(speed)) all.push_back(speed / found->second);
+    if (std::isfinite(value)) all.emplace_back(value, found->second);
   }
   return all;
+}
+
+/// Ratios less `less`.
+SampleSummary ratios(const RunRecord& reference, const RunRecord& model, std::string_view what,
+                     double less = 0.0) {
+  std::vector<double> all;
+  for (const auto& [own, other] : both(reference, model, what)) all.push_back(own / other - less);
+  return summarize(all);
 }
 
 FreeSpeed free_speed(const Plan& plan, const Records& records, std::size_t condition,
@@ -33,13 +43,15 @@ FreeSpeed free_speed(const Plan& plan, const Records& records, std::size_t condi
   const auto& reference_record = record_of(plan.study.reference);
   const auto& model_record = record_of(model);
   if (!is_done(reference_record) || !is_done(model_record)) return speed;
-  const SampleSummary summary = summarize(ratios(*reference_record, *model_record));
+  const SampleSummary summary = ratios(*reference_record, *model_record, "speed:");
   speed.persons = summary.n;
   if (summary.n == 0) return speed;
   speed.ratio = *summary.mean;
   speed.lowest = *summary.min;
   speed.highest = *summary.max;
   speed.agrees = std::abs(speed.ratio - 1.0) <= kAgreement;
+  speed.way = ratios(*reference_record, *model_record, "way:", 1.0);
+  speed.time = ratios(*reference_record, *model_record, "time:", 1.0);
   return speed;
 }
 
@@ -76,6 +88,19 @@ std::map<std::string, std::vector<std::uint64_t>> unequal_seeds(const Plan& plan
 }
 
 }  // namespace
+
+std::optional<Interaction> interaction_of(const Comparison& comparison,
+                                          const SampleSummary& alone) {
+  const PairedDifference& difference = comparison.difference;
+  if (!comparison.relative || !alone.mean) return {};
+  Interaction parts{*comparison.relative, *alone.mean, *comparison.relative - *alone.mean, {}};
+  const double sd = difference.sd / std::abs(*comparison.reference.mean);
+  if (difference.n >= 2 && alone.n >= 2 && (sd > 0.0 || *alone.sd > 0.0)) {
+    const double half = welch_half_width(sd, difference.n, *alone.sd, alone.n);
+    parts.interval = Interval{parts.interaction - half, parts.interaction + half};
+  }
+  return parts;
+}
 
 std::vector<FreeSpeed> free_speeds(const Plan& plan, const Records& records) {
   std::vector<FreeSpeed> speeds;

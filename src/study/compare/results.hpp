@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,16 @@ enum class Finding {
 /// As in the tables: different, hint, notShown, inconclusive, same, tooFew.
 std::string_view finding_name(Finding finding);
 
+/// What the end of the runs leaves of a difference of times.
+enum class Bound {
+  kExact,    ///< all of it: as many have arrived with both, to 5 points
+  kAtLeast,  ///< who has fewer arrivals has the longer times, and they would have grown
+  kUnknown,  ///< who has fewer arrivals has the shorter times: they may not be shorter
+};
+
+/// As in the tables: exact, atLeast, unknown.
+std::string_view bound_name(Bound bound);
+
 /// A model against the reference, in one condition, by one measure. A seed gives a pair where both
 /// runs are done and the measure is defined in both.
 struct Comparison {
@@ -43,20 +54,47 @@ struct Comparison {
   std::size_t seeds_needed = 0;    ///< in all, for a half width of 5 % of the reference's mean;
                                    ///< 0: not known
   Finding finding = Finding::kTooFew;
+  Bound bound = Bound::kExact;
 };
+
+/// Sets Comparison::bound of one model's comparisons in one condition.
+void mark_cut_off(std::span<Comparison> of_model);
+
+/// Shares of people that have arrived by the end of the runs, more than 5 points apart.
+struct CutOff {
+  double reference = 0.0, model = 0.0;  ///< means
+  std::optional<double> end;            ///< [s] with which nearly all would arrive in every run,
+                                        ///< rounded up; unset: in some runs nobody arrives any more
+};
+/// Unset where they are not so far apart.
+std::optional<CutOff> cut_off(std::span<const Comparison> of_model);
 
 /// All comparisons, by condition, model, measure in their order.
 std::vector<Comparison> compare(const Plan& plan, const Records& records);
 
-/// Free speed: a model's over the reference's, in pairs of persons.
+/// How people walk who meet nobody: a model's over the reference's, in pairs of persons.
 struct FreeSpeed {
   std::size_t condition = 0;
   std::string model;
   std::size_t persons = 0;             ///< 0: not measured, and the rest has no meaning
-  double ratio = 1.0;                  ///< mean
+  double ratio = 1.0;                  ///< of speeds, mean
   double lowest = 1.0, highest = 1.0;  ///< of a single person
   bool agrees = false;                 ///< the mean within 2 %
+  SampleSummary way = {};              ///< of ratios of ways less 1
+  SampleSummary time = {};             ///< of ratios of trips' times less 1
 };
+
+/// What is left of a difference when that between people who walk alone is taken off. All in shares
+/// of the reference's mean.
+struct Interaction {
+  double all = 0.0;                  ///< the difference
+  double geometry = 0.0;             ///< of people who walk alone: ways, not others
+  double interaction = 0.0;          ///< the rest
+  std::optional<Interval> interval;  ///< 95 % of the rest, where it varies (Welch)
+};
+/// `alone`: FreeSpeed::way or ::time. Unset where either is not known.
+std::optional<Interaction> interaction_of(const Comparison& comparison, const SampleSummary& alone);
+
 std::vector<FreeSpeed> free_speeds(const Plan& plan, const Records& records);
 
 /// Runs that are no fair pair: not the same persons or vehicles were to travel at the same times.

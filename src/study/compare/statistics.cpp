@@ -67,6 +67,14 @@ void describe_varying(PairedDifference& difference, const std::vector<double>& s
 
 }  // namespace
 
+double welch_half_width(double sd_a, std::size_t n_a, double sd_b, std::size_t n_b) {
+  const auto a = static_cast<double>(n_a), b = static_cast<double>(n_b);
+  const double u = sd_a * sd_a / a, v = sd_b * sd_b / b;
+  const double freedom = (u + v) * (u + v) / (u * u / (a - 1.0) + v * v / (b - 1.0));
+  const boost::math::students_t student(freedom);
+  return boost::math::quantile(boost::math::complement(student, kTail)) * std::sqrt(u + v);
+}
+
 SampleSummary summarize(std::span<const double> sample) {
   SampleSummary summary;
   summary.n = sample.size();

@@ -38,6 +38,10 @@ struct PairedDifference {
 /// order the differences come.
 PairedDifference compare_pairs(std::span<const double> differences, std::uint64_t seed);
 
+/// Half width of the 95 % interval of the difference of two independent means, by Welch's test
+/// (Welch 1947). Both samples with n >= 2 and not both of one value.
+double welch_half_width(double sd_a, std::size_t n_a, double sd_b, std::size_t n_b);
+
 /// p-values corrected for their number (Holm 1979), in their order.
 std::vector<double> holm(std::span<const double> p);
 

@@ -71,6 +71,8 @@ Json speeds_json(const Plan& plan, const std::vector<FreeSpeed>& speeds) {
     entry["lowest"] = known ? Json(speed.lowest) : Json(nullptr);
     entry["highest"] = known ? Json(speed.highest) : Json(nullptr);
     entry["agrees"] = speed.agrees;
+    entry["wayRatio"] = speed.way.mean ? Json(1.0 + *speed.way.mean) : Json(nullptr);
+    entry["timeRatio"] = speed.time.mean ? Json(1.0 + *speed.time.mean) : Json(nullptr);
     all.push_back(std::move(entry));
   }
   return all;
@@ -157,6 +159,7 @@ Json comparisons_json(const Plan& plan, const std::vector<Comparison>& compariso
     entry["seedsNeeded"] =
         comparison.seeds_needed > 0 ? Json(comparison.seeds_needed) : Json(nullptr);
     entry["finding"] = finding_name(comparison.finding);
+    entry["bound"] = bound_name(comparison.bound);
     all.push_back(std::move(entry));
   }
   return all;

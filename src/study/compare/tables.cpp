@@ -158,6 +158,8 @@ void add_finding(Columns& columns) {
       });
   add(columns, {"finding", "", "different, hint, notShown, inconclusive, same or tooFew"},
       [](const Row& row) { return finding_name(row.finding); });
+  add(columns, {"bound", "", "of a difference of times: exact, atLeast or unknown, as runs end"},
+      [](const Row& row) { return bound_name(row.bound); });
 }
 
 }  // namespace

@@ -15,8 +15,7 @@ constexpr TypeKey kTypes[] = {{EncounterType::kHeadOn, "conflict.headOn"},
                               {EncounterType::kFromBehind, "conflict.fromBehind"},
                               {EncounterType::kFollowing, "conflict.following"},
                               {EncounterType::kCrossingLeft, "conflict.crossing"},
-                              {EncounterType::kCrossingRight, "conflict.crossing"},
-                              {EncounterType::kParked, "conflict.parked"}};
+                              {EncounterType::kCrossingRight, "conflict.crossing"}};
 
 void keep(const std::optional<Extreme>& extreme, std::vector<double>& sample) {
   if (extreme) sample.push_back(extreme->value);
@@ -35,13 +34,33 @@ Extreme moment_of(const Conflict& conflict) {
   return conflict.clearance.value_or(Extreme{});
 }
 
-void ConflictMeasures::add(const Conflict& conflict) {
-  count_ += 1.0;
-  types_[conflict.type] += 1.0;
-  if (conflict.contact) contacts_ += 1.0;
+bool with_moving_vehicle(const Conflict& conflict) {
+  return moment_of(conflict).vehicle_speed > kMovingVehicle;
+}
+
+bool is_insertion(const Conflict& conflict) {
+  return conflict.contact && conflict.contact->time <= conflict.begin;
+}
+
+void ConflictMeasures::Counts::add(const Conflict& conflict) {
+  all += 1.0;
+  if (conflict.contact) contacts += 1.0;
   if (conflict.contact || below(conflict.ttc, kSeriousTtc) || below(conflict.pet, kSeriousPet)) {
-    serious_ += 1.0;
+    serious += 1.0;
   }
+}
+
+void ConflictMeasures::add(const Conflict& conflict) {
+  if (is_insertion(conflict)) {
+    insertions_ += 1.0;
+    return;
+  }
+  if (!with_moving_vehicle(conflict)) {
+    standing_.add(conflict);
+    return;
+  }
+  moving_.add(conflict);
+  types_[conflict.type] += 1.0;
   keep(conflict.ttc, ttc_);
   keep(conflict.pet, pet_);
   keep(conflict.drac, drac_);
@@ -51,9 +70,13 @@ void ConflictMeasures::add(const Conflict& conflict) {
 }
 
 void ConflictMeasures::finish(std::map<std::string, double>& values) const {
-  values["conflict.count"] = count_;
-  values["conflict.serious"] = serious_;
-  values["conflict.contacts"] = contacts_;
+  values["conflict.count"] = moving_.all;
+  values["conflict.serious"] = moving_.serious;
+  values["conflict.contacts"] = moving_.contacts;
+  values["conflict.standing"] = standing_.all;
+  values["conflict.seriousStanding"] = standing_.serious;
+  values["conflict.contactsStanding"] = standing_.contacts;
+  values["conflict.insertions"] = insertions_;
   for (const TypeKey& type : kTypes) {
     const auto found = types_.find(type.type);
     values[type.key] += found == types_.end() ? 0.0 : found->second;

@@ -6,15 +6,12 @@
 
 namespace pedzone::study {
 
-enum class Better { kLower, kHigher, kNeither };
-
 struct Measure {
   std::string_view key;      ///< as in records and tables
   std::string_view name;     ///< for people
   std::string_view unit;     ///< empty: a number or a share
   std::string_view meaning;  ///< a sentence
   std::string_view group;    ///< heading: People, Space, Vehicles, Conflicts
-  Better better;
   bool primary;  ///< of the family that the verdict is about; the others are told as detail
 };
 

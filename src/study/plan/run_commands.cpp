@@ -14,8 +14,8 @@
 #include "sumo/files/people_file.hpp"
 #include "sumo/files/scenario.hpp"
 #include "world/model_names.hpp"
+#include "zone/any_zones.hpp"
 #include "zone/vehicle_path.hpp"
-#include "zone/zone.hpp"
 
 namespace pedzone::study {
 namespace {
@@ -144,7 +144,7 @@ class Commands {
   void set_people_apart() {
     const ZoneFile file = zone_file_of(study_, scenario_, settings_);
     const Network network = read_scenario_network(read_);
-    const std::vector<Zone> zones = build_zones(network, file.zones);
+    const std::vector<Zone> zones = build_any_zones(network, file.zones);
     std::unordered_set<int> edges;
     for (const Zone& zone : zones) edges.insert(zone.edges.begin(), zone.edges.end());
     std::string panel;

@@ -9,25 +9,32 @@ namespace pedzone::study {
 
 namespace {
 
-enum Kind { kContact, kTtc, kPet, kClearance, kKinds };
+enum Kind { kContact, kTtc, kSlow, kPet, kClearance, kKinds };
 
-Danger with_moving(const Conflict& conflict) {
-  if (conflict.contact) return {kContact, -conflict.contact->value};
-  if (conflict.ttc) return {kTtc, conflict.ttc->value};
-  if (conflict.pet) return {kPet, conflict.pet->value};
-  return {kClearance, conflict.clearance ? conflict.clearance->value : 0.0};
+constexpr double kFast = 1.0;    // [m/s] assumed: bodies that close in slower hurt nobody much
+constexpr double kDepth = 0.03;  // [m] assumed: bodies that overlap less have brushed each other
+
+/// Brushing past each other hurts less than what was avoided in the last moment.
+bool hurts(const Conflict& conflict) {
+  const bool deep = conflict.clearance && conflict.clearance->value <= -kDepth;
+  return conflict.contact && (deep || conflict.contact->closing_speed > kFast);
 }
 
-bool began_with_contact(const Conflict& conflict) {
-  return conflict.contact && conflict.contact->time <= conflict.begin;
+Danger with_moving(const Conflict& conflict) {
+  if (hurts(conflict)) return {kContact, -conflict.contact->closing_speed};
+  if (conflict.ttc) {
+    return {conflict.ttc->closing_speed > kFast ? kTtc : kSlow, conflict.ttc->value};
+  }
+  if (conflict.pet) return {kPet, conflict.pet->value};
+  return {kClearance, conflict.clearance ? conflict.clearance->value : 0.0};
 }
 
 }  // namespace
 
 Danger danger_of(const Conflict& conflict) {
   Danger danger = with_moving(conflict);
-  if (moment_of(conflict).type == EncounterType::kParked) danger.kind += kKinds;
-  if (began_with_contact(conflict)) danger.kind += 2 * kKinds;
+  if (!with_moving_vehicle(conflict)) danger.kind += kKinds;
+  if (is_insertion(conflict)) danger.kind += 2 * kKinds;
   return danger;
 }
 

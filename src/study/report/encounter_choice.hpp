@@ -14,9 +14,9 @@ namespace pedzone::study {
 
 /// How dangerous an encounter was: less is more dangerous, by kind and then value. With a vehicle
 /// that moves before those with one that stands; of either, contacts first, the hardest (greatest
-/// relative speed) first; then by least TTC; then, of those never on a collision course, by least
-/// PET; then by least clearance. Last of all those that began with a contact: SUMO put one of the
-/// two onto the other, departing or teleported, and nobody ran into anybody.
+/// closing speed) first, but not where the bodies only brush each other; then by least TTC, of
+/// those that close in at more than 1 m/s first; then, of those never on a collision course, by
+/// least PET; then by least clearance. Last of all insertions (conflict_measures.hpp).
 struct Danger {
   int kind = 0;
   double value = 0.0;

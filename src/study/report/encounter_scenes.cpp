@@ -25,9 +25,10 @@ constexpr double kRate = 10.0;        // [1/s] numerical
 constexpr double kBesideStill = 3.0;  // [m] around the two of them in the picture
 
 constexpr const char* kRule =
-    " By danger: with vehicles that move before those with standing ones; contacts first, the "
-    "hardest first, then least TTC, then least PET; last those whom SUMO put onto each other. The "
-    "next ones are of other people, another vehicle and another place.";
+    " By danger: with vehicles that move before those with standing ones; contacts first, those at "
+    "the highest closing speed first, but not where bodies only brush each other; then least TTC "
+    "at a closing speed above 1 m/s, then other TTC, then PET; last those whom SUMO put onto each "
+    "other. The next ones are of other people, another vehicle and another place.";
 
 std::string manner(EncounterType type) {
   switch (type) {
@@ -49,7 +50,9 @@ std::string manner(EncounterType type) {
 
 /// "contact at 1.2 m/s", "0.4 s to contact" ...
 std::string danger(const Conflict& conflict) {
-  if (conflict.contact) return fmt::format("contact at {:.1f} m/s", conflict.contact->value);
+  if (conflict.contact) {
+    return fmt::format("contact at {:.1f} m/s", std::max(0.0, conflict.contact->closing_speed));
+  }
   if (conflict.ttc) return fmt::format("{:.1f} s from contact", conflict.ttc->value);
   if (conflict.pet) return fmt::format("{:.1f} s apart", conflict.pet->value);
   if (conflict.clearance) return fmt::format("{:.2f} m apart", conflict.clearance->value);
@@ -99,7 +102,7 @@ std::string caption(const Plan& plan, const Encounter& encounter, const Recordin
   if (const auto since = since_inserted(recording, encounter); since && *since <= kJustNow) {
     text += fmt::format(" SUMO had put the vehicle there {:.1f} s before.", *since);
   }
-  text += fmt::format(" Number {} of {} encounters in the zones by {}.", rank, count, run.model);
+  text += fmt::format(" Number {} of {} conflicts in the zones by {}.", rank, count, run.model);
   return rank == 1 ? text + kRule : text;
 }
 

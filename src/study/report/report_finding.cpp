@@ -30,10 +30,10 @@ bool has_direction(Finding finding) {
 
 const char* tone_class(Sentence::Tone tone) {
   switch (tone) {
-    case Sentence::Tone::kBetter:
-      return "better";
-    case Sentence::Tone::kWorse:
-      return "worse";
+    case Sentence::Tone::kLower:
+      return "lower";
+    case Sentence::Tone::kHigher:
+      return "higher";
     case Sentence::Tone::kWarning:
       return "warning";
     case Sentence::Tone::kPlain:
@@ -43,25 +43,27 @@ const char* tone_class(Sentence::Tone tone) {
 }
 
 std::string finding_text(const Comparison& one) {
+  if (one.bound == Bound::kUnknown) return "cut off";
   std::string text = words_of(one.finding).text;
   if (!has_direction(one.finding)) return text;
   text += one.difference.mean < 0.0 ? "lower" : "higher";
-  const Sentence::Tone tone = tone_of(one);
-  if (tone != Sentence::Tone::kPlain) text += std::string(": ") + tone_class(tone);
-  return text;
+  return one.bound == Bound::kAtLeast ? text + ", at least" : text;
 }
 
 std::string finding_class(const Comparison& one) {
+  if (one.bound == Bound::kUnknown) return "inconclusive";
   std::string style = words_of(one.finding).style;
   if (one.finding == Finding::kDifferent) style += tone_class(tone_of(one));
   return style;
 }
 
 std::string finding_sign(const Comparison& one) {
+  if (one.bound == Bound::kUnknown) return "\u2702";
   if (!has_direction(one.finding)) return words_of(one.finding).sign;
   const auto percent = percent_of(one);
-  const std::string change =
+  std::string change =
       percent ? signed_percent(*percent) : signed_text(one.difference.mean, decimals_of(one));
+  if (one.bound == Bound::kAtLeast) change += " \u2702";
   return one.finding == Finding::kHint ? "(" + change + ")" : change;
 }
 

@@ -73,11 +73,61 @@ Sentence disagreement(std::span<const FreeSpeed> speeds, const Plan& plan) {
           Sentence::Tone::kWarning};
 }
 
+/// "8.1 % shorter", of the conditions' mean ratios less 1; nothing where all are within 2 %.
+std::string part_text(std::span<const FreeSpeed> speeds, SampleSummary FreeSpeed::*part,
+                      const char* less, const char* more) {
+  constexpr double kPercent = 100.0, kFair = 2.0;
+  double least = 0.0, most = 0.0;
+  bool known = false;
+  for (const FreeSpeed& speed : speeds) {
+    if (!(speed.*part).mean) continue;
+    const double percent = kPercent * *(speed.*part).mean;
+    least = known ? std::min(least, percent) : percent;
+    most = known ? std::max(most, percent) : percent;
+    known = true;
+  }
+  if (!known || std::max(std::abs(least), std::abs(most)) <= kFair) return "";
+  const auto word = [&](double value) { return value < 0.0 ? less : more; };
+  const std::string low = percent_text(least), high = percent_text(most);
+  if (low == high) return fmt::format("{} {}", low, word(most));
+  return fmt::format("{} {} to {} {}", low, word(least), high, word(most));
+}
+
+/// Their speeds are the same; ways and times need not be.
 Sentence agreement(std::span<const FreeSpeed> speeds, const Plan& plan) {
-  return {'W' + walk_text(speeds, plan),
-          fmt::format(" ({}): they agree within 2 %, so that what differs below comes from the "
-                      "interaction.",
-                      persons_text(speeds))};
+  const std::string way = part_text(speeds, &FreeSpeed::way, "shorter", "longer");
+  const std::string time = part_text(speeds, &FreeSpeed::time, "less", "more");
+  Sentence sentence{'W' + walk_text(speeds, plan),
+                    fmt::format(" ({}): speeds agree within 2 %", persons_text(speeds))};
+  if (way.empty() && time.empty()) {
+    sentence.rest += ", and so do ways and times: what differs below comes from the interaction.";
+    return sentence;
+  }
+  std::vector<std::string> parts;
+  if (!way.empty()) parts.push_back("their ways are " + way);
+  if (!time.empty()) parts.push_back("they take " + time + " time");
+  sentence.rest += fmt::format(
+      ". But {} even without others: a part of what differs below is geometry, not interaction.",
+      joined(parts));
+  return sentence;
+}
+
+/// "Of the 50 % by which people's trips are shorter, 7.2 % are there without others, too; ...".
+std::string parts_text(const Interaction& parts, const char* what) {
+  constexpr double kPercent = 100.0;
+  const double sign = parts.all < 0.0 ? -kPercent : kPercent;  // of what goes the same way
+  const double half = parts.interval ? (parts.interval->high - parts.interval->low) / 2.0 : 0.01;
+  const int decimals = decimals_for(kPercent * half);
+  const auto percent = [&](double share) { return number_text(sign * share, decimals); };
+  std::string text = fmt::format(
+      "Of the {} % by which {}, {} % are there without others, too; interaction makes "
+      "{} %",
+      percent(parts.all), what, percent(parts.geometry), percent(parts.interaction));
+  if (parts.interval) {
+    const auto [low, high] = std::minmax({sign * parts.interval->low, sign * parts.interval->high});
+    text += fmt::format(" [{}, {}]", number_text(low, decimals), number_text(high, decimals));
+  }
+  return text;
 }
 
 /// Of one model.
@@ -93,6 +143,21 @@ void add_sentences(std::span<const FreeSpeed> speeds, const Plan& plan,
 }
 
 }  // namespace
+
+Sentence interaction_sentence(std::span<const Comparison> comparisons, const FreeSpeed& free) {
+  std::vector<std::string> parts;
+  const auto add = [&](std::string_view measure, const SampleSummary& alone, const char* shorter,
+                       const char* longer) {
+    const auto one = std::ranges::find(comparisons, measure, &Comparison::measure);
+    if (one == comparisons.end() || !is_told(*one)) return;
+    const auto found = interaction_of(*one, alone);
+    if (found) parts.push_back(parts_text(*found, found->all < 0.0 ? shorter : longer));
+  };
+  add("person.travelTime", free.time, "people's trips are shorter", "people's trips are longer");
+  add("person.detour", free.way, "people's ways are shorter", "people's ways are longer");
+  if (parts.empty()) return {};
+  return {"Geometry and interaction.", fmt::format(" {}.", fmt::join(parts, ". "))};
+}
 
 std::vector<Sentence> free_speed_sentences(std::span<const FreeSpeed> speeds, const Plan& plan) {
   std::vector<Sentence> sentences;

@@ -69,7 +69,9 @@ int decimals_of(const Comparison& comparison) {
 
 std::optional<double> percent_of(const Comparison& comparison) {
   constexpr double kPercent = 100.0;
-  if (!comparison.relative) return {};
+  // Of a mean below 0 there are no percents, and nothing falls by more than all of it.
+  if (!comparison.relative || comparison.reference.mean.value_or(0.0) < 0.0) return {};
+  if (*comparison.relative < -1.0) return {};
   return kPercent * *comparison.relative;
 }
 

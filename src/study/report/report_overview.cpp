@@ -27,7 +27,24 @@ struct Column {
   std::vector<Comparison> comparisons;
 };
 
-/// False where one column would be all.
+/// Of one model in one condition: what both models have, and the change.
+Json one_column(const Input& input, const std::string& model,
+                const std::vector<Comparison>& comparisons) {
+  Json rows = Json::array();
+  for (const Measure* measure : primary_measures()) {
+    const auto found = std::ranges::find(comparisons, measure->key, &Comparison::measure);
+    const Comparison one = found == comparisons.end() ? Comparison{} : *found;
+    const auto mean = [&](const SampleSummary& sample) -> Json {
+      const std::string text = sample.mean ? number_text(*sample.mean, decimals_of(one)) : "–";
+      return {{"text", text}, {"class", "mean"}, {"say", ""}};
+    };
+    rows.push_back({{"name", measure_label(*measure)},
+                    {"unit", std::string(measure->unit)},
+                    {"cells", {mean(one.reference), mean(one.sample), overview_cell(one)}}});
+  }
+  return {{"head", {input.plan.study.reference, model, "change"}}, {"rows", rows}, {"wide", false}};
+}
+
 Json overview(const Input& input) {
   std::vector<Column> columns;
   const std::vector<std::string> models = others(input.plan);
@@ -40,7 +57,8 @@ Json overview(const Input& input) {
                          comparisons_of(input, i, model)});
     }
   }
-  if (columns.size() == 1) return false;  // the sentences above say the same
+  if (columns.empty()) return false;
+  if (columns.size() == 1) return one_column(input, models.front(), columns.front().comparisons);
   const std::vector<const Measure*> measures = primary_measures();
   const auto cell = [&](const Measure& measure, const Column& column) {
     const auto found = std::ranges::find(column.comparisons, measure.key, &Comparison::measure);
@@ -52,14 +70,14 @@ Json overview(const Input& input) {
     for (const Measure* measure : measures) {
       Json cells = Json::array();
       for (const Column& column : columns) cells.push_back(cell(*measure, column));
-      rows.push_back({{"name", measure_label(*measure)}, {"cells", cells}});
+      rows.push_back({{"name", measure_label(*measure)}, {"unit", ""}, {"cells", cells}});
     }
   } else {
     for (const Measure* measure : measures) head.push_back(measure_label(*measure));
     for (const Column& column : columns) {
       Json cells = Json::array();
       for (const Measure* measure : measures) cells.push_back(cell(*measure, column));
-      rows.push_back({{"name", column.name}, {"cells", cells}});
+      rows.push_back({{"name", column.name}, {"unit", ""}, {"cells", cells}});
     }
   }
   return {{"head", head}, {"rows", rows}, {"wide", columns.size() > kMostColumns}};
@@ -80,29 +98,38 @@ Json overall_verdict(const Input& input, const std::string& model) {
     const Sentence sentence = overall_sentence(all, measure->key);
     if (!sentence.head.empty()) found.push_back(sentence_json(sentence));
   }
-  const bool none = found.empty();
-  return {{"found", found},
-          {"others", Json::array({sentence_json(tally_sentence(all))})},
-          {"none", none}};
+  return {{"summary", sentence_json(summary_sentence(all, input.plan.study.reference))},
+          {"found", found},
+          {"others", Json::array({sentence_json(tally_sentence(all))})}};
 }
 
 }  // namespace
 
 Json condition_verdict(const Input& input, std::size_t condition, const std::string& model) {
-  const Verdict verdict = verdict_of(comparisons_of(input, condition, model));
+  const std::vector<Comparison> comparisons = comparisons_of(input, condition, model);
+  const Verdict verdict = verdict_of(comparisons);
   Json found = Json::array(), others = Json::array();
   for (const Sentence& one : verdict.different) found.push_back(sentence_json(one));
-  for (const Sentence* one : {&verdict.hints, &verdict.inconclusive, &verdict.not_shown,
-                              &verdict.same, &verdict.too_few}) {
+  for (const FreeSpeed& free : input.speeds) {
+    if (free.condition != condition || free.model != model) continue;
+    const Sentence parts = interaction_sentence(comparisons, free);
+    if (!parts.head.empty()) others.push_back(sentence_json(parts));
+  }
+  for (const Sentence* one : {&verdict.cut_off, &verdict.hints, &verdict.inconclusive,
+                              &verdict.not_shown, &verdict.same, &verdict.too_few}) {
     if (!one->head.empty()) others.push_back(sentence_json(*one));
   }
-  const bool none = found.empty();
-  return {{"found", found}, {"others", others}, {"none", none}};
+  return {{"summary", sentence_json(summary_sentence(comparisons, input.plan.study.reference))},
+          {"found", found},
+          {"others", others}};
 }
 
 Json verdict_part(const Input& input) {
   const Plan& plan = input.plan;
   Json free = Json::array(), models = Json::array();
+  for (const Sentence& one : cut_off_sentences(input.comparisons, plan)) {
+    free.push_back(sentence_json(one));
+  }
   for (const Sentence& one : free_speed_sentences(input.speeds, plan)) {
     free.push_back(sentence_json(one));
   }

@@ -51,7 +51,8 @@ std::string forest_svg(const Comparison& one, double limit) {
   const auto percent = percent_of(one);
   if (percent && one.difference.student) {
     const double scale = kMostPercent / std::abs(*one.reference.mean);
-    const double low = scale * one.difference.student->low;
+    // An interval of differences may reach beyond all there is; a share of it cannot.
+    const double low = std::max(-kMostPercent, scale * one.difference.student->low);
     const double high = scale * one.difference.student->high, y = kHeight / 2.0;
     svg += fmt::format(R"(<path class="interval" d="M{:.1f} {:.0f}H{:.1f}"/>)", x(low), y, x(high));
     const auto arrow = [&](double at, double way) {

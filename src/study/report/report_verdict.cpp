@@ -13,10 +13,13 @@ namespace {
 
 constexpr std::size_t kManySeeds = 1000;  // nobody runs so many: their number says nothing
 
-/// How a difference of a measure is said; {} is the amount.
+/// How a difference of a measure is said; {} is the amount, in a unit of `scale` of the measure's:
+/// nothing for a share of the reference's mean.
 struct Phrase {
   std::string_view key, less, more, unit;
+  std::optional<double> scale = 1.0;
 };
+constexpr double kPercent = 100.0;
 constexpr Phrase kPhrases[] = {
     {"person.travelTime", "People's trips are {} shorter", "People's trips are {} longer", "s"},
     {"person.delay", "People's delay in the zone is {} shorter",
@@ -24,8 +27,9 @@ constexpr Phrase kPhrases[] = {
     {"person.waiting", "People wait {} less in the zone", "People wait {} longer in the zone", "s"},
     {"person.speed", "People walk {} slower in the zone", "People walk {} faster in the zone",
      "m/s"},
-    {"person.detour", "People's ways over the shortest ones are {} lower",
-     "People's ways over the shortest ones are {} higher", ""},
+    {"person.arrived", "The share of people who arrive by the end is {} lower",
+     "The share of people who arrive by the end is {} higher", "percentage points", kPercent},
+    {"person.detour", "People's ways are {} shorter", "People's ways are {} longer", "%", {}},
     {"space.density", "The density around people is {} lower",
      "The density around people is {} higher", "persons/m²"},
     {"vehicle.travelTime", "Vehicles' trips are {} shorter", "Vehicles' trips are {} longer", "s"},
@@ -45,27 +49,47 @@ std::string replaced(std::string_view phrase, const std::string& amount) {
   return text.replace(at, amount.empty() ? 3 : 2, amount);  // the space after it, too
 }
 
+const Phrase* phrase_of(const Measure& measure) {
+  const auto* phrase = std::ranges::find(kPhrases, measure.key, &Phrase::key);
+  return phrase == std::end(kPhrases) ? nullptr : phrase;
+}
+
 /// What is said of a measure that went down or up.
 std::string change(const Measure& measure, bool down, const std::string& number,
                    const std::string& interval) {
-  const auto* phrase = std::ranges::find(kPhrases, measure.key, &Phrase::key);
-  const bool known = phrase != std::end(kPhrases);
+  const Phrase* const phrase = phrase_of(measure);
   std::string amount = number;
-  if (!number.empty()) amount = with_unit(number, known ? phrase->unit : measure.unit) + interval;
-  if (known) return replaced(down ? phrase->less : phrase->more, amount);
+  if (!number.empty()) {
+    amount = with_unit(number, phrase != nullptr ? phrase->unit : measure.unit) + interval;
+  }
+  if (phrase != nullptr) return replaced(down ? phrase->less : phrase->more, amount);
   std::string label = measure_label(measure);
   label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
   return label + replaced(down ? " is {} lower" : " is {} higher", amount);
 }
 
-/// The interval's ends as sizes of a change, the smaller first.
-std::string sizes_text(const Comparison& comparison, int decimals) {
-  const std::optional<Interval>& interval = comparison.difference.student;
-  if (!interval || comparison.difference.all_equal) return "";
-  const bool down = comparison.difference.mean < 0.0;
-  const double low = down ? -interval->high : interval->low;
-  const double high = down ? -interval->low : interval->high;
-  return fmt::format(" [{}, {}]", number_text(low, decimals), number_text(high, decimals));
+/// The size of a change and its interval, in the unit of the measure's phrase.
+struct Amount {
+  std::string number, interval;
+};
+
+Amount amount_of(const Comparison& comparison) {
+  const Phrase* const phrase = phrase_of(*find_measure(comparison.measure));
+  double scale = 1.0;
+  if (phrase != nullptr) {
+    const double mean = std::abs(comparison.reference.mean.value_or(0.0));
+    scale = phrase->scale.value_or(mean > 0.0 ? kPercent / mean : 1.0);
+  }
+  const PairedDifference& difference = comparison.difference;
+  if (!difference.student || difference.all_equal) {
+    return {number_text(scale * std::abs(difference.mean), decimals_of(comparison)), ""};
+  }
+  const bool down = difference.mean < 0.0;
+  const double low = scale * (down ? -difference.student->high : difference.student->low);
+  const double high = scale * (down ? -difference.student->low : difference.student->high);
+  const int decimals = decimals_for((high - low) / 2.0);
+  return {number_text(scale * std::abs(difference.mean), decimals),
+          fmt::format(" [{}, {}]", number_text(low, decimals), number_text(high, decimals))};
 }
 
 std::string range_text(const Comparison& comparison) {
@@ -124,10 +148,24 @@ Sentence list_sentence(std::span<const Comparison> comparisons, const ListKind& 
   for (const Comparison& one : comparisons) {
     const Measure* measure = find_measure(one.measure);
     if (one.finding != kind.finding || measure == nullptr || !measure->primary) continue;
+    if (one.bound == Bound::kUnknown) continue;
     items.push_back(measure_label(*measure) + list_note(one));
   }
   if (items.empty()) return {};
   return {kind.head, kind.before + joined(items) + kind.after};
+}
+
+/// Times of which the end of the runs leaves nothing to be told.
+Sentence cut_off_sentence(std::span<const Comparison> comparisons) {
+  std::vector<std::string> items;
+  for (const Comparison& one : comparisons) {
+    const Measure* measure = find_measure(one.measure);
+    if (one.bound != Bound::kUnknown || measure == nullptr || !measure->primary) continue;
+    items.push_back(measure_label(*measure));
+  }
+  if (items.empty()) return {};
+  return {"Not to be told, as runs were cut off:",
+          " " + joined(items) + ". Fewer have arrived where times seem shorter."};
 }
 
 /// "in 2 of 3 conditions (−14 % to −3 %)", of those that `keep`s.
@@ -185,30 +223,33 @@ std::string measure_label(const Measure& measure) {
   return name;
 }
 
+bool is_told(const Comparison& comparison) {
+  return comparison.finding == Finding::kDifferent && comparison.bound != Bound::kUnknown;
+}
+
 Sentence::Tone tone_of(const Comparison& comparison) {
-  const Measure* measure = find_measure(comparison.measure);
-  if (comparison.finding != Finding::kDifferent || measure == nullptr ||
-      measure->better == Better::kNeither) {
-    return Sentence::Tone::kPlain;
-  }
-  const bool down = comparison.difference.mean < 0.0;
-  return down == (measure->better == Better::kLower) ? Sentence::Tone::kBetter
-                                                     : Sentence::Tone::kWorse;
+  if (!is_told(comparison)) return Sentence::Tone::kPlain;
+  return comparison.difference.mean < 0.0 ? Sentence::Tone::kLower : Sentence::Tone::kHigher;
 }
 
 Sentence difference_sentence(const Comparison& comparison) {
   const Measure* measure = find_measure(comparison.measure);
   const int decimals = decimals_of(comparison);
-  const double mean = comparison.difference.mean;
+  Amount amount = amount_of(comparison);
+  if (comparison.bound == Bound::kAtLeast) amount.number = "at least " + amount.number;
   Sentence sentence;
   sentence.tone = tone_of(comparison);
-  sentence.head = change(*measure, mean < 0.0, number_text(std::abs(mean), decimals),
-                         sizes_text(comparison, decimals));
+  sentence.head =
+      change(*measure, comparison.difference.mean < 0.0, amount.number, amount.interval);
   std::string levels;
   if (comparison.reference.mean && comparison.sample.mean) {
     levels = fmt::format("from {} to {}", number_text(*comparison.reference.mean, decimals),
                          with_unit(number_text(*comparison.sample.mean, decimals), measure->unit));
-    if (const auto percent = percent_of(comparison)) levels += ": " + signed_percent(*percent);
+    const auto percent = percent_of(comparison);
+    const Phrase* const phrase = phrase_of(*measure);
+    if (percent && (phrase == nullptr || phrase->scale == 1.0)) {
+      levels += ": " + signed_percent(*percent);
+    }
     levels += "; ";
   }
   sentence.rest = fmt::format(" ({}{})", levels,
@@ -220,7 +261,7 @@ Verdict verdict_of(std::span<const Comparison> comparisons) {
   Verdict verdict;
   for (const Comparison& one : comparisons) {
     const Measure* measure = find_measure(one.measure);
-    if (one.finding == Finding::kDifferent && measure != nullptr && measure->primary) {
+    if (is_told(one) && measure != nullptr && measure->primary) {
       verdict.different.push_back(difference_sentence(one));
     }
   }
@@ -229,36 +270,36 @@ Verdict verdict_of(std::span<const Comparison> comparisons) {
   verdict.inconclusive = list_sentence(comparisons, kInconclusiveKind);
   verdict.same = list_sentence(comparisons, kSameKind);
   verdict.too_few = list_sentence(comparisons, kTooFewKind);
+  verdict.cut_off = cut_off_sentence(comparisons);
   return verdict;
 }
 
 Sentence overall_sentence(std::span<const Comparison> comparisons, std::string_view key) {
   std::vector<const Comparison*> all;
-  std::size_t down = 0, up = 0;
+  std::size_t down = 0, up = 0, cut = 0;
   for (const Comparison& one : comparisons) {
     if (one.measure != key) continue;
     all.push_back(&one);
-    if (one.finding == Finding::kDifferent) ++(one.difference.mean < 0.0 ? down : up);
+    if (!is_told(one)) continue;
+    ++(one.difference.mean < 0.0 ? down : up);
+    cut += one.bound == Bound::kAtLeast ? 1 : 0;
   }
   if (down + up == 0) return {};
   const bool mostly_down = down >= up;
   const auto falls = [](const Comparison& one) {
-    return one.finding == Finding::kDifferent && one.difference.mean < 0.0;
+    return is_told(one) && one.difference.mean < 0.0;
   };
   const auto rises = [](const Comparison& one) {
-    return one.finding == Finding::kDifferent && one.difference.mean >= 0.0;
+    return is_told(one) && one.difference.mean >= 0.0;
   };
-  const Measure& measure = *find_measure(key);
-  Sentence sentence{change(measure, mostly_down, "", ""),
+  Sentence sentence{change(*find_measure(key), mostly_down, "", ""),
                     mostly_down ? share_text(all, falls) : share_text(all, rises)};
+  if (cut > 0) sentence.rest += fmt::format(", at least, as runs are cut off in {}", cut);
   if (down > 0 && up > 0) {
     sentence.rest +=
         ", the opposite" + (mostly_down ? share_text(all, rises) : share_text(all, falls));
   } else {
-    const Better better = measure.better;
-    sentence.tone = better == Better::kNeither                  ? Sentence::Tone::kPlain
-                    : (better == Better::kLower) == mostly_down ? Sentence::Tone::kBetter
-                                                                : Sentence::Tone::kWorse;
+    sentence.tone = mostly_down ? Sentence::Tone::kLower : Sentence::Tone::kHigher;
   }
   sentence.rest += '.';
   return sentence;

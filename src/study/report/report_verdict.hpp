@@ -13,7 +13,8 @@ namespace pedzone::study {
 /// A sentence of which the beginning matters most.
 struct Sentence {
   std::string head, rest;
-  enum class Tone { kPlain, kBetter, kWorse, kWarning } tone = Tone::kPlain;
+  /// Lower or higher says nothing about good or bad: models are no designs.
+  enum class Tone { kPlain, kLower, kHigher, kWarning } tone = Tone::kPlain;
 };
 
 /// Whether the models' free speeds agree with the reference's. For each model a sentence on the
@@ -21,13 +22,25 @@ struct Sentence {
 /// do.
 std::vector<Sentence> free_speed_sentences(std::span<const FreeSpeed> speeds, const Plan& plan);
 
-/// One difference that was found: by how much, how sure, better or worse for those concerned.
+/// How much of the differences of times and ways is there without others, too, and how much comes
+/// from interaction; no head where it is not known. `comparisons`: of one model in one condition.
+Sentence interaction_sentence(std::span<const Comparison> comparisons, const FreeSpeed& free);
+
+/// The whole verdict on one model in one sentence: the differences that matter most, how many there
+/// are, or why none is told. `comparisons`: all of that model, in one condition or several.
+Sentence summary_sentence(std::span<const Comparison> comparisons, const std::string& reference);
+
+/// Where the end of the runs cuts off people's trips with one of two models: a warning for each
+/// model, with the `end` that would do.
+std::vector<Sentence> cut_off_sentences(std::span<const Comparison> comparisons, const Plan& plan);
+
+/// One difference that was found: by how much, how sure.
 Sentence difference_sentence(const Comparison& comparison);
 
 /// All that is said of one model in one condition, of measures of the primary family.
 struct Verdict {
   std::vector<Sentence> different;
-  Sentence hints, not_shown, inconclusive, same, too_few;  ///< no head where there is none
+  Sentence hints, not_shown, inconclusive, same, too_few, cut_off;  ///< no head: there is none
 };
 Verdict verdict_of(std::span<const Comparison> comparisons);
 
@@ -41,7 +54,9 @@ Sentence tally_sentence(std::span<const Comparison> comparisons);
 /// A measure inside a sentence: "people's travel time".
 std::string measure_label(const Measure& measure);
 
-/// Tone of a difference by the measure's sense.
 Sentence::Tone tone_of(const Comparison& comparison);
+
+/// Whether a difference was found that the end of the runs does not throw doubt on.
+bool is_told(const Comparison& comparison);
 
 }  // namespace pedzone::study

@@ -10,7 +10,7 @@
 namespace pedzone::study {
 
 /// Raised when a record's or a measure's meaning changes.
-inline constexpr int kStudyFormat = 2;
+inline constexpr int kStudyFormat = 3;
 
 enum class RunStatus {
   kDone,

@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "results/complete_file.hpp"
-#include "study/measure/free_speed_measure.hpp"
+#include "study/measure/free_walk_measure.hpp"
 #include "study/measure/run_measures.hpp"
 #include "study/run/process.hpp"
 #include "study/run/shell_word.hpp"
@@ -61,8 +61,8 @@ Place place_of(const RunOutputs& outputs) {
 void measure(const RunOutputs& outputs, RunKind kind, RunRecord& record) {
   if (kind == RunKind::kFreeSpeed) {
     const std::string trajectories = outputs.folder + "/trajectories.csv";  // pedzone's only
-    record.measures = free_speeds_of(outputs.folder + "/fcd.xml.gz",
-                                     std::filesystem::exists(trajectories) ? trajectories : "");
+    record.measures = free_walk_values(free_walks_of(
+        outputs.folder + "/fcd.xml.gz", std::filesystem::exists(trajectories) ? trajectories : ""));
     return;
   }
   RunMeasures measures = measure_run(outputs, place_of(outputs));

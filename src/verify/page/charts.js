@@ -22,7 +22,7 @@ const charts = {
     const layers = [];
     if (chart.band.length > 0) {
       layers.push({data: {values: chart.band.map(([at, low, high]) => ({x: at, low, high}))},
-                   mark: {type: "area", color: "var(--better)", opacity: 0.16},
+                   mark: {type: "area", color: "var(--accent)", opacity: 0.16},
                    encoding: {x, y: {...y, field: "low"}, y2: {field: "high"}}});
     }
     const tooltip = [{field: "name"}, {field: "x"}, {field: "y"}];

@@ -10,9 +10,16 @@ namespace {
 Conflict conflict(EncounterType type, double ttc, double clearance) {
   Conflict result;
   result.type = type;
-  result.ttc = Extreme{.value = ttc};
+  result.ttc = Extreme{.value = ttc, .vehicle_speed = 3.0};
   result.clearance = Extreme{.value = clearance};
   return result;
+}
+
+Conflict contact(double vehicle_speed) {
+  Conflict touched = conflict(EncounterType::kFollowing, 2.0, -0.2);
+  touched.begin = -1.0;
+  touched.contact = Extreme{.value = 1.0, .vehicle_speed = vehicle_speed};
+  return touched;
 }
 
 TEST(ConflictMeasures, are_counts_medians_and_the_least_clearance) {
@@ -30,7 +37,7 @@ TEST(ConflictMeasures, are_counts_medians_and_the_least_clearance) {
   EXPECT_EQ(values["conflict.contacts"], 0.0);
   EXPECT_EQ(values["conflict.crossing"], 2.0);
   EXPECT_EQ(values["conflict.headOn"], 1.0);
-  EXPECT_EQ(values["conflict.parked"], 0.0);
+  EXPECT_EQ(values["conflict.standing"], 0.0);
   EXPECT_EQ(values["conflict.ttc"], 2.0);
   EXPECT_EQ(values["conflict.pet"], 0.8);
   EXPECT_EQ(values["conflict.drac"], 2.5);
@@ -39,9 +46,7 @@ TEST(ConflictMeasures, are_counts_medians_and_the_least_clearance) {
 
 TEST(ConflictMeasures, a_contact_is_serious_and_leaves_no_clearance) {
   ConflictMeasures measures;
-  Conflict touched = conflict(EncounterType::kFollowing, 2.0, -0.2);
-  touched.contact = Extreme{.value = 1.0};
-  measures.add(touched);
+  measures.add(contact(0.51));
   std::map<std::string, double> values;
   measures.finish(values);
   EXPECT_EQ(values["conflict.serious"], 1.0);
@@ -49,10 +54,39 @@ TEST(ConflictMeasures, a_contact_is_serious_and_leaves_no_clearance) {
   EXPECT_EQ(values["conflict.clearance"], 0.0);
 }
 
+TEST(ConflictMeasures, count_standing_vehicles_apart) {
+  ConflictMeasures measures;
+  measures.add(contact(0.5));
+  Conflict close = conflict(EncounterType::kParked, 2.0, 0.1);
+  close.ttc->vehicle_speed = 0.0;
+  measures.add(close);
+  std::map<std::string, double> values;
+  measures.finish(values);
+  EXPECT_EQ(values["conflict.standing"], 2.0);
+  EXPECT_EQ(values["conflict.seriousStanding"], 1.0);
+  EXPECT_EQ(values["conflict.contactsStanding"], 1.0);
+  for (const char* key : {"count", "serious", "contacts", "following"}) {
+    EXPECT_EQ(values[std::string("conflict.") + key], 0.0) << key;
+  }
+  EXPECT_FALSE(values.contains("conflict.clearance"));
+}
+
+TEST(ConflictMeasures, count_insertions_nowhere_else) {
+  ConflictMeasures measures;
+  Conflict put = contact(3.0);
+  put.begin = put.contact->time;
+  measures.add(put);
+  std::map<std::string, double> values;
+  measures.finish(values);
+  EXPECT_EQ(values["conflict.insertions"], 1.0);
+  EXPECT_EQ(values["conflict.count"], 0.0);
+  EXPECT_EQ(values["conflict.standing"], 0.0);
+}
+
 TEST(ConflictMeasures, without_conflicts_there_are_counts_only) {
   std::map<std::string, double> values;
   ConflictMeasures().finish(values);
-  EXPECT_EQ(values.size(), 8U);
+  EXPECT_EQ(values.size(), 11U);
   for (const auto& [key, value] : values) EXPECT_EQ(value, 0.0) << key;
 }
 

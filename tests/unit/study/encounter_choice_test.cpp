@@ -16,6 +16,8 @@ Extreme extreme(double value, const Vec2& at, EncounterType type = EncounterType
   result.value = value;
   result.position = at;
   result.type = type;
+  result.vehicle_speed = type == EncounterType::kParked ? 0.0 : 3.0;
+  result.closing_speed = 2.0;
   return result;
 }
 
@@ -41,8 +43,10 @@ class EncounterChoices : public testing::Test {
   }
   void add_contact(double speed, EncounterType type = EncounterType::kCrossingLeft) {
     Conflict conflict = next();
-    conflict.contact = extreme(speed, place(), type);
+    conflict.contact = extreme(9.0, place(), type);
+    conflict.contact->closing_speed = speed;
     conflict.ttc = extreme(0.0, place(), type);
+    conflict.clearance = extreme(-0.1, place(), type);
     add(conflict);
   }
   void add_ttc(double seconds, EncounterType type = EncounterType::kCrossingLeft) {
@@ -92,10 +96,33 @@ TEST_F(EncounterChoices, take_contacts_first_then_ttc_then_pet) {
   EXPECT_EQ(choice_.count(), 7U);
 }
 
+TEST_F(EncounterChoices, take_a_brush_and_a_slow_approach_after_what_was_just_avoided) {
+  Conflict brush = next();
+  brush.contact = extreme(9.0, place());
+  brush.contact->closing_speed = 0.9;
+  brush.clearance = extreme(-0.01, place());
+  brush.ttc = extreme(0.0, place());
+  brush.ttc->closing_speed = 0.9;
+  add(brush);  // 0
+  Conflict slow = next();
+  slow.ttc = extreme(0.2, place());
+  slow.ttc->closing_speed = 1.0;
+  add(slow);         // 1
+  add_ttc(1.4);      // 2
+  add_contact(0.5);  // 3: deep
+  Conflict fast = next();
+  fast.contact = extreme(9.0, place());
+  fast.contact->closing_speed = 1.1;
+  fast.clearance = extreme(-0.02, place());
+  add(fast);  // 4
+  EXPECT_THAT(rows(10), ElementsAre(4, 3, 2, 0, 1));
+}
+
 TEST_F(EncounterChoices, are_of_other_people_other_vehicles_and_other_places) {
   const auto contact = [](const char* person, const char* vehicle, double speed, double x) {
     Conflict conflict = between(person, vehicle);
     conflict.contact = extreme(speed, {x, 0.0});
+    conflict.contact->closing_speed = speed;
     return conflict;
   };
   add(contact("a", "v", 9.0, 0.0));          // 0

@@ -5,7 +5,7 @@
 //        measure_run --free-speed FCD [TRAJECTORIES.csv]
 #include <fmt/format.h>
 
-#include "study/measure/free_speed_measure.hpp"
+#include "study/measure/free_walk_measure.hpp"
 #include "study/measure/run_measures.hpp"
 #include "sumo/files/scenario.hpp"
 
@@ -25,8 +25,8 @@ void print_measures(const std::string& folder, const std::string& config,
 }
 
 void print_free_speeds(const std::string& fcd, const std::string& trajectories) {
-  for (const auto& [id, speed] : free_speeds_of(fcd, trajectories)) {
-    fmt::print("{} {}\n", id, speed);
+  for (const auto& [id, walk] : free_walks_of(fcd, trajectories)) {
+    if (walk.speed) fmt::print("{} {}\n", id, *walk.speed);
   }
 }
 

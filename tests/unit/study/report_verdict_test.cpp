@@ -38,24 +38,24 @@ Plan plan_of(std::size_t conditions) {
 
 std::string text(const Sentence& sentence) { return sentence.head + sentence.rest; }
 
-TEST(Verdict, says_by_how_much_and_how_sure_and_for_whom_it_is_good) {
+TEST(Verdict, says_by_how_much_and_how_sure_and_in_which_direction) {
   const Sentence less =
       difference_sentence(comparison("person.travelTime", 84.2, 72.1, 3.0, Finding::kDifferent));
   EXPECT_EQ(text(less),
             "People's trips are 12.1 s [9.1, 15.1] shorter (from 84.2 to 72.1 s: −14 %; "
             "30 pairs of runs)");
-  EXPECT_EQ(less.tone, Sentence::Tone::kBetter);
+  EXPECT_EQ(less.tone, Sentence::Tone::kLower);
 
   const Sentence more =
       difference_sentence(comparison("person.speed", 1.2, 1.25, 0.01, Finding::kDifferent));
   EXPECT_EQ(more.head, "People walk 0.050 m/s [0.040, 0.060] faster in the zone");
-  EXPECT_EQ(more.tone, Sentence::Tone::kBetter);
+  EXPECT_EQ(more.tone, Sentence::Tone::kHigher);
   EXPECT_THAT(more.rest, HasSubstr("+4.2 %"));
 
-  const Sentence worse =
+  const Sentence longer =
       difference_sentence(comparison("vehicle.delay", 10.0, 30.0, 4.0, Finding::kDifferent));
-  EXPECT_EQ(worse.head, "Vehicles' delay is 20.0 s [16.0, 24.0] longer");
-  EXPECT_EQ(worse.tone, Sentence::Tone::kWorse);
+  EXPECT_EQ(longer.head, "Vehicles' delay is 20.0 s [16.0, 24.0] longer");
+  EXPECT_EQ(longer.tone, Sentence::Tone::kHigher);
 }
 
 TEST(Verdict, counts_have_no_unit_and_a_difference_from_nothing_no_percent) {
@@ -70,7 +70,7 @@ TEST(Verdict, a_measure_without_a_phrase_of_its_own_is_named) {
   const Sentence one =
       difference_sentence(comparison("conflict.ttc", 1.0, 0.5, 0.1, Finding::kDifferent));
   EXPECT_EQ(one.head, "TTC is 0.50 s [0.40, 0.60] lower");
-  EXPECT_EQ(one.tone, Sentence::Tone::kWorse);
+  EXPECT_EQ(one.tone, Sentence::Tone::kLower);
 }
 
 TEST(Verdict, every_finding_has_its_sentence) {
@@ -120,7 +120,7 @@ TEST(Verdict, nothing_found_says_nothing) {
   const Verdict verdict = verdict_of({});
   EXPECT_TRUE(verdict.different.empty());
   for (const Sentence* one : {&verdict.hints, &verdict.not_shown, &verdict.inconclusive,
-                              &verdict.same, &verdict.too_few}) {
+                              &verdict.same, &verdict.too_few, &verdict.cut_off}) {
     EXPECT_EQ(text(*one), "");
   }
 }
@@ -132,14 +132,14 @@ TEST(Verdict, several_conditions_are_summed_up_with_both_directions) {
       comparison("person.travelTime", 100.0, 100.5, 1.0, Finding::kNotShown)};
   Sentence sentence = overall_sentence(all, "person.travelTime");
   EXPECT_EQ(text(sentence), "People's trips are shorter in 2 of 3 conditions (−14 % to −3.0 %).");
-  EXPECT_EQ(sentence.tone, Sentence::Tone::kBetter);
+  EXPECT_EQ(sentence.tone, Sentence::Tone::kLower);
   all.push_back(comparison("person.travelTime", 100.0, 110.0, 3.0, Finding::kDifferent));
   sentence = overall_sentence(all, "person.travelTime");
   EXPECT_EQ(
       text(sentence),
       "People's trips are shorter in 2 of 4 conditions (−14 % to −3.0 %), the opposite in 1 of "
       "4 conditions (+10 %).");
-  EXPECT_EQ(sentence.tone, Sentence::Tone::kPlain) << "neither good nor bad";
+  EXPECT_EQ(sentence.tone, Sentence::Tone::kPlain) << "neither lower nor higher";
   EXPECT_EQ(text(overall_sentence(all, "vehicle.stops")), "");
 }
 
@@ -156,10 +156,157 @@ TEST(Verdict, tells_how_many_comparisons_came_out_how) {
             "speak of and 2 not to be told from so few seeds.");
 }
 
+TEST(Verdict, ways_are_told_in_percent_and_shares_in_points) {
+  EXPECT_EQ(text(difference_sentence(
+                comparison("person.detour", 1.1, 1.001, 0.0033, Finding::kDifferent))),
+            "People's ways are 9.00 % [8.70, 9.30] shorter (from 1.1000 to 1.0010; 30 pairs of "
+            "runs)");
+  EXPECT_EQ(
+      difference_sentence(comparison("person.arrived", 0.6, 0.95, 0.03, Finding::kDifferent)).head,
+      "The share of people who arrive by the end is 35.0 percentage points [32.0, 38.0] "
+      "higher");
+}
+
+TEST(Verdict, nothing_falls_by_more_than_all_of_it) {
+  const auto change = [](double from, double to) {
+    return text(
+        difference_sentence(comparison("person.delay", from, to, 1.0, Finding::kDifferent)));
+  };
+  EXPECT_THAT(change(10.0, -4.0), Not(HasSubstr("%"))) << "a delay may be below 0";
+  EXPECT_THAT(change(-4.0, -8.0), Not(HasSubstr("%")));
+  EXPECT_THAT(change(10.0, 4.0), HasSubstr("−60 %"));
+}
+
+/// A study cut off at its end: of ten people six arrive with striping, all with the heuristic.
+std::vector<Comparison> cut_off_study(double striping_time, double own_time) {
+  std::vector<Comparison> all{
+      comparison("person.travelTime", striping_time, own_time, 17.0, Finding::kDifferent),
+      comparison("person.arrived", 0.6, 1.0, 0.08, Finding::kDifferent),
+      comparison("person.speed", 0.5, 1.2, 0.05, Finding::kDifferent),
+      comparison("person.nearlyAll", 930.0, 580.0, 10.0, Finding::kDifferent)};
+  all.back().reference.max = 941.0;
+  all.back().sample.max = 590.0;
+  mark_cut_off(all);
+  return all;
+}
+
+TEST(CutOff, times_are_told_as_at_least) {
+  const std::vector<Comparison> all = cut_off_study(326.0, 164.0);
+  EXPECT_EQ(all[0].bound, Bound::kAtLeast);
+  EXPECT_EQ(all[2].bound, Bound::kExact) << "a speed is no sum over a trip";
+  EXPECT_EQ(verdict_of(all).different[0].head,
+            "People's trips are at least 162 s [145, 179] shorter");
+  EXPECT_THAT(summary_sentence(all, "striping").head,
+              HasSubstr("With heuristic instead of striping, people's trips are at least 162 s"));
+  const std::vector<Sentence> warnings = cut_off_sentences(all, plan_of(1));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(text(warnings[0]),
+            "Warning: the end of the runs cuts off people's trips: by then 60 % of them have "
+            "arrived with striping, 100 % with heuristic. Their times are told as “at least”. "
+            "end=\"1000\" in the study file would let nearly all arrive.");
+}
+
+TEST(CutOff, of_who_seems_fast_since_few_arrive_nothing_is_told) {
+  const std::vector<Comparison> all = cut_off_study(164.0, 326.0);
+  EXPECT_EQ(all[0].bound, Bound::kUnknown);
+  const Verdict verdict = verdict_of(all);
+  for (const Sentence& one : verdict.different) EXPECT_THAT(one.head, Not(HasSubstr("trips")));
+  EXPECT_THAT(text(verdict.cut_off), HasSubstr("people's travel time. Fewer have arrived"));
+  EXPECT_THAT(summary_sentence(all, "striping").head, Not(HasSubstr("trips")));
+}
+
+TEST(CutOff, no_end_is_proposed_where_nobody_arrives_any_more) {
+  std::vector<Comparison> all = cut_off_study(326.0, 164.0);
+  all.back().undefined = 1;
+  EXPECT_THAT(text(cut_off_sentences(all, plan_of(1)).front()),
+              HasSubstr("no end may be late enough"));
+}
+
+TEST(CutOff, is_nothing_where_as_many_arrive) {
+  std::vector<Comparison> all{
+      comparison("person.travelTime", 326.0, 164.0, 17.0, Finding::kDifferent),
+      comparison("person.arrived", 0.95, 0.99, 0.01, Finding::kDifferent)};
+  mark_cut_off(all);
+  EXPECT_EQ(all[0].bound, Bound::kExact);
+  EXPECT_TRUE(cut_off_sentences(all, plan_of(1)).empty());
+}
+
+TEST(Summary, says_what_matters_first_and_how_many_measures_differ) {
+  const std::vector<Comparison> all{
+      comparison("vehicle.stops", 8.0, 1.0, 0.5, Finding::kDifferent),
+      comparison("person.delay", 30.0, 10.0, 2.0, Finding::kDifferent),
+      comparison("conflict.serious", 40.0, 8.0, 4.0, Finding::kDifferent),
+      comparison("person.travelTime", 84.2, 72.1, 3.0, Finding::kDifferent),
+      comparison("vehicle.delay", 10.0, 10.1, 0.5, Finding::kNotShown)};
+  EXPECT_EQ(text(summary_sentence(all, "striping")),
+            "With heuristic instead of striping, people's trips are 12.1 s [9.1, 15.1] shorter, "
+            "there are 32.0 [28.0, 36.0] fewer serious conflicts a run and people's delay in the "
+            "zone is 20.0 s [18.0, 22.0] shorter. 4 of 13 main measures differ.");
+}
+
+TEST(Summary, of_too_few_seeds_says_how_many_more) {
+  const std::vector<Comparison> all{
+      comparison("person.travelTime", 84.2, 72.1, 3.0, Finding::kTooFew, 2),
+      comparison("vehicle.delay", 10.0, 10.1, 0.5, Finding::kTooFew, 2)};
+  EXPECT_EQ(text(summary_sentence(all, "striping")),
+            "Too few seeds to tell what heuristic changes: run 1 more. Nothing was compared.");
+}
+
+TEST(Summary, of_no_difference_says_where_seeds_were_too_few) {
+  const std::vector<Comparison> all{
+      comparison("person.travelTime", 84.2, 84.1, 3.0, Finding::kNotShown),
+      comparison("vehicle.delay", 10.0, 9.0, 5.0, Finding::kInconclusive)};
+  EXPECT_EQ(text(summary_sentence(all, "striping")),
+            "No difference was found with heuristic, and for 1 of 2 comparisons there are too few "
+            "seeds to tell.");
+}
+
+SampleSummary sample_of(std::size_t n, double mean, double sd) {
+  SampleSummary sample;
+  sample.n = n;
+  sample.mean = mean;
+  sample.sd = sd;
+  return sample;
+}
+
+FreeSpeed free_walks(double way) {
+  FreeSpeed free{0, "heuristic", 12, 0.996, 0.99, 1.0, true};
+  free.way = sample_of(12, way, 0.02);
+  free.time = sample_of(12, way, 0.02);
+  return free;
+}
+
+TEST(Geometry, is_told_where_ways_differ_without_others) {
+  const std::vector<FreeSpeed> alone{free_walks(-0.08)};
+  EXPECT_EQ(text(free_speed_sentences(alone, plan_of(1)).front()),
+            "With interaction switched off, heuristic walks 0.4 % slower than striping (12 "
+            "persons): speeds agree within 2 %. But their ways are 8.0 % shorter and they take 8.0 "
+            "% less time even without others: a part of what differs below is geometry, not "
+            "interaction.");
+}
+
+TEST(Geometry, may_be_all_of_a_difference) {
+  Comparison time = comparison("person.travelTime", 175.0, 161.0, 3.0, Finding::kDifferent, 10);
+  time.difference.sd = 4.0;
+  EXPECT_EQ(text(interaction_sentence(std::vector{time}, free_walks(-0.08))),
+            "Geometry and interaction. Of the 8.0 % by which people's trips are shorter, 8.0 % are "
+            "there without others, too; interaction makes 0.0 % [−1.9, 1.9].");
+  EXPECT_EQ(text(interaction_sentence({}, free_walks(-0.08))), "");
+}
+
+TEST(Geometry, is_taken_off_what_interaction_makes) {
+  Comparison time = comparison("person.travelTime", 100.0, 150.0, 3.0, Finding::kDifferent, 10);
+  time.difference.sd = 4.0;
+  EXPECT_THAT(
+      text(interaction_sentence(std::vector{time}, free_walks(-0.08))),
+      HasSubstr("Of the 50.0 % by which people's trips are longer, −8.0 % are there without "
+                "others, too; interaction makes 58.0 % [55.0, 61.0]."));
+}
+
 TEST(FreeSpeedVerdict, agrees_or_warns) {
   const std::vector<FreeSpeed> fine{{0, "heuristic", 12, 0.996, 0.99, 1.0, true}};
   EXPECT_THAT(text(free_speed_sentences(fine, plan_of(1)).front()),
-              HasSubstr("heuristic walks 0.4 % slower than striping (12 persons): they agree"));
+              HasSubstr("heuristic walks 0.4 % slower than striping (12 persons): speeds agree"));
   const std::vector<FreeSpeed> off{{1, "heuristic", 1, 1.031, 1.031, 1.031, false}};
   const Sentence warning = free_speed_sentences(off, plan_of(2)).front();
   EXPECT_EQ(warning.tone, Sentence::Tone::kWarning);

@@ -154,14 +154,14 @@ TEST_F(ResultsTest, p_values_are_corrected_within_their_family) {
   measure(0, "striping", kTime, base);
   measure(0, "heuristic", kTime, {101, 122, 143, 164, 185});
   measure(0, "orca", kTime, {101, 121, 139, 162, 181});
-  measure(0, "striping", "person.arrived", base);
-  measure(0, "heuristic", "person.arrived", {101, 121, 139, 162, 181});
+  measure(0, "striping", "person.walked", base);
+  measure(0, "heuristic", "person.walked", {101, 121, 139, 162, 181});
   const Comparison first = comparison(0, "heuristic", kTime);
   const Comparison second = comparison(0, "orca", kTime);
   ASSERT_LT(*first.difference.p, *second.difference.p);
   EXPECT_EQ(*first.p_holm, 2.0 * *first.difference.p);
   EXPECT_EQ(*second.p_holm, *second.difference.p);
-  const Comparison detail = comparison(0, "heuristic", "person.arrived");
+  const Comparison detail = comparison(0, "heuristic", "person.walked");
   EXPECT_EQ(*detail.p_holm, *detail.difference.p);
 }
 
@@ -183,7 +183,11 @@ TEST_F(ResultsTest, a_comparison_is_the_same_to_the_bit_in_a_larger_study) {
 TEST_F(ResultsTest, free_speeds_are_compared_person_by_person) {
   const auto walked = [&](const std::string& model, std::map<std::string, double> speeds) {
     auto& record = at(0, model, 1, RunKind::kFreeSpeed).emplace();
-    record.measures = std::move(speeds);
+    for (const auto& [id, speed] : speeds) {
+      record.measures["speed:" + id] = speed;
+      record.measures["way:" + id] = 100.0 * speed;  // as long as it is fast
+      record.measures["time:" + id] = 100.0;
+    }
   };
   walked("striping", {{"a", 1.0}, {"b", 2.0}, {"c", 1.5}, {"still", 0.0}});
   walked("heuristic", {{"a", 1.01}, {"b", 1.98}, {"d", 9.0}, {"still", 1.0}});
@@ -195,6 +199,9 @@ TEST_F(ResultsTest, free_speeds_are_compared_person_by_person) {
   EXPECT_DOUBLE_EQ(speeds[0].lowest, 0.99);
   EXPECT_DOUBLE_EQ(speeds[0].highest, 1.01);
   EXPECT_TRUE(speeds[0].agrees);
+  EXPECT_NEAR(*speeds[0].way.mean, 0.0, 1e-12);
+  EXPECT_NEAR(*speeds[1].way.mean, (0.03 + 0.0 + 0.04) / 3.0, 1e-12);
+  EXPECT_EQ(speeds[1].time.mean, 0.0);
   EXPECT_NEAR(speeds[1].ratio, (1.03 + 1.0 + 1.04) / 3.0, 1e-12);
   EXPECT_FALSE(speeds[1].agrees);
   EXPECT_EQ(speeds[2].persons, 0u);
@@ -250,8 +257,8 @@ TEST_F(ResultsTest, the_summary_has_a_row_for_each_comparison_under_its_header) 
   for (const std::size_t line : {1u, 2u, 60u}) EXPECT_EQ(fields(table, line), fields(table, 0));
   EXPECT_THAT(table, HasSubstr("\ntown,few,heuristic,striping,person.travelTime,s,primary,5,0,0,"
                                "140,140,31.622776601683793,100,120,160,180,143,143,"));
-  EXPECT_THAT(table, HasSubstr(",different\n"));
-  EXPECT_THAT(table, HasSubstr(",tooFew\n"));
+  EXPECT_THAT(table, HasSubstr(",different,exact\n"));
+  EXPECT_THAT(table, HasSubstr(",tooFew,exact\n"));
 }
 
 TEST_F(ResultsTest, the_JSON_holds_set_up_fairness_failures_and_comparisons) {

@@ -229,5 +229,12 @@ TEST(EffectSize, is_unbiased) {
   EXPECT_NEAR(sum / 2000.0, 1.5, 0.08);
 }
 
+TEST(Welch, is_students_interval_for_samples_that_vary_alike) {
+  // n = 8 and 8 of sd 2: 14 degrees of freedom, t = 2.14479, standard error 1.
+  EXPECT_NEAR(welch_half_width(2.0, 8, 2.0, 8), 2.14479, 1e-5);
+  // Only one varies: its own degrees of freedom.
+  EXPECT_NEAR(welch_half_width(2.0, 4, 0.0, 9), 3.18245, 1e-5);
+}
+
 }  // namespace
 }  // namespace pedzone::study

@@ -1,4 +1,4 @@
-#include "study/measure/free_speed_measure.hpp"
+#include "study/measure/free_walk_measure.hpp"
 
 #include <cmath>
 #include <optional>
@@ -31,9 +31,9 @@ Controlled read_controlled(const std::string& trajectories) {
   return controlled;
 }
 
-class FreeSpeeds {
+class FreeWalks {
  public:
-  explicit FreeSpeeds(const std::optional<Controlled>& controlled) : controlled_(controlled) {}
+  explicit FreeWalks(const std::optional<Controlled>& controlled) : controlled_(controlled) {}
 
   void begin_step(double time) {
     ++step_;
@@ -47,7 +47,10 @@ class FreeSpeeds {
     const Vec2 at(element.number("x", kPlaces), element.number("y", kPlaces));
     const std::string edge(element.required("edge"));
     const bool ours = models_own(id, edge);
-    const double moved = (at - walk.at).norm();
+    const double moved = walk.seen > 0 ? (at - walk.at).norm() : 0.0;
+    if (walk.seen == 0) walk.begin = time_;
+    walk.way += moved;
+    walk.end = time_;
     if (ours && walk.ours && walk.seen + 1 == step_ && (controlled_ || edge == walk.edge) &&
         moved >= kMoving * dt_) {
       walk.distance += moved;
@@ -59,10 +62,14 @@ class FreeSpeeds {
     walk.edge = edge;
   }
 
-  std::map<std::string, double> speeds() const {
-    std::map<std::string, double> result;
+  std::map<std::string, FreeWalk> result() const {
+    std::map<std::string, FreeWalk> result;
     for (const auto& [id, walk] : walks_) {
-      if (walk.time > kLeastTime) result[id] = walk.distance / walk.time;
+      FreeWalk& free = result[id];
+      if (walk.time > kLeastTime) free.speed = walk.distance / walk.time;
+      if (walk.seen == step_) continue;
+      free.way = walk.way;
+      free.time = walk.end - walk.begin;
     }
     return result;
   }
@@ -73,7 +80,9 @@ class FreeSpeeds {
     bool ours = false;                  ///< in that step, see models_own
     Vec2 at = Vec2::Zero();             ///< [m] in that step
     std::string edge;                   ///< in that step
-    double distance = 0.0, time = 0.0;  ///< [m], [s]
+    double distance = 0.0, time = 0.0;  ///< [m], [s] of the model's own walking
+    double way = 0.0;                   ///< [m] of all
+    double begin = 0.0, end = 0.0;      ///< [s]
   };
 
   /// Whether the model's own walking is to be seen at this moment.
@@ -91,19 +100,29 @@ class FreeSpeeds {
 
 }  // namespace
 
-std::map<std::string, double> free_speeds_of(const std::string& fcd,
-                                             const std::string& trajectories) {
+std::map<std::string, FreeWalk> free_walks_of(const std::string& fcd,
+                                              const std::string& trajectories) {
   std::optional<Controlled> controlled;
   if (!trajectories.empty()) controlled = read_controlled(trajectories);
-  FreeSpeeds speeds(controlled);
+  FreeWalks walks(controlled);
   visit_elements(fcd, "fcd-export", [&](const XmlElement& element) {
     if (element.depth() == 1 && element.name() == "timestep") {
-      speeds.begin_step(element.number("time", kTimes));
+      walks.begin_step(element.number("time", kTimes));
     } else if (element.depth() == 2 && element.name() == "person") {
-      speeds.add(element);
+      walks.add(element);
     }
   });
-  return speeds.speeds();
+  return walks.result();
+}
+
+std::map<std::string, double> free_walk_values(const std::map<std::string, FreeWalk>& walks) {
+  std::map<std::string, double> values;
+  for (const auto& [id, walk] : walks) {
+    if (walk.speed) values["speed:" + id] = *walk.speed;
+    if (walk.way) values["way:" + id] = *walk.way;
+    if (walk.time) values["time:" + id] = *walk.time;
+  }
+  return values;
 }
 
 }  // namespace pedzone::study

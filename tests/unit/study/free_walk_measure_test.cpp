@@ -1,4 +1,4 @@
-#include "study/measure/free_speed_measure.hpp"
+#include "study/measure/free_walk_measure.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,10 +8,6 @@
 
 namespace pedzone::study {
 namespace {
-
-using testing::DoubleNear;
-using testing::ElementsAre;
-using testing::Pair;
 
 /// A person for 60 s: 20 s on an edge at 1.2 m/s, 20 s over a walking area at 2 m/s, 15 s on the
 /// next edge at 1.2 m/s, then standing.
@@ -29,12 +25,12 @@ std::string recording() {
   return text + "</fcd-export>";
 }
 
-TEST(FreeSpeed, of_sumos_models_is_that_on_edges) {
+TEST(FreeWalk, of_sumos_models_is_that_on_edges) {
   const TemporaryFile fcd("fcd", recording());
-  EXPECT_THAT(free_speeds_of(fcd.path(), ""), ElementsAre(Pair("p", DoubleNear(1.2, 1e-6))));
+  EXPECT_NEAR(free_walks_of(fcd.path(), "").at("p").speed.value(), 1.2, 1e-6);
 }
 
-TEST(FreeSpeed, of_pedzone_is_that_while_it_walks_the_person) {
+TEST(FreeWalk, of_pedzone_is_that_while_it_walks_the_person) {
   const TemporaryFile fcd("fcd", recording());
   std::string rows = "time,id,x,y,vx,vy,heading,motion,activity\n";
   for (int time = 10; time <= 30; ++time) {
@@ -42,23 +38,36 @@ TEST(FreeSpeed, of_pedzone_is_that_while_it_walks_the_person) {
   }
   const TemporaryFile trajectories("csv", rows);
   // 10 s at 1.2 m/s and 10 s at 2 m/s.
-  EXPECT_THAT(free_speeds_of(fcd.path(), trajectories.path()),
-              ElementsAre(Pair("p", DoubleNear(1.6, 1e-6))));
+  EXPECT_NEAR(free_walks_of(fcd.path(), trajectories.path()).at("p").speed.value(), 1.6, 1e-6);
 }
 
-TEST(FreeSpeed, of_few_seconds_is_none) {
+TEST(FreeWalk, of_few_seconds_is_none) {
   const TemporaryFile fcd("fcd", recording());
   const TemporaryFile trajectories(
       "csv",
       "time,id,x,y,vx,vy,heading,motion,activity\n"
       "5.00,p,0,0,0,0,0,walking,none\n6.00,p,0,0,0,0,0,walking,none\n");
-  EXPECT_TRUE(free_speeds_of(fcd.path(), trajectories.path()).empty());
+  EXPECT_FALSE(free_walks_of(fcd.path(), trajectories.path()).at("p").speed);
 }
 
-TEST(FreeSpeed, of_a_file_cut_off_is_refused) {
+TEST(FreeWalk, has_way_and_time_of_who_is_gone_by_the_end) {
+  std::string text = recording();
+  const TemporaryFile there("fcd", text);
+  EXPECT_FALSE(free_walks_of(there.path(), "").at("p").way);
+  text.insert(text.find("</fcd-export>"), "<timestep time=\"61\"/>");
+  const TemporaryFile gone("fcd", text);
+  const FreeWalk walk = free_walks_of(gone.path(), "").at("p");
+  EXPECT_NEAR(walk.way.value(), 20 * 1.2 + 20 * 2.0 + 15 * 1.2, 1e-6);
+  EXPECT_NEAR(walk.time.value(), 60.0, 1e-9);
+  const auto values = free_walk_values({{"way:a", walk}});
+  EXPECT_EQ(values.size(), 3U);
+  EXPECT_EQ(values.at("time:way:a"), 60.0) << "ids are hostile";
+}
+
+TEST(FreeWalk, of_a_file_cut_off_is_refused) {
   const std::string text = recording();
   const TemporaryFile fcd("fcd", text.substr(0, text.size() / 2));
-  EXPECT_THROW(free_speeds_of(fcd.path(), ""), InputError);
+  EXPECT_THROW(free_walks_of(fcd.path(), ""), InputError);
 }
 
 }  // namespace
