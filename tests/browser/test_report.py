@@ -104,10 +104,17 @@ class Report(unittest.TestCase):
                     self.assertAlmostEqual(float(text.replace("−", "-")), expected,
                                            delta=0.51 * 10 ** -digits, msg=(level, name, text))
 
-    def test_the_free_speed_comes_first(self):
+    def test_one_sentence_comes_first_then_the_free_speed_then_the_table(self):
         self.open()
         first = self.ask("""document.querySelector("#verdict p").textContent""")
-        self.assertRegex(first, "(?i)with interaction switched off, heuristic walks "
+        self.assertRegex(first, "^(With heuristic instead of striping, |No difference was found|"
+                                "Too few seeds)")
+        order = self.ask("""[...document.querySelectorAll(
+            "#verdict .summary, #verdict .free, #verdict table, #verdict ul.found")].map(
+            (one) => one.tagName + (one.classList.contains("summary") ? " summary" : ""))""")
+        self.assertEqual(order, ["P summary", "P", "TABLE", "UL"])
+        free = self.ask("""document.querySelector("#verdict .free").textContent""")
+        self.assertRegex(free, "(?i)with interaction switched off, heuristic walks "
                                 "(as fast as|[0-9.]+ % (slower|faster) than) striping")
 
     # Its charts hold the runs

@@ -101,12 +101,13 @@ def space_measures(fcd, walking, inside):
     rows, counted = fcd.persons, walking & inside
     bounds = numpy.searchsorted(rows.step, numpy.arange(len(fcd.times) + 1))
     stood = numpy.zeros(len(rows.names))  # [s] by person, without a break
-    densities, jammed = [], 0
+    densities, jammed, windows = [], 0, {}
     for step in range(1, len(fcd.times)):  # the first ends no interval
         here = slice(bounds[step], bounds[step + 1])
         x, y, who = rows.x[here], rows.y[here], rows.who[here]
         near = numpy.hypot(x[:, None] - x, y[:, None] - y) <= CIRCLE
         densities.append(near.sum(axis=1)[counted[here]] / (numpy.pi * CIRCLE ** 2))
+        windows.setdefault(int(fcd.times[step] / 10.0 + 1e-9), []).append(densities[-1])
         before = numpy.zeros(len(stood))
         before[rows.who[bounds[step - 1]:bounds[step]]] = 1.0
         still = numpy.zeros(len(stood))
@@ -115,10 +116,12 @@ def space_measures(fcd, walking, inside):
         stuck = stood[who] > 5.0 - 1e-6
         jammed += ((near & stuck).sum(axis=1) >= 3)[counted[here] & stuck].sum()
     densities = numpy.concatenate(densities)
+    means = [numpy.concatenate(window) for window in windows.values()]
+    peak = max(window.mean() for window in means if window.size)
     level = sum((densities > 1.0 / space).astype(int) for space in SPACE)
     values = {f"space.level{letter}": numpy.mean(level == number)
               for number, letter in enumerate("ABCDEF")}
-    return {**values, "space.density": densities.mean(), "space.jammed": jammed / len(densities)}
+    return {**values, "space.density": densities.mean(), "space.peak": peak, "space.jammed": jammed / len(densities)}
 
 
 def touching(fcd, scenario, persons):
@@ -277,7 +280,8 @@ def check_run(arguments, model, folder):
     walking = walking_rows(fcd, persons)
     inside = PointTest(area).contains(fcd.persons.x, fcd.persons.y)
     for key, value in space_measures(fcd, walking, inside).items():
-        comparison.check(key, value, AREA if key == "space.density" else 0, AREA_SHARE)
+        relative = {"space.density": AREA, "space.peak": WINDOW}.get(key, 0)
+        comparison.check(key, value, relative, AREA_SHARE)
     check_conflicts(comparison, arguments, folder, fcd, scenario, persons, parts.edges)
     check_files(comparison, folder, fcd, walking & inside, inside)
     return comparison, measured

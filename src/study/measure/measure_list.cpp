@@ -41,6 +41,8 @@ constexpr Measure kMeasures[] = {
      "Mean density that those who walk in the zone are in: people on foot within 2 m of the "
      "person, itself too, over that circle's area.",
      "Space", true},
+    {"space.peak", "Peak density met", "1/m²", "The greatest mean over 10 s of it.", "Space",
+     false},
     {"space.levelA", "Level of service A", "",
      "Share of people's time in the zone at more than 3.25 m² each, by the density met.", "Space",
      false},

@@ -85,6 +85,7 @@ class Observer {
     count_conflicts(values);
     walks_.finish(values);
     crowding_.finish(values);
+    series_.finish(values);
     write_file(folder_ + "/series.csv", series_.csv());
     write_file(folder_ + "/density.csv", grid_.csv());
   }

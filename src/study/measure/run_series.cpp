@@ -1,5 +1,6 @@
 #include "study/measure/run_series.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -38,6 +39,15 @@ std::string RunSeries::csv() const {
                mean(vehicles.covered, vehicles.time)});
   }
   return text;
+}
+
+void RunSeries::finish(std::map<std::string, double>& values) const {
+  for (const Window& window : windows_) {
+    const auto density = mean(window.persons.crowding, window.persons.time);
+    if (!density) continue;
+    double& peak = values["space.peak"];
+    peak = std::max(peak, *density);
+  }
 }
 
 }  // namespace pedzone::study

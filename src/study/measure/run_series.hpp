@@ -1,6 +1,7 @@
 // How a run goes on: what is in the zones, over time.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ class RunSeries {
   /// The table (results/run_tables.hpp), a row for each window of kWindow. Speeds and density are
   /// empty where nobody was.
   std::string csv() const;
+  /// Appends space.peak: the greatest mean of a window of the density met.
+  void finish(std::map<std::string, double>& values) const;
 
  private:
   struct Sums {

@@ -1,9 +1,11 @@
 #include "study/report/report.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <ctime>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -39,6 +41,21 @@ Json versions(const Input& input) {
                     {"version", fmt::format("{}", fmt::join(found, ", "))}});
   }
   return list;
+}
+
+/// "2026-11-23, with pedzone 0.1.0 and SUMO 1.15.0".
+std::string made_text(const Input& input) {
+  const std::time_t now = std::time(nullptr);
+  std::vector<std::string> programs;
+  for (const Json& one : versions(input)) {
+    const std::string name = one["name"];
+    if (name != "pedzone" && name != "sumo") continue;
+    // SUMO says: "Eclipse SUMO sumo Version 1.15.0".
+    const std::string version = one["version"];
+    programs.push_back((name == "sumo" ? "SUMO" : name) + ' ' +
+                       version.substr(version.rfind(' ') + 1));
+  }
+  return fmt::format("{:%Y-%m-%d}, with {}", fmt::gmtime(now), joined(programs));
 }
 
 /// Sections of one condition: its maps, and the places of its charts over time.
@@ -89,6 +106,9 @@ Json page_data(const Input& input, const Json& lines) {
   data["tables"] = tables_part(input);
   const Json maps = maps_part(input);
   data["grounds"] = maps["grounds"];
+  data["areas"] = maps["areas"];
+  data["demand"] = demand_part(input);
+  data["made"] = made_text(input);
   data["conditions"] = conditions(input, maps["conditions"], lines);
   data["pictured"] = pictured(input.plan);
   data["cut"] = pictured(input.plan) < input.plan.conditions.size();

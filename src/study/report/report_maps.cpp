@@ -275,14 +275,18 @@ Json kind_maps(const Kind& kind, const std::vector<Grid>& grids, const Box& box,
           {"pictures", pictures}};
 }
 
-/// Puts the maps of a scenario's conditions into `conditions`, and its ground into `grounds`.
+/// Puts the maps of a scenario's conditions into `conditions`, its ground into `grounds`, and a map
+/// of nothing else into `areas`.
 void add_scenario(const Input& input, std::size_t scenario, RunPlaces& places, Json& conditions,
-                  Json& grounds) {
+                  Json& grounds, Json& areas) {
   std::vector<ConditionGrids> all = read_grids(input, scenario);
   const Box box = shown_box(all);
   if (box.isEmpty()) return;
   const std::string ground = fmt::format("ground-{}", scenario);
   grounds.push_back({{"svg_html", ground_svg(place_of(input, places, all), box, ground)}});
+  const std::string& name = input.plan.study.scenarios[scenario].id;
+  areas.push_back(
+      {{"name", name}, {"svg_html", map_svg(Grid(1.0, false), box, {}, ground, "Area: " + name)}});
   for (std::size_t k = 0; k < std::size(kKinds); ++k) {
     std::vector<Grid> of_all;
     for (ConditionGrids& one : all) {
@@ -303,15 +307,15 @@ void add_scenario(const Input& input, std::size_t scenario, RunPlaces& places, J
 }  // namespace
 
 Json maps_part(const Input& input) {
-  Json conditions = Json::array(), grounds = Json::array();
+  Json conditions = Json::array(), grounds = Json::array(), areas = Json::array();
   for (std::size_t i = 0; i < pictured(input.plan); ++i) {
     conditions.push_back(Json::array());
   }
   RunPlaces places(input.plan);
   for (std::size_t i = 0; i < input.plan.study.scenarios.size(); ++i) {
-    add_scenario(input, i, places, conditions, grounds);
+    add_scenario(input, i, places, conditions, grounds, areas);
   }
-  return {{"conditions", conditions}, {"grounds", grounds}};
+  return {{"conditions", conditions}, {"grounds", grounds}, {"areas", areas}};
 }
 
 }  // namespace pedzone::study::report

@@ -44,6 +44,7 @@ Json condition_verdict(const Input& input, std::size_t condition, const std::str
 /// For the template. Strings are plain text unless a name ends in `_html`.
 Json verdict_part(const Input& input);
 Json setup_part(const Input& input);
+Json demand_part(const Input& input);
 Json tables_part(const Input& input);
 Json maps_part(const Input& input);
 Json failures_part(const Input& input);
