@@ -37,6 +37,7 @@ void print_findings(const Plan& plan, const std::vector<Comparison>& comparisons
     std::erase_if(different, [](const Sentence& sentence) { return sentence.head.empty(); });
   }
   print_sentence(summary_sentence(primary, plan.study.reference));
+  if (different.empty()) return;
   fmt::print("{} instead of {}:\n", model, plan.study.reference);
   for (const Sentence& sentence : different) print_sentence(sentence);
 }

@@ -104,6 +104,7 @@ std::map<std::string, FreeWalk> free_walks_of(const std::string& fcd,
                                               const std::string& trajectories) {
   std::optional<Controlled> controlled;
   if (!trajectories.empty()) controlled = read_controlled(trajectories);
+  if (controlled && controlled->empty()) controlled.reset();
   FreeWalks walks(controlled);
   visit_elements(fcd, "fcd-export", [&](const XmlElement& element) {
     if (element.depth() == 1 && element.name() == "timestep") {

@@ -18,7 +18,8 @@ struct FreeWalk {
 /// Free walks by person id, from a free-speed run's floating-car data. The speed is distance over
 /// time while the person moves:
 ///  - `trajectories` of pedzone: between steps in both of which pedzone had the person.
-///  - Empty, for SUMO's own models: on edges between junctions. Over a walking area striping draws
+///  - Empty, or without a row, where SUMO walks: on edges between junctions. Over a walking area
+///  striping draws
 ///    a curve up to a tenth longer than the way on which it moves the person, so that positions
 ///    there seem too fast; nonInteracting jumps over it.
 /// Unset where less than 10 s are known. Way and time are unset of who is still there at the end.

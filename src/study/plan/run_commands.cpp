@@ -147,6 +147,9 @@ class Commands {
     const std::vector<Zone> zones = build_any_zones(network, file.zones);
     std::unordered_set<int> edges;
     for (const Zone& zone : zones) edges.insert(zone.edges.begin(), zone.edges.end());
+    // Without a zone SUMO walks everybody everywhere.
+    const std::size_t everywhere = zones.empty() ? network.edges.size() : 0;
+    for (std::size_t i = 0; i < everywhere; ++i) edges.insert(static_cast<int>(i));
     std::string panel;
     if (!file.panels.empty()) {
       panel = people_file({read_, network, zones, file.profiles, file.panels, run_.seed});

@@ -53,6 +53,7 @@ class MedianScene {
       return NamedPicture{name, path_plot(recording, &place, {.title = name, .area = area})};
     };
     scene.still = svg_row({paths(left, reference), paths(right, model)});
+    scene.wide = true;
     return scene;
   }
 

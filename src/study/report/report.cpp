@@ -80,6 +80,7 @@ Json scene_list(const std::vector<Scene>& scenes) {
         {{"index", all.size()},
          {"title", one.title},
          {"caption", one.caption},
+         {"wide", one.wide},
          {"still_html", one.still.substr(std::min(one.still.find("<svg"), one.still.size()))}});
   }
   return all;

@@ -19,6 +19,7 @@ struct Scene {
   std::string caption;  ///< plain text: what one sees, and by which rule it was chosen
   std::string page;     ///< HTML of view/animation
   std::string still;    ///< SVG for paper
+  bool wide = false;    ///< of the still: as wide as the page
 };
 
 /// The run of the median seed, the reference beside each other model, per scenario; and the most

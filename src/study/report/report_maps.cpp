@@ -90,7 +90,7 @@ Grid density(const std::vector<std::string>& folders) {
   return grid;
 }
 
-/// Conflicts a run.
+/// Conflicts a run, as conflict.count has them.
 Grid conflicts(const std::vector<std::string>& folders) {
   Grid grid(kConflictCell, false);
   std::size_t runs = 0;
@@ -98,8 +98,10 @@ Grid conflicts(const std::vector<std::string>& folders) {
     const std::string file = folder + "/" + kZoneConflicts;
     if (!std::filesystem::exists(file)) continue;
     ++runs;
-    conflict_table().visit(
-        file, [&](const Conflict& one, const CsvRow&) { grid.add(moment_of(one).position, 1.0); });
+    conflict_table().visit(file, [&](const Conflict& one, const CsvRow&) {
+      const bool counts = with_moving_vehicle(one) && !is_insertion(one);
+      if (counts) grid.add(moment_of(one).position, 1.0);
+    });
   }
   for (auto& [cell, value] : grid.cells)
     value /= static_cast<double>(std::max<std::size_t>(runs, 1));
@@ -204,7 +206,8 @@ struct Kind {
 constexpr Kind kKinds[] = {
     {"Density of people", "Persons per m²: mean over the time of a run and over all seeds.",
      density},
-    {"Conflicts", "Conflicts a run: mean over all seeds; where bodies touched, or would have.",
+    {"Conflicts",
+     "With moving vehicles, a run: mean over all seeds; where bodies touched, or would have.",
      conflicts},
 };
 

@@ -41,6 +41,12 @@ TEST(FreeWalk, of_pedzone_is_that_while_it_walks_the_person) {
   EXPECT_NEAR(free_walks_of(fcd.path(), trajectories.path()).at("p").speed.value(), 1.6, 1e-6);
 }
 
+TEST(FreeWalk, is_SUMOs_where_pedzone_walks_nobody) {
+  const TemporaryFile fcd("fcd", recording());
+  const TemporaryFile none("csv", "time,id,x,y,vx,vy,heading,motion,activity\n");
+  EXPECT_NEAR(free_walks_of(fcd.path(), none.path()).at("p").speed.value(), 1.2, 1e-6);
+}
+
 TEST(FreeWalk, of_few_seconds_is_none) {
   const TemporaryFile fcd("fcd", recording());
   const TemporaryFile trajectories(
