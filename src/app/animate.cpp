@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string_view>
 
 #include "app/guarded.hpp"
 #include "app/recording_options.hpp"
@@ -28,6 +31,26 @@ std::string name_of(const std::string& given, const std::string& file) {
   return path.stem().string();
 }
 
+/// Ids of persons of one run that the other does not have.
+std::size_t only_in(const Recording& one, const Recording& other) {
+  std::set<std::string_view> ids;
+  for (const RecordedPerson& person : other.persons) ids.insert(person.id);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      one.persons, [&](const RecordedPerson& person) { return !ids.contains(person.id); }));
+}
+
+/// Who compares two sides by eye takes them to hold the same people.
+void warn_of_different_people(const std::vector<AnimatedRun>& runs) {
+  const std::size_t left = only_in(*runs[0].recording, *runs[1].recording);
+  const std::size_t right = only_in(*runs[1].recording, *runs[0].recording);
+  if (left + right == 0) return;
+  fmt::print(stderr,
+             "Warning: the two sides hold different people: {} of {} persons are in {} only, {} of "
+             "{} in {} only. --fcd adds those whom SUMO walks.\n",
+             left, runs[0].recording->persons.size(), runs[0].name, right,
+             runs[1].recording->persons.size(), runs[1].name);
+}
+
 void animate(AnimateOptions options) {
   CompleteFile file(options.out, "--out");
   const std::unique_ptr<Place> place = read_place(options.recording);
@@ -40,6 +63,7 @@ void animate(AnimateOptions options) {
     second.source.fcd = options.beside_fcd;
     beside = read_recording(second);
     runs.push_back({name_of(options.beside_name, options.beside), &beside});
+    warn_of_different_people(runs);
   }
   if (options.page.title.empty()) {
     options.page.title = options.recording.scenario.empty()

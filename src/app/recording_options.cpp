@@ -12,7 +12,7 @@ void add_recording_options(CLI::App& command, RecordingOptions& options) {
                   "SUMO's fcd-output or pedzone's --trajectories, gzipped or not")
       ->required();
   command.add_option("--fcd", source.fcd,
-                     "fcd-output of the same run: the vehicles of --trajectories");
+                     "fcd-output of the same run: vehicles, and people whom SUMO walks");
   auto* scenario = command.add_option(
       "--scenario", options.scenario,
       "SUMO configuration: network, polygons, waypoints, sizes, profiles, groups");

@@ -20,6 +20,7 @@ struct PersonMoment {
   std::optional<Motion> motion;  ///< nothing where the recording does not tell it
   Activity activity = Activity::kNone;
   Vec2 position = Vec2::Zero();  ///< [m] centre of the body
+  bool by_sumo = false;          ///< SUMO walks it, in a run of pedzone's
 };
 
 /// A vehicle in one step.

@@ -81,17 +81,20 @@ struct Columns {
 const Vec2& place_of(const PersonMoment& moment) { return moment.position; }
 const Vec2& place_of(const VehicleMoment& moment) { return moment.centre; }
 
+constexpr int kBySumo = 3;  // after the motions: SUMO walks the person, walked by SUMO
+
 /// What SUMO's own output does not tell is told from the speed.
-Motion motion_of(const PersonMoment& moment) {
-  if (moment.motion) return *moment.motion;
-  return moment.speed < kHaltingSpeed ? Motion::kStanding : Motion::kWalking;
+int motion_of(const PersonMoment& moment) {
+  if (moment.by_sumo) return kBySumo;
+  const Motion by_speed = moment.speed < kHaltingSpeed ? Motion::kStanding : Motion::kWalking;
+  return static_cast<int>(moment.motion.value_or(by_speed));
 }
 
 /// [[samples since its first, motion, activity], ...]: whenever they change.
 class Changes {
  public:
   void add(std::size_t sample, const PersonMoment& moment) {
-    const auto motion = static_cast<int>(motion_of(moment));
+    const int motion = motion_of(moment);
     const auto activity = static_cast<int>(moment.activity);
     if (!text_.empty() && motion == motion_ && activity == activity_) return;
     if (!text_.empty()) text_ += ',';
@@ -188,8 +191,8 @@ std::string packed_times(const Frames& frames) {
 
 /// Names in the order of their enum.
 std::string motion_names() {
-  return fmt::format(R"(["{}","{}","{}"])", name_of(Motion::kWalking), name_of(Motion::kWaiting),
-                     name_of(Motion::kStanding));
+  return fmt::format(R"(["{}","{}","{}","walked by SUMO"])", name_of(Motion::kWalking),
+                     name_of(Motion::kWaiting), name_of(Motion::kStanding));
 }
 
 std::string activity_names() {

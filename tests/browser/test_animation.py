@@ -4,6 +4,7 @@
 usage: test_animation.py PEDZONE_PROGRAM SCENARIOS_FOLDER
 """
 
+import csv
 import math
 import os
 import subprocess
@@ -192,7 +193,7 @@ class Animation(unittest.TestCase):
               found.push([Number(option.value), pedzone.clock.time - pedzone.clock.begin]);
             }
             return found;""")
-        self.assertEqual([factor for factor, _ in advanced], [0.25, 0.5, 1, 2, 4, 8, 16])
+        self.assertEqual([factor for factor, _ in advanced], [0.25, 0.5, 1, 2, 4, 8, 16, 50])
         for factor, time in advanced:
             self.assertAlmostEqual(time, 0.125 * factor, places=9)
 
@@ -255,6 +256,33 @@ class Animation(unittest.TestCase):
             room = min(self.clearance((x, y), one) for one in state["panels"][0]["vehicles"])
             self.assertAlmostEqual(float(rows["Clearance"].split()[0]), room, delta=0.03)
 
+    def test_people_walked_by_sumo_are_pale(self):
+        self.open("both.html")
+        with open(self.folder / "walked.csv", encoding="utf-8") as file:
+            rows = {(row["id"], float(row["time"])) for row in csv.DictReader(file)}
+        doing = STATE.replace("return pedzone.state()", """
+            const panel = pedzone.panels[0];
+            return [panel.persons.map((pose) => [pose.track.id,
+                                                 panel.recording.doing(pose).motion]),
+                    panel.figures().filter(({pale}) => pale).length];""")
+        pale = set()
+        for time in (20.0, 40.0, 59.0):
+            time = round(self.browser.run(SET_TIME, time)["time"], 2)
+            persons, drawn_pale = self.browser.run(doing)
+            outside = {name for name, motion in persons if motion == "walked by SUMO"}
+            self.assertEqual(outside, {name for name, _ in persons if (name, time) not in rows})
+            self.assertEqual(drawn_pale, len(outside))
+            pale |= outside
+        self.assertTrue(pale)
+
+    def test_find_says_when_nobody_is_called_that(self):
+        self.open("one.html")
+        self.browser.click("#find")
+        self.browser.press(*"nobody at all", "\ue007")
+        text = "return document.getElementById('nobody').textContent"
+        self.assertEqual(self.browser.run(text), "Nobody is called “nobody at all”.")
+        self.assertIsNone(self.browser.run(STATE)["selected"])
+
     def test_find(self):
         self.open("one.html")
         name = next(iter(self.recorded["walked"].at("persons", 40)))
@@ -283,10 +311,9 @@ class Animation(unittest.TestCase):
             walked, striping = state["panels"]
             self.assertTrue(state["playing"])
             self.check_recorded(striping, self.recorded["striping"], state["time"])
-            # pedzone's own trajectories have only those whom it walks.
-            inside = self.recorded["walked"].at("persons", state["time"], 2)
-            self.check_places(walked, "persons", {name: inside[name] for name in (
-                one["id"] for one in walked["persons"])}, 0.011)
+            # With --fcd those are there, too, whom pedzone does not walk.
+            everybody = self.recorded["walked"].at("persons", state["time"], 2)
+            self.check_places(walked, "persons", everybody, 0.011)
         self.browser.press(" ")
 
     # Whoever made the input

@@ -46,7 +46,7 @@ class Collector {
   Collector(const RecordingSource& source, const RecordingCast& cast)
       : source_(source), cast_(cast), wanted_(source.persons.begin(), source.persons.end()) {}
 
-  void read_fcd(const std::string& file, bool persons_too, const ReadProgress& progress);
+  void read_fcd(const std::string& file, const ReadProgress& progress);
   void read_trajectories(const ReadProgress& progress);
   Recording take() { return std::move(recording_); }
 
@@ -97,8 +97,7 @@ RecordedVehicle& Collector::vehicle(const VehicleSample& sample, const FcdReader
   return recording_.vehicles[known->second];
 }
 
-void Collector::read_fcd(const std::string& file, bool persons_too,
-                         const ReadProgress& progress) try {
+void Collector::read_fcd(const std::string& file, const ReadProgress& progress) try {
   const std::unordered_set<std::string> none;
   FcdReader reader(cast_.sizes, none);
   reader.read(
@@ -109,7 +108,7 @@ void Collector::read_fcd(const std::string& file, bool persons_too,
         if (!shown(time) || (persons.empty() && vehicles.empty())) return;
         const std::uint32_t step = step_at(time);
         for (const PersonSample& sample : persons) {
-          if (!persons_too || !sample.rides_in.empty() || !wanted(sample.id)) continue;
+          if (!sample.rides_in.empty() || !wanted(sample.id)) continue;
           person(sample.id).moments.push_back({step, static_cast<float>(sample.heading),
                                                static_cast<float>(sample.velocity.norm()),
                                                std::nullopt, Activity::kNone, sample.position});
@@ -159,8 +158,33 @@ void require_persons(const Recording& recording, const RecordingSource& source) 
   }
 }
 
-/// Puts the vehicles of another recording of the same run into this one.
-void take_vehicles(Recording& recording, Recording&& other) {
+/// Adds the moments in which SUMO walked somebody to those in which pedzone did.
+void add_walked_by_sumo(std::vector<PersonMoment>& moments, std::vector<PersonMoment>&& others) {
+  std::erase_if(others, [&](const PersonMoment& one) {
+    return std::ranges::binary_search(moments, one.step, {}, &PersonMoment::step);
+  });
+  for (PersonMoment& one : others) one.by_sumo = true;
+  const auto middle = static_cast<std::ptrdiff_t>(moments.size());
+  moments.insert(moments.end(), others.begin(), others.end());
+  std::ranges::inplace_merge(moments, moments.begin() + middle, {}, &PersonMoment::step);
+}
+
+void take_persons(Recording& recording, std::vector<RecordedPerson>&& others) {
+  std::unordered_map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < recording.persons.size(); ++i) places[recording.persons[i].id] = i;
+  for (RecordedPerson& other : others) {
+    const auto known = places.find(other.id);
+    if (known == places.end()) {
+      for (PersonMoment& moment : other.moments) moment.by_sumo = true;
+      recording.persons.push_back(std::move(other));
+    } else {
+      add_walked_by_sumo(recording.persons[known->second].moments, std::move(other.moments));
+    }
+  }
+}
+
+/// Puts the vehicles of SUMO's recording of the same run into pedzone's, and those whom SUMO walks.
+void take_others(Recording& recording, Recording&& other) {
   std::vector<double> times;
   std::ranges::set_union(recording.times, other.times, std::back_inserter(times));
   const auto renumber = [&times](const std::vector<double>& old, auto& tracks) {
@@ -173,6 +197,8 @@ void take_vehicles(Recording& recording, Recording&& other) {
   };
   renumber(recording.times, recording.persons);
   renumber(other.times, other.vehicles);
+  renumber(other.times, other.persons);
+  take_persons(recording, std::move(other.persons));
   recording.vehicles = std::move(other.vehicles);
   recording.times = std::move(times);
 }
@@ -189,16 +215,16 @@ Recording read_recording(const RecordingSource& source, const RecordingCast& cas
   }
   Collector collector(source, cast);
   if (kind == Kind::kFcd) {
-    collector.read_fcd(source.file, true, progress);
+    collector.read_fcd(source.file, progress);
   } else {
     collector.read_trajectories(progress);
   }
   Recording recording = collector.take();
   require_persons(recording, source);
   if (!source.fcd.empty()) {
-    Collector vehicles(source, cast);
-    vehicles.read_fcd(source.fcd, false, progress);
-    take_vehicles(recording, vehicles.take());
+    Collector others(source, cast);
+    others.read_fcd(source.fcd, progress);
+    take_others(recording, others.take());
   }
   return recording;
 }

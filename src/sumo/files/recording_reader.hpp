@@ -14,7 +14,8 @@ namespace pedzone {
 
 struct RecordingSource {
   std::string file = {};  ///< SUMO's fcd-output or pedzone's trajectories, gzipped or not
-  std::string fcd = {};   ///< the vehicles of trajectories: fcd-output of the same run; empty: none
+  std::string fcd = {};  ///< vehicles, and persons whom SUMO walks, beside trajectories: fcd-output
+                         ///< of the same run; empty: none
   double begin = -std::numeric_limits<double>::infinity();  ///< [s] what lies outside is left out
   double end = std::numeric_limits<double>::infinity();     ///< [s]
   std::vector<std::string> persons = {};                    ///< ids; empty: all

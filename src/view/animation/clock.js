@@ -1,7 +1,7 @@
 "use strict";
 // The one clock of all panels.
 
-const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16];
+const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16, 50];
 
 class Clock {
   constructor(begin, end, step) {

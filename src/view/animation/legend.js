@@ -22,7 +22,7 @@ class Looks {
     this.own_profiles = this.profiles.filter((profile) => !order.includes(profile));
     this.bodies = bodies;
     this.rings = new Map([...groups].map((group, i) => [group, i % kGroupColours]));
-    this.motions = ["walking", "waiting", "standing"].filter((name) => motions.has(name));
+    this.motions = ["walking", "waiting", "standing", kBySumo].filter((name) => motions.has(name));
     this.activities = Object.keys(kActivities).filter((name) => name !== "none" && activities.has(name));
   }
 
@@ -47,7 +47,8 @@ class Legend {
       }));
     this.section("Does", [
       ...looks.motions.map((name) => [
-        name, {...person, hollow: name !== "walking", waiting: name === "waiting"}]),
+        name, {...person, hollow: name !== "walking" && name !== kBySumo,
+               waiting: name === "waiting", pale: name === kBySumo}]),
       ...looks.activities.map((name) => [
         name, {...person, ...activity_look(name), along: 9, across: 9}]),
     ]);
@@ -95,7 +96,9 @@ class Legend {
   }
 
   person(context, figure) {
+    context.globalAlpha = figure.pale ? kPale : 1;
     draw_person(context, this.theme, figure);
+    context.globalAlpha = 1;
     draw_letter(context, this.theme, figure);
   }
 

@@ -1,6 +1,7 @@
 "use strict";
 // Puts the parts together.
 
+const kWide = 1.6; // a map so much wider than high is shown above another, not beside it
 const kLongestPause = 0.25; // [s] whoever comes back to the page has missed nothing
 
 class Animation {
@@ -14,6 +15,8 @@ class Animation {
     const scenery = new Scenery(data.scenery);
     const stage = find("stage");
     stage.dataset.panels = recordings.length;
+    const [west, south, east, north] = data.box;
+    stage.classList.toggle("stacked", east - west > kWide * (north - south));
     this.panels = recordings.map((recording) => new Panel(stage, recording, {
       scenery, camera: this.camera, theme: this.theme, looks: this.looks}));
     for (const panel of this.panels) {
@@ -22,6 +25,7 @@ class Animation {
     }
     this.clock = new Clock(Math.min(...recordings.map((one) => one.begin)),
                            Math.max(...recordings.map((one) => one.end)), data.step);
+    this.clock.set(Math.min(...recordings.map((one) => one.first_person())));
     this.legend = new Legend(find("legend"), this.theme, this.looks, data.scenery,
                              recordings.some((one) => one.vehicles.length));
     this.details = new Details(this.panels);
@@ -37,7 +41,7 @@ class Animation {
   controls() {
     const {find, clock} = this;
     const time = find("time"), speed = find("speed");
-    Object.assign(time, {min: clock.begin, max: clock.end, step: clock.step, value: clock.begin});
+    Object.assign(time, {min: clock.begin, max: clock.end, step: clock.step, value: clock.time});
     time.addEventListener("input", () => { this.clock.set(Number(time.value)); this.redraw(); });
     for (const factor of kSpeeds) speed.add(new Option(`${factor}×`, factor));
     speed.value = "1";
@@ -116,8 +120,11 @@ class Animation {
         this.clock.set(recording.time_of(track.spans[0].first));
       }
       this.follow(true);
+      this.find("nobody").hidden = true;
       return;
     }
+    this.find("nobody").hidden = !id;
+    this.find("nobody").textContent = `Nobody is called “${id}”.`;
   }
 
   follow(on) {

@@ -3,6 +3,8 @@
 
 const kPickReach = 20; // [pixels] so near a click takes somebody
 const kDrawTimes = 400;
+const kBySumo = "walked by SUMO"; // SUMO walks the person
+const kPale = 0.4;
 
 class Panel {
   constructor(stage, recording, context) {
@@ -57,7 +59,11 @@ class Panel {
       draw_vehicle(context, this.theme, x, y, pose.heading, pose.track.length * this.camera.scale,
                    pose.track.width * this.camera.scale);
     }
-    for (const figure of figures) draw_person(context, this.theme, figure);
+    for (const figure of figures) {
+      context.globalAlpha = figure.pale ? kPale : 1;
+      draw_person(context, this.theme, figure);
+    }
+    context.globalAlpha = 1;
     for (const figure of figures) draw_letter(context, this.theme, figure);
     this.draw_selection(selected);
     this.draw_scale_bar();
@@ -78,7 +84,8 @@ class Panel {
       const {motion, activity} = this.recording.doing(pose);
       const look = activity_look(activity);
       figures.push({x, y, heading: pose.heading, along, across, shape, colour: look.colour,
-                    hollow: motion !== "walking", waiting: motion === "waiting",
+                    hollow: motion !== "walking" && motion !== kBySumo,
+                    waiting: motion === "waiting", pale: motion === kBySumo,
                     ring: this.looks.ring(pose.track.group), group: pose.track.group,
                     letter: look.letter});
     }

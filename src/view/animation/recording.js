@@ -71,6 +71,11 @@ class Recording {
 
   // [s] of a frame.
   time_of(frame) { return this.begin + this.times[frame] / kPerSecond; }
+  // [s] when the first person is there.
+  first_person() {
+    const firsts = this.persons.map((one) => one.spans[0].first);
+    return this.time_of(firsts.length ? firsts.reduce((a, b) => Math.min(a, b)) : 0);
+  }
   get end() { return this.time_of(this.times.length - 1); }
 
   // The frame at or before a time [s], and how far on it is to the next, [0, 1).
