@@ -16,6 +16,7 @@ packages=(
   libcli11-dev                      # command line
   libpugixml-dev libexpat1-dev zlib1g-dev  # SUMO's XML, held and streamed, plain and compressed
   nlohmann-json3-dev                # summaries
+  libsqlitecpp-dev                  # trajectories as JuPedSim's database
   libssl-dev                        # checksums of what a study ran on
   libkainjow-mustache-dev           # the template of a study's report
   libtbb-dev                        # threads

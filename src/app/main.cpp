@@ -99,9 +99,18 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--summary", options.summary,
                           "Write the summary as JSON; this and other outputs: - is standard "
                           "output, NAME.gz is compressed");
-  run_command->add_option(
+  auto* trajectories = run_command->add_option(
       "--trajectories", options.trajectories,
-      fmt::format("Write {} of each person and step", fmt::join(trajectory_table().names(), ",")));
+      fmt::format("Write {} of each person and step; NAME.sqlite: JuPedSim's database; NAME.txt: "
+                  "PedPy's text, with NAME.ids.csv",
+                  fmt::join(trajectory_table().names(), ",")));
+  run_command
+      ->add_option("--trajectories-of", options.trajectories_of,
+                   "Whose, in NAME.sqlite and NAME.txt: zones: whom pedzone walks; all: whom SUMO "
+                   "walks, too")
+      ->check(CLI::IsMember({"zones", "all"}))
+      ->capture_default_str()
+      ->needs(trajectories);
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
   auto* shapes = run_command->add_option(
       "--debug-shapes", options.debug_shapes,

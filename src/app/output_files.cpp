@@ -19,12 +19,14 @@ struct NamedOutput {
 std::vector<NamedOutput> named_outputs(const RunOptions& options) {
   std::vector<NamedOutput> wanted;
   const ConflictWriter::Paths conflicts = options.conflicts.paths();
-  for (const NamedOutput& output : {NamedOutput{"--summary", options.summary},
-                                    {"--trajectories", options.trajectories},
-                                    {"--paths-svg", options.picture},
-                                    {"--debug-shapes", options.debug_shapes},
-                                    {conflicts.xml_option, conflicts.xml},
-                                    {conflicts.csv_option, conflicts.csv}}) {
+  for (const NamedOutput& output :
+       {NamedOutput{"--summary", options.summary},
+        {"--trajectories", options.trajectories},
+        {"--trajectories", TrajectoryWriter::side_file(options.trajectories)},
+        {"--paths-svg", options.picture},
+        {"--debug-shapes", options.debug_shapes},
+        {conflicts.xml_option, conflicts.xml},
+        {conflicts.csv_option, conflicts.csv}}) {
     if (!output.path.empty()) wanted.push_back(output);
   }
   return wanted;
@@ -42,6 +44,17 @@ void require_different(const std::vector<NamedOutput>& outputs) {
                        {"", 0, "option " + option, path, "a file for each output"});
     }
   }
+}
+
+/// Of people whom SUMO walks the table would have to make up what they are doing.
+bool wants_everybody(const RunOptions& options) {
+  if (options.trajectories_of != "all") return false;
+  if (!TrajectoryWriter::is_table(options.trajectories)) return true;
+  throw InputError("cannot be had in a table",
+                   {.element = "option --trajectories-of",
+                    .value = options.trajectories_of,
+                    .allowed = "zones; or --trajectories NAME.sqlite or NAME.txt; SUMO's "
+                               "--fcd-output has everybody, too"});
 }
 
 }  // namespace
@@ -73,6 +86,7 @@ OutputFiles::OutputFiles(const RunOptions& options) {
   }
   if (!options.trajectories.empty()) {
     trajectories_ = std::make_unique<TrajectoryWriter>(options.trajectories, "--trajectories");
+    everybody_ = wants_everybody(options);
   }
   if (!options.picture.empty()) {
     picture_ = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
@@ -87,7 +101,11 @@ OutputFiles::OutputFiles(const RunOptions& options) {
   }
 }
 
-void OutputFiles::observe(Simulation& simulation) {
+void OutputFiles::begin(Simulation& simulation) {
+  if (trajectories_) {
+    trajectories_->begin(
+        {simulation.time(), simulation.step_length(), simulation.ground(everybody_)});
+  }
   if (!tracker_) return;
   simulation.observe([this](const Scene& scene) {
     tracker_->step(scene.time, scene.persons, scene.vehicles, scene.aware, over_);
@@ -113,9 +131,20 @@ void OutputFiles::step(double time, Simulation& simulation) {
   if (shapes_ && shapes_text_.empty() && time >= shapes_time_) take_shapes(simulation);
   if (tracker_) write_conflicts();
   if (picture_) paths_.observe(simulation);
-  if (!trajectories_) return;
+  if (trajectories_) write_places(time, simulation);
+}
+
+void OutputFiles::write_places(double time, Simulation& simulation) {
   for (const Guest& guest : simulation.guests()) {
     trajectories_->row(time, guest.id, simulation.view(guest));
+  }
+  if (!everybody_) return;
+  for (const Passer& person : simulation.passers()) {
+    trajectories_->row({.time = time,
+                        .id = person.id,
+                        .x = person.position.x(),
+                        .y = person.position.y(),
+                        .heading = person.heading});
   }
 }
 
