@@ -6,6 +6,7 @@
 #include "app/animate.hpp"
 #include "app/conflicts.hpp"
 #include "app/demand.hpp"
+#include "app/geojson.hpp"
 #include "app/guarded.hpp"
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
@@ -206,6 +207,7 @@ int command_line(int argc, char** argv) {
   add_demand(app, demand_options, code);
   add_conflicts(app, conflicts_options, code);
   add_animate(app, code);
+  add_geojson(app, code);
   add_parameters(app);
   add_profiles(app);
   add_plot(app, code);
