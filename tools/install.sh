@@ -24,6 +24,7 @@ packages=(
   libboost-dev                      # distributions; overlay of polygons; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
   python3 python3-shapely python3-numpy python3-pyproj          # independent checks
+  python3-matplotlib                # SUMO's plot_net_dump.py reads our edge data in a test
   libxml2-utils                     # the second opinion on the schema of study files
   librsvg2-bin                      # the picture as PNG
   chromium chromium-driver          # tests of pages

@@ -112,6 +112,14 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
       ->check(CLI::IsMember({"zones", "all"}))
       ->capture_default_str()
       ->needs(trajectories);
+  auto* edge_data = run_command->add_option(
+      "--edge-data", options.edge_data,
+      "Write density, speed and time loss of people by edges of the zones, as SUMO's edgeData");
+  run_command
+      ->add_option("--edge-data-period", options.edge_data_period,
+                   "Seconds of an interval of those [default: the whole run]")
+      ->check(CLI::Range(0.1, 1e9))
+      ->needs(edge_data);
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
   auto* shapes = run_command->add_option(
       "--debug-shapes", options.debug_shapes,

@@ -23,6 +23,7 @@ std::vector<NamedOutput> named_outputs(const RunOptions& options) {
        {NamedOutput{"--summary", options.summary},
         {"--trajectories", options.trajectories},
         {"--trajectories", TrajectoryWriter::side_file(options.trajectories)},
+        {"--edge-data", options.edge_data},
         {"--paths-svg", options.picture},
         {"--debug-shapes", options.debug_shapes},
         {conflicts.xml_option, conflicts.xml},
@@ -68,8 +69,8 @@ std::vector<std::string> outputs_of(const RunOptions& options) {
 void keep_standard_output_clean(RunOptions& options) {
   std::string clean;
   for (std::string* path :
-       {&options.summary, &options.trajectories, &options.picture, &options.debug_shapes,
-        &options.conflicts.xml, &options.conflicts.csv}) {
+       {&options.summary, &options.trajectories, &options.edge_data, &options.picture,
+        &options.debug_shapes, &options.conflicts.xml, &options.conflicts.csv}) {
     if (!CompleteFile::is_standard_output(*path)) continue;
     if (clean.empty()) {
       clean = "/dev/fd/" + std::to_string(dup(STDOUT_FILENO));
@@ -88,6 +89,10 @@ OutputFiles::OutputFiles(const RunOptions& options) {
     trajectories_ = std::make_unique<TrajectoryWriter>(options.trajectories, "--trajectories");
     everybody_ = wants_everybody(options);
   }
+  if (!options.edge_data.empty()) {
+    edge_data_ = std::make_unique<EdgeDataWriter>(options.edge_data, "--edge-data",
+                                                  options.edge_data_period);
+  }
   if (!options.picture.empty()) {
     picture_ = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
   }
@@ -105,6 +110,9 @@ void OutputFiles::begin(Simulation& simulation) {
   if (trajectories_) {
     trajectories_->begin(
         {simulation.time(), simulation.step_length(), simulation.ground(everybody_)});
+  }
+  if (edge_data_) {
+    edge_data_->begin(simulation.network(), simulation.zones(), simulation.time());
   }
   if (!tracker_) return;
   simulation.observe([this](const Scene& scene) {
@@ -132,6 +140,17 @@ void OutputFiles::step(double time, Simulation& simulation) {
   if (tracker_) write_conflicts();
   if (picture_) paths_.observe(simulation);
   if (trajectories_) write_places(time, simulation);
+  if (edge_data_) write_edges(time, simulation);
+}
+
+void OutputFiles::write_edges(double time, Simulation& simulation) {
+  std::vector<PersonOnEdge> persons;
+  for (const Guest& guest : simulation.guests()) {
+    const PersonView view = simulation.view(guest);
+    persons.push_back(
+        {guest.id, guest.zone, view.position, view.velocity.norm(), guest.preferred_speed});
+  }
+  edge_data_->step(time, simulation.step_length(), persons);
 }
 
 void OutputFiles::write_places(double time, Simulation& simulation) {
@@ -159,6 +178,7 @@ void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
     conflicts_->finish();
   }
   if (trajectories_) trajectories_->finish();
+  if (edge_data_) edge_data_->finish();
   if (picture_) picture_->finish();
   if (shapes_) shapes_->finish();
   if (summary_) summary_->finish();

@@ -10,6 +10,7 @@
 #include "app/run.hpp"
 #include "conflict/tracker.hpp"
 #include "results/complete_file.hpp"
+#include "results/edge_data.hpp"
 #include "results/trajectories.hpp"
 #include "sumo/simulation.hpp"
 
@@ -39,10 +40,12 @@ class OutputFiles {
   void take_shapes(Simulation& simulation);
   void write_conflicts();
   void write_places(double time, Simulation& simulation);
+  void write_edges(double time, Simulation& simulation);
 
   std::unique_ptr<CompleteFile> summary_;
   std::unique_ptr<TrajectoryWriter> trajectories_;
   bool everybody_ = false;  ///< trajectories of those, too, whom SUMO walks
+  std::unique_ptr<EdgeDataWriter> edge_data_;
   std::unique_ptr<CompleteFile> picture_;
   PathRecorder paths_;
   std::unique_ptr<CompleteFile> shapes_;
