@@ -16,12 +16,15 @@ packages=(
   libcli11-dev                      # command line
   libpugixml-dev libexpat1-dev zlib1g-dev  # SUMO's XML, held and streamed, plain and compressed
   nlohmann-json3-dev                # summaries
+  libproj-dev                       # longitude and latitude of places in a network
+  libsqlitecpp-dev                  # trajectories as JuPedSim's database
   libssl-dev                        # checksums of what a study ran on
   libkainjow-mustache-dev           # the template of a study's report
   libtbb-dev                        # threads
   libboost-dev                      # distributions; overlay of polygons; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
-  python3 python3-shapely python3-numpy                         # independent checks
+  python3 python3-shapely python3-numpy python3-pyproj          # independent checks
+  python3-matplotlib                # SUMO's plot_net_dump.py reads our edge data in a test
   libxml2-utils                     # the second opinion on the schema of study files
   librsvg2-bin                      # the picture as PNG
   chromium chromium-driver          # tests of pages

@@ -6,6 +6,7 @@
 #include "app/animate.hpp"
 #include "app/conflicts.hpp"
 #include "app/demand.hpp"
+#include "app/geojson.hpp"
 #include "app/guarded.hpp"
 #include "app/inspect.hpp"
 #include "app/parameter_table.hpp"
@@ -99,9 +100,26 @@ void add_run(CLI::App& app, RunOptions& options, int& code) {
   run_command->add_option("--summary", options.summary,
                           "Write the summary as JSON; this and other outputs: - is standard "
                           "output, NAME.gz is compressed");
-  run_command->add_option(
+  auto* trajectories = run_command->add_option(
       "--trajectories", options.trajectories,
-      fmt::format("Write {} of each person and step", fmt::join(trajectory_table().names(), ",")));
+      fmt::format("Write {} of each person and step; NAME.sqlite: JuPedSim's database; NAME.txt: "
+                  "PedPy's text, with NAME.ids.csv",
+                  fmt::join(trajectory_table().names(), ",")));
+  run_command
+      ->add_option("--trajectories-of", options.trajectories_of,
+                   "Whose, in NAME.sqlite and NAME.txt: zones: whom pedzone walks; all: whom SUMO "
+                   "walks, too")
+      ->check(CLI::IsMember({"zones", "all"}))
+      ->capture_default_str()
+      ->needs(trajectories);
+  auto* edge_data = run_command->add_option(
+      "--edge-data", options.edge_data,
+      "Write density, speed and time loss of people by edges of the zones, as SUMO's edgeData");
+  run_command
+      ->add_option("--edge-data-period", options.edge_data_period,
+                   "Seconds of an interval of those [default: the whole run]")
+      ->check(CLI::Range(0.1, 1e9))
+      ->needs(edge_data);
   run_command->add_option("--paths-svg", options.picture, "Draw people's paths over the zone");
   auto* shapes = run_command->add_option(
       "--debug-shapes", options.debug_shapes,
@@ -197,6 +215,7 @@ int command_line(int argc, char** argv) {
   add_demand(app, demand_options, code);
   add_conflicts(app, conflicts_options, code);
   add_animate(app, code);
+  add_geojson(app, code);
   add_parameters(app);
   add_profiles(app);
   add_plot(app, code);

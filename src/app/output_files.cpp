@@ -19,12 +19,15 @@ struct NamedOutput {
 std::vector<NamedOutput> named_outputs(const RunOptions& options) {
   std::vector<NamedOutput> wanted;
   const ConflictWriter::Paths conflicts = options.conflicts.paths();
-  for (const NamedOutput& output : {NamedOutput{"--summary", options.summary},
-                                    {"--trajectories", options.trajectories},
-                                    {"--paths-svg", options.picture},
-                                    {"--debug-shapes", options.debug_shapes},
-                                    {conflicts.xml_option, conflicts.xml},
-                                    {conflicts.csv_option, conflicts.csv}}) {
+  for (const NamedOutput& output :
+       {NamedOutput{"--summary", options.summary},
+        {"--trajectories", options.trajectories},
+        {"--trajectories", TrajectoryWriter::side_file(options.trajectories)},
+        {"--edge-data", options.edge_data},
+        {"--paths-svg", options.picture},
+        {"--debug-shapes", options.debug_shapes},
+        {conflicts.xml_option, conflicts.xml},
+        {conflicts.csv_option, conflicts.csv}}) {
     if (!output.path.empty()) wanted.push_back(output);
   }
   return wanted;
@@ -44,6 +47,17 @@ void require_different(const std::vector<NamedOutput>& outputs) {
   }
 }
 
+/// Of people whom SUMO walks the table would have to make up what they are doing.
+bool wants_everybody(const RunOptions& options) {
+  if (options.trajectories_of != "all") return false;
+  if (!TrajectoryWriter::is_table(options.trajectories)) return true;
+  throw InputError("cannot be had in a table",
+                   {.element = "option --trajectories-of",
+                    .value = options.trajectories_of,
+                    .allowed = "zones; or --trajectories NAME.sqlite or NAME.txt; SUMO's "
+                               "--fcd-output has everybody, too"});
+}
+
 }  // namespace
 
 std::vector<std::string> outputs_of(const RunOptions& options) {
@@ -55,8 +69,8 @@ std::vector<std::string> outputs_of(const RunOptions& options) {
 void keep_standard_output_clean(RunOptions& options) {
   std::string clean;
   for (std::string* path :
-       {&options.summary, &options.trajectories, &options.picture, &options.debug_shapes,
-        &options.conflicts.xml, &options.conflicts.csv}) {
+       {&options.summary, &options.trajectories, &options.edge_data, &options.picture,
+        &options.debug_shapes, &options.conflicts.xml, &options.conflicts.csv}) {
     if (!CompleteFile::is_standard_output(*path)) continue;
     if (clean.empty()) {
       clean = "/dev/fd/" + std::to_string(dup(STDOUT_FILENO));
@@ -73,6 +87,11 @@ OutputFiles::OutputFiles(const RunOptions& options) {
   }
   if (!options.trajectories.empty()) {
     trajectories_ = std::make_unique<TrajectoryWriter>(options.trajectories, "--trajectories");
+    everybody_ = wants_everybody(options);
+  }
+  if (!options.edge_data.empty()) {
+    edge_data_ = std::make_unique<EdgeDataWriter>(options.edge_data, "--edge-data",
+                                                  options.edge_data_period);
   }
   if (!options.picture.empty()) {
     picture_ = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
@@ -87,7 +106,14 @@ OutputFiles::OutputFiles(const RunOptions& options) {
   }
 }
 
-void OutputFiles::observe(Simulation& simulation) {
+void OutputFiles::begin(Simulation& simulation) {
+  if (trajectories_) {
+    trajectories_->begin(
+        {simulation.time(), simulation.step_length(), simulation.ground(everybody_)});
+  }
+  if (edge_data_) {
+    edge_data_->begin(simulation.network(), simulation.zones(), simulation.time());
+  }
   if (!tracker_) return;
   simulation.observe([this](const Scene& scene) {
     tracker_->step(scene.time, scene.persons, scene.vehicles, scene.aware, over_);
@@ -113,9 +139,31 @@ void OutputFiles::step(double time, Simulation& simulation) {
   if (shapes_ && shapes_text_.empty() && time >= shapes_time_) take_shapes(simulation);
   if (tracker_) write_conflicts();
   if (picture_) paths_.observe(simulation);
-  if (!trajectories_) return;
+  if (trajectories_) write_places(time, simulation);
+  if (edge_data_) write_edges(time, simulation);
+}
+
+void OutputFiles::write_edges(double time, Simulation& simulation) {
+  std::vector<PersonOnEdge> persons;
+  for (const Guest& guest : simulation.guests()) {
+    const PersonView view = simulation.view(guest);
+    persons.push_back(
+        {guest.id, guest.zone, view.position, view.velocity.norm(), guest.preferred_speed});
+  }
+  edge_data_->step(time, simulation.step_length(), persons);
+}
+
+void OutputFiles::write_places(double time, Simulation& simulation) {
   for (const Guest& guest : simulation.guests()) {
     trajectories_->row(time, guest.id, simulation.view(guest));
+  }
+  if (!everybody_) return;
+  for (const Passer& person : simulation.passers()) {
+    trajectories_->row({.time = time,
+                        .id = person.id,
+                        .x = person.position.x(),
+                        .y = person.position.y(),
+                        .heading = person.heading});
   }
 }
 
@@ -130,6 +178,7 @@ void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
     conflicts_->finish();
   }
   if (trajectories_) trajectories_->finish();
+  if (edge_data_) edge_data_->finish();
   if (picture_) picture_->finish();
   if (shapes_) shapes_->finish();
   if (summary_) summary_->finish();

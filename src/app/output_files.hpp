@@ -10,6 +10,7 @@
 #include "app/run.hpp"
 #include "conflict/tracker.hpp"
 #include "results/complete_file.hpp"
+#include "results/edge_data.hpp"
 #include "results/trajectories.hpp"
 #include "sumo/simulation.hpp"
 
@@ -29,7 +30,7 @@ class OutputFiles {
   explicit OutputFiles(const RunOptions& options);
 
   /// To be called before the first step.
-  void observe(Simulation& simulation);
+  void begin(Simulation& simulation);
   /// After each step. `time` [s] before it, by which SUMO's own outputs name a step's result.
   void step(double time, Simulation& simulation);
   /// Throws std::runtime_error when the disk is full and the like.
@@ -38,9 +39,13 @@ class OutputFiles {
  private:
   void take_shapes(Simulation& simulation);
   void write_conflicts();
+  void write_places(double time, Simulation& simulation);
+  void write_edges(double time, Simulation& simulation);
 
   std::unique_ptr<CompleteFile> summary_;
   std::unique_ptr<TrajectoryWriter> trajectories_;
+  bool everybody_ = false;  ///< trajectories of those, too, whom SUMO walks
+  std::unique_ptr<EdgeDataWriter> edge_data_;
   std::unique_ptr<CompleteFile> picture_;
   PathRecorder paths_;
   std::unique_ptr<CompleteFile> shapes_;

@@ -17,6 +17,11 @@ void add_recording_options(CLI::App& command, RecordingOptions& options) {
       "--scenario", options.scenario,
       "SUMO configuration: network, polygons, waypoints, sizes, profiles, groups");
   command.add_option("--zone", options.zone_file, "Zone file (.zone.xml)")->needs(scenario);
+  add_recording_filter(command, options);
+}
+
+void add_recording_filter(CLI::App& command, RecordingOptions& options) {
+  RecordingSource& source = options.source;
   command
       .add_option("--vtypes", options.types,
                   "More route or additional files that tell sizes, profiles and groups")

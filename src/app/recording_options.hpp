@@ -20,6 +20,8 @@ struct RecordingOptions {
 
 /// Adds the positional file and the options.
 void add_recording_options(CLI::App& command, RecordingOptions& options);
+/// Only those that say what is shown of a recording, and more files that tell of who is in it.
+void add_recording_filter(CLI::App& command, RecordingOptions& options);
 
 /// The place of --scenario and --zone; null without a scenario. Throws InputError.
 std::unique_ptr<Place> read_place(const RecordingOptions& options);

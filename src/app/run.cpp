@@ -120,7 +120,7 @@ int simulate(const RunOptions& options) {
   OutputFiles outputs(options);
   Progress progress(!options.quiet && !has_step_log(prepared.scenario));
   Simulation simulation(prepared);
-  outputs.observe(simulation);
+  outputs.begin(simulation);
   tell_of_no_zone(options, simulation);
   warn_of_far_places(simulation.network());
   warn_of_shapes(simulation);

@@ -21,6 +21,9 @@ struct RunOptions {
   bool strict = false;        ///< where there is nobody or nowhere to walk, that is an error
   bool quiet = false;         ///< no progress, and no summary on standard output
   std::string summary, trajectories, picture;  ///< files to write; empty: not
+  std::string trajectories_of = "zones";       ///< or "all": those, too, whom SUMO walks
+  std::string edge_data;                       ///< file to write; empty: not
+  std::optional<double> edge_data_period;      ///< [s] of an interval; unset: the whole run
   std::string debug_shapes;                    ///< file to write; empty: not
   std::optional<double> debug_time;            ///< [s] of the shapes; unset: the end
   ConflictOptions conflicts;

@@ -62,6 +62,12 @@ int open_special(const std::string& path) {
 
 bool is_compressed(const std::string& path) { return fs::path(path).extension() == ".gz"; }
 
+InputError cannot_be_written(const std::string& path, const std::string& option,
+                             const std::string& why) {
+  return {"cannot be written (" + why + ")",
+          {"", 0, "option " + option, path, "a file in a folder that can be written"}};
+}
+
 }  // namespace
 
 std::string CompleteFile::partial(const std::string& path) {
@@ -73,32 +79,44 @@ bool CompleteFile::is_standard_output(const std::string& path) {
   return descriptor_of(path) == STDOUT_FILENO;
 }
 
-CompleteFile::CompleteFile(const std::string& path, const std::string& option)
-    : path_(path), partial_(partial(path)) {
+PendingFile::PendingFile(const std::string& path, const std::string& option)
+    : path_(path), partial_(CompleteFile::partial(path)) {
+  if (partial_.empty()) throw cannot_be_written(path, option, "it is no plain file");
+  std::error_code ignored;  // a failure shows when the file is opened
+  if (fs::is_directory(path, ignored)) throw cannot_be_written(path, option, "it is a folder");
+  const fs::path folder = fs::path(partial_).parent_path();
+  if (!folder.empty()) fs::create_directories(folder, ignored);
+  const int file = open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) throw cannot_be_written(path, option, std::strerror(errno));
+  close(file);
+}
+
+PendingFile::~PendingFile() {
+  if (!partial_.empty()) std::remove(partial_.c_str());
+}
+
+void PendingFile::finish() {
+  std::error_code error;
+  fs::rename(partial_, target_of(path_), error);
+  if (error) throw std::runtime_error("cannot write " + path_ + ": " + error.message());
+  partial_.clear();
+}
+
+CompleteFile::CompleteFile(const std::string& path, const std::string& option) : path_(path) {
   const char* mode = is_compressed(path) ? "wb" : "wbT";  // T: not compressed
-  std::error_code ignored;                                // a failure shows when the file is opened
   errno = 0;
-  if (partial_.empty()) {
+  if (partial(path).empty()) {
     const int descriptor = open_special(path);
     if (descriptor >= 0) file_ = gzdopen(descriptor, mode);
-  } else if (!fs::is_directory(path, ignored)) {
-    const fs::path folder = fs::path(partial_).parent_path();
-    if (!folder.empty()) fs::create_directories(folder, ignored);
-    errno = 0;
-    file_ = gzopen(partial_.c_str(), mode);
+  } else {
+    pending_ = std::make_unique<PendingFile>(path, option);
+    file_ = gzopen(pending_->name().c_str(), mode);
   }
-  if (file_ == nullptr) {
-    const std::string why =
-        fs::is_directory(path, ignored) ? "it is a folder" : std::strerror(errno);
-    throw InputError("cannot be written (" + why + ")",
-                     {"", 0, "option " + option, path, "a file in a folder that can be written"});
-  }
+  if (file_ == nullptr) throw cannot_be_written(path, option, std::strerror(errno));
 }
 
 CompleteFile::~CompleteFile() {
-  if (file_ == nullptr) return;
-  gzclose(file_);
-  if (!partial_.empty()) std::remove(partial_.c_str());
+  if (file_ != nullptr) gzclose(file_);
 }
 
 void CompleteFile::write(std::string_view text) {
@@ -113,12 +131,11 @@ void CompleteFile::finish() {
   const bool closed = gzclose(file_) == Z_OK;
   const std::string why = closed || errno == 0 ? "" : std::string(": ") + std::strerror(errno);
   file_ = nullptr;
-  std::error_code error;
-  if (closed && !partial_.empty()) fs::rename(partial_, target_of(path_), error);
-  if (!closed || error) {
-    if (!partial_.empty()) std::remove(partial_.c_str());
+  if (!closed) {
+    pending_.reset();
     throw std::runtime_error("cannot write " + path_ + why);
   }
+  if (pending_) pending_->finish();
 }
 
 void write_complete_file(const std::string& path, std::string_view text,

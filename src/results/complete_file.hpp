@@ -4,10 +4,33 @@
 
 #include <zlib.h>
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace pedzone {
+
+/// The place of a plain file that is being made, for libraries that write to a name. A symbolic
+/// link stays one: the file that it names is made.
+class PendingFile {
+ public:
+  /// Makes missing folders. Throws InputError when the place cannot be written or is no plain file.
+  /// `option`: what the user named it with, for the message.
+  PendingFile(const std::string& path, const std::string& option);
+  /// Not finished: what was written is removed.
+  ~PendingFile();
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  /// Where to write.
+  const std::string& name() const { return partial_; }
+  /// Moves what was written to its place. Throws std::runtime_error.
+  void finish();
+
+ private:
+  std::string path_;     ///< as the user named it
+  std::string partial_;  ///< empty: it is in its place
+};
 
 /// A symbolic link stays one: the file that it names is written. What is no plain file (a device, a
 /// FIFO, standard output as `-` or `/dev/stdout`) is written to at once. A name that ends in `.gz`
@@ -32,8 +55,8 @@ class CompleteFile {
   static bool is_standard_output(const std::string& path);
 
  private:
-  std::string path_;     ///< as the user named it
-  std::string partial_;  ///< empty: it is written to at once
+  std::string path_;                      ///< as the user named it
+  std::unique_ptr<PendingFile> pending_;  ///< null: it is written to at once
   gzFile file_ = nullptr;
 };
 

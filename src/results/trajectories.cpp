@@ -1,11 +1,15 @@
 #include "results/trajectories.hpp"
 
+#include "core/error.hpp"
+#include "results/complete_file.hpp"
+#include "results/sqlite_trajectories.hpp"
+#include "results/text_trajectories.hpp"
+
 namespace pedzone {
 namespace {
 
-constexpr std::size_t kBuffer = 1 << 20;   // [bytes] numerical: written in pieces of this size
-constexpr NumberRange kTimes{-1e9, 1e9};   // [s]
-constexpr NumberRange kPlaces{-1e9, 1e9};  // [m]
+constexpr NumberRange kTimes{-1e9, 1e9};         // [s]
+constexpr NumberRange kPlaces{-1e9, 1e9};        // [m]
 constexpr NumberRange kSpeeds{-1000.0, 1000.0};  // [m/s]
 constexpr NumberRange kAngles{-10.0, 10.0};      // [rad] more than any that is written
 
@@ -25,6 +29,41 @@ void read_activity(TrajectoryRow& row, const CsvRow& fields, std::size_t c) {
     throw fields.error("is no activity", c, comma_list(activity_list(), &ActivityInfo::id));
   }
   row.activity = info->activity;
+}
+
+class TableTrajectories final : public TrajectoryFile {
+ public:
+  TableTrajectories(const std::string& path, const std::string& option) : file_(path, option) {
+    file_.write(trajectory_table().header());
+  }
+  void begin(const TrajectoryHead&) override {}
+  void row(const TrajectoryRow& row) override {
+    line_.clear();
+    trajectory_table().append(line_, row);
+    file_.write(line_);
+  }
+  void finish() override { file_.finish(); }
+
+ private:
+  CompleteFile file_;
+  std::string line_;
+};
+
+bool is_sqlite(const std::string& path) { return path.ends_with(".sqlite"); }
+bool is_text(const std::string& path) {
+  return path.ends_with(".txt") || path.ends_with(".txt.gz");
+}
+
+/// Where a name asks for what it would not get.
+void refuse_other_formats(const std::string& path, const std::string& option) {
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(problem,
+                     {.element = "option " + option,
+                      .value = path,
+                      .allowed = "NAME.csv, NAME.txt, NAME.csv.gz, NAME.txt.gz, NAME.sqlite"});
+  };
+  if (path.ends_with(".sqlite.gz")) refuse("is a database, which cannot be written compressed");
+  if (path.ends_with(".parquet")) refuse("is a format that pedzone does not write");
 }
 
 }  // namespace
@@ -50,24 +89,28 @@ const Table<TrajectoryRow>& trajectory_table() {
   return table;
 }
 
-TrajectoryWriter::TrajectoryWriter(const std::string& path, const std::string& option)
-    : file_(path, option), buffer_(trajectory_table().header()) {}
+bool TrajectoryWriter::is_table(const std::string& path) {
+  return !is_sqlite(path) && !is_text(path);
+}
+
+std::string TrajectoryWriter::side_file(const std::string& path) {
+  return is_text(path) ? person_ids_file(path) : "";
+}
+
+TrajectoryWriter::TrajectoryWriter(const std::string& path, const std::string& option) {
+  refuse_other_formats(path, option);
+  if (is_sqlite(path)) {
+    file_ = make_sqlite_trajectories(path, option);
+  } else if (is_text(path)) {
+    file_ = make_text_trajectories(path, option);
+  } else {
+    file_ = std::make_unique<TableTrajectories>(path, option);
+  }
+}
 
 void TrajectoryWriter::row(double time, std::string_view id, const PersonView& person) {
-  trajectory_table().append(
-      buffer_, {time, id, person.position.x(), person.position.y(), person.velocity.x(),
-                person.velocity.y(), person.heading, person.motion, person.activity});
-  if (buffer_.size() > kBuffer) flush();
-}
-
-void TrajectoryWriter::flush() {
-  file_.write(buffer_);
-  buffer_.clear();
-}
-
-void TrajectoryWriter::finish() {
-  flush();
-  file_.finish();
+  row({time, id, person.position.x(), person.position.y(), person.velocity.x(), person.velocity.y(),
+       person.heading, person.motion, person.activity});
 }
 
 }  // namespace pedzone

@@ -1,11 +1,12 @@
-// Trajectories as CSV: one row per controlled person and step.
+// Trajectories: where each person is in each step, as a table or in the formats of others.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "crowd/crowd.hpp"
-#include "results/complete_file.hpp"
+#include "geometry/polygon.hpp"
 #include "results/table.hpp"
 
 namespace pedzone {
@@ -23,17 +24,44 @@ struct TrajectoryRow {
 
 const Table<TrajectoryRow>& trajectory_table();
 
-/// Writes the table.
+/// What formats have to know that count frames and hold the place.
+struct TrajectoryHead {
+  double begin = 0.0;  ///< [s] of the first frame
+  double step = 0.1;   ///< [s] > 0 between two frames
+  Region ground;       ///< [m] where people can be
+};
+
+/// Trajectories in one of the formats.
+class TrajectoryFile {
+ public:
+  virtual ~TrajectoryFile() = default;
+  /// Before the first row.
+  virtual void begin(const TrajectoryHead& head) = 0;
+  /// Rows come in the order of time.
+  virtual void row(const TrajectoryRow& row) = 0;
+  virtual void finish() = 0;
+};
+
+/// Writes trajectories in the format that the file's name asks for: NAME.sqlite is JuPedSim's
+/// (sqlite_trajectories.hpp), NAME.txt PedPy's (text_trajectories.hpp), all else the table.
 class TrajectoryWriter {
  public:
+  /// Throws InputError as CompleteFile, and for NAME.parquet and NAME.sqlite.gz.
   TrajectoryWriter(const std::string& path, const std::string& option);
+  /// Before the first row; the table does without.
+  void begin(const TrajectoryHead& head) { file_->begin(head); }
+  /// Rows come in the order of time.
+  void row(const TrajectoryRow& row) { file_->row(row); }
   void row(double time, std::string_view id, const PersonView& person);
-  void finish();
+  void finish() { file_->finish(); }
+
+  /// Whether such a file is the table.
+  static bool is_table(const std::string& path);
+  /// The file that is written beside it; empty: none.
+  static std::string side_file(const std::string& path);
 
  private:
-  void flush();
-  CompleteFile file_;
-  std::string buffer_;
+  std::unique_ptr<TrajectoryFile> file_;
 };
 
 }  // namespace pedzone

@@ -17,6 +17,7 @@
 #include "sumo/plan/steering.hpp"
 #include "sumo/plan/yielding.hpp"
 #include "zone/any_zones.hpp"
+#include "zone/shapes.hpp"
 
 namespace pedzone {
 namespace {
@@ -232,6 +233,7 @@ void Simulation::close() {
 }
 
 double Simulation::time() const { return parts_->session.time(); }
+double Simulation::step_length() const { return parts_->session.step_length(); }
 double Simulation::end_time() const { return parts_->session.end_time(); }
 const std::vector<Zone>& Simulation::zones() const { return parts_->zones; }
 const Network& Simulation::network() const { return parts_->network; }
@@ -243,6 +245,26 @@ const std::vector<RunIntoRecord>& Simulation::run_into() const { return parts_->
 
 PersonView Simulation::view(const Guest& guest) const {
   return parts_->crowds[guest.zone]->view(guest.handle);
+}
+
+std::vector<Passer> Simulation::passers() const {
+  std::vector<Passer> passers;
+  for (const std::string& id : sumo_person::ids()) {
+    if (parts_->takeover.guest(id) != nullptr || !sumo_person::vehicle(id).empty()) continue;
+    passers.push_back({id, sumo_person::position(id), sumo_person::heading(id)});
+  }
+  return passers;
+}
+
+Region Simulation::ground(bool everything) const {
+  std::vector<Region> parts;
+  for (const Zone& zone : zones()) parts.push_back(zone.walkable);
+  if (everything) {
+    for (const Lane& lane : network().lanes) {
+      if (lane.persons) parts.push_back(area_of(lane));
+    }
+  }
+  return unite(parts);
 }
 
 bool Simulation::warns() const {

@@ -26,6 +26,13 @@ struct SimulationOptions {
   std::optional<double> end;               ///< [s] overrides the scenario's
 };
 
+/// A person on foot whom SUMO walks, or who waits as SUMO says.
+struct Passer {
+  std::string id;
+  Vec2 position = Vec2::Zero();  ///< [m]
+  double heading = 0.0;          ///< [rad]
+};
+
 /// Runs SUMO in this process and walks its persons through the zones. Between two steps the
 /// embedding program may call libsumo itself: add, remove and reroute persons and vehicles.
 /// One at a time in a process, since libsumo's state is global.
@@ -46,14 +53,19 @@ class Simulation {
   /// Ends SUMO so that its outputs are complete. Throws SumoError.
   void close();
 
-  double time() const;      ///< [s]
-  double end_time() const;  ///< [s]; negative: none
+  double time() const;         ///< [s]
+  double step_length() const;  ///< [s]
+  double end_time() const;     ///< [s]; negative: none
   const std::vector<Zone>& zones() const;
   const Network& network() const;
   const std::vector<WaypointPath>& paths() const;
   /// Persons that pedzone walks now, in the order they were taken over.
   const std::vector<Guest>& guests() const;
   PersonView view(const Guest& guest) const;
+  /// Everybody else on foot, as SUMO has them; slow.
+  std::vector<Passer> passers() const;
+  /// [m] Where people can be: in the zones; of `everything`: on all lanes of persons, too.
+  Region ground(bool everything) const;
   /// Who has begun to squeeze through a jam of people so far, in time.
   const std::vector<JamRecord>& jams() const;
   /// Whom vehicles have run into so far, in time.

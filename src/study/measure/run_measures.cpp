@@ -6,10 +6,10 @@
 #include "conflict/tracker.hpp"
 #include "results/complete_file.hpp"
 #include "results/conflict_writer.hpp"
+#include "results/density_grid.hpp"
 #include "study/measure/conflict_measures.hpp"
 #include "study/measure/crowding.hpp"
 #include "study/measure/demand_signature.hpp"
-#include "study/measure/density_grid.hpp"
 #include "study/measure/jam_count.hpp"
 #include "study/measure/push_measures.hpp"
 #include "study/measure/run_series.hpp"
@@ -64,7 +64,7 @@ class Observer {
     stays_.step(time, walkers);
     walks_.step(dt, walkers);
     crowding_.step(dt, walkers);
-    grid_.step(dt, walkers);
+    add_times(dt, walkers);
     series_.step(time, dt, walkers, vehicles, [&](std::size_t i) { return crowding_.density(i); });
     stops_.step(vehicles);
     tracker_.step(time, persons, vehicles, {}, over_);
@@ -91,6 +91,13 @@ class Observer {
   }
 
  private:
+  void add_times(double dt, std::span<const Walker> walkers) {
+    if (dt <= 0.0) return;
+    for (const Walker& walker : walkers) {
+      if (walker.zone != Walker::kNowhere) grid_.add(walker.at, dt);
+    }
+  }
+
   void take_conflicts() {
     for (Conflict& conflict : over_) {
       writer_.write(conflict);

@@ -28,7 +28,7 @@ struct RunMeasures {
 ///   conflicts.csv       as `pedzone conflicts --conflict-csv`
 ///   zone-conflicts.csv  those of them that count: of people in the zones (zone_stays.hpp)
 ///   series.csv          see run_series.hpp
-///   density.csv         see density_grid.hpp
+///   density.csv         see results/density_grid.hpp
 /// The same outputs give the same bytes. Throws InputError where outputs are missing, cut off, or
 /// not of one run.
 RunMeasures measure_run(const RunOutputs& outputs, const Place& place);

@@ -7,10 +7,10 @@
 
 #include "core/error.hpp"
 #include "results/conflict_table.hpp"
+#include "results/density_grid.hpp"
 #include "results/place.hpp"
 #include "results/run_tables.hpp"
 #include "study/measure/conflict_measures.hpp"
-#include "study/measure/density_grid.hpp"
 #include "study/measure/run_measures.hpp"
 #include "study/report/report_parts.hpp"
 #include "study/report/run_recording.hpp"
@@ -76,17 +76,17 @@ double duration(const std::string& folder) {
 
 /// Persons per square metre, mean over time and runs.
 Grid density(const std::vector<std::string>& folders) {
-  Grid grid(kCell, true);
+  Grid grid(kDensityCell, true);
   double seconds = 0.0;
   for (const std::string& folder : folders) {
     const std::string file = folder + "/density.csv";
     if (!std::filesystem::exists(file)) continue;
     seconds += duration(folder);
     density_table().visit(file, [&](const DensityRow& row, const CsvRow&) {
-      grid.add(Vec2(row.x, row.y) + Vec2(kCell, kCell) / 2.0, row.person_seconds);
+      grid.add(Vec2(row.x, row.y) + Vec2(kDensityCell, kDensityCell) / 2.0, row.person_seconds);
     });
   }
-  for (auto& [cell, value] : grid.cells) value /= std::max(seconds, 1.0) * kCell * kCell;
+  for (auto& [cell, value] : grid.cells) value /= std::max(seconds, 1.0) * kDensityCell * kDensityCell;
   return grid;
 }
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "study/measure/density_grid.hpp"
+#include "results/density_grid.hpp"
 #include "study/measure/run_series.hpp"
 
 namespace pedzone::study {
@@ -92,12 +92,10 @@ TEST(Crowding, three_who_stand_together_for_five_seconds_are_a_jam) {
 }
 
 TEST(DensityGrid, counts_time_in_cells) {
-  Scene scene({{0.5, 0.5}, {1.9, 0.1}, {-0.1, 0.0}, {5.0, -3.0}});
-  scene.walkers.back().zone = Walker::kNowhere;
   DensityGrid grid;
-  grid.step(0.0, scene.walkers);
-  grid.step(0.5, scene.walkers);
-  grid.step(0.5, scene.walkers);
+  for (int k = 0; k < 2; ++k) {
+    for (const Vec2& at : {Vec2(0.5, 0.5), Vec2(1.9, 0.1), Vec2(-0.1, 0.0)}) grid.add(at, 0.5);
+  }
   EXPECT_EQ(grid.csv(), "x,y,personSeconds\n-2,0,1.000\n0,0,2.000\n");
 }
 

@@ -1,0 +1,110 @@
+#include "app/geojson.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "app/guarded.hpp"
+#include "app/recording_options.hpp"
+#include "results/conflict_table.hpp"
+#include "results/geo_layers.hpp"
+#include "sumo/files/geo_reader.hpp"
+
+namespace pedzone {
+namespace {
+
+struct GeoJsonOptions {
+  RecordingOptions recording;  ///< its file: empty where none is given
+  std::string conflicts;       ///< table of conflicts; empty: none
+  std::string out;             ///< folder
+};
+
+std::vector<Conflict> read_conflicts(const std::string& file) {
+  std::vector<Conflict> conflicts;
+  conflict_table().visit(
+      file, [&](const Conflict& conflict, const CsvRow&) { conflicts.push_back(conflict); });
+  return conflicts;
+}
+
+/// The files of one folder: all of them are complete, or none is there.
+class Layers {
+ public:
+  Layers(const GeoFrame& frame, std::filesystem::path folder)
+      : frame_(frame), folder_(std::move(folder)) {}
+
+  void add(const char* name, const std::function<void(GeoJsonFile&)>& write) {
+    const std::string path = (folder_ / (std::string(name) + ".geojson")).string();
+    write(*files_.emplace_back(std::make_unique<GeoJsonFile>(path, "--out", frame_)));
+    names_.push_back(path);
+  }
+
+  void finish() {
+    for (const auto& file : files_) file->finish();
+    for (const std::string& name : names_) fmt::print("{}\n", name);
+  }
+
+ private:
+  const GeoFrame& frame_;
+  std::filesystem::path folder_;
+  std::vector<std::unique_ptr<GeoJsonFile>> files_;
+  std::vector<std::string> names_;
+};
+
+void write_layers(const GeoJsonOptions& options) {
+  const std::unique_ptr<Place> place = read_place(options.recording);
+  const GeoFrame frame(read_geo_reference(place->network.file));
+  Layers layers(frame, options.out);
+  layers.add("zones", [&](GeoJsonFile& file) { write_zones(*place, file); });
+  layers.add("walls", [&](GeoJsonFile& file) { write_walls(*place, file); });
+  if (!place->paths.empty()) {
+    layers.add("waypoints", [&](GeoJsonFile& file) { write_waypoints(*place, file); });
+  }
+  if (!options.recording.source.file.empty()) {
+    const Recording recording = read_recording(options.recording);
+    layers.add("paths", [&](GeoJsonFile& file) { write_paths(recording, file); });
+    layers.add("density", [&](GeoJsonFile& file) { write_density(recording, file); });
+  }
+  if (!options.conflicts.empty()) {
+    const std::vector<Conflict> conflicts = read_conflicts(options.conflicts);
+    layers.add("conflicts", [&](GeoJsonFile& file) { write_conflicts(conflicts, file); });
+  }
+  layers.finish();
+}
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  pedzone geojson town.sumocfg --out gis\n"
+    "  pedzone run town.sumocfg --trajectories run.csv --conflict-csv conflicts.csv\n"
+    "  pedzone geojson town.sumocfg --recording run.csv --conflicts conflicts.csv --out gis\n\n"
+    "A file a layer, to be drawn into QGIS:\n"
+    "  zones      where people can be\n"
+    "  walls      the borders of that\n"
+    "  waypoints  of the zone file's <path> elements, where it has any\n"
+    "  paths      a line for each person's way (--recording)\n"
+    "  density    people per m², mean over the recording, in cells of 2 m (--recording)\n"
+    "  conflicts  where each was gravest, with its measures (--conflicts)\n"
+    "The network must know its projection, as those from OpenStreetMap do.\n"
+    "Exit codes: 0 done, 2 input at fault.";
+
+}  // namespace
+
+void add_geojson(CLI::App& app, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "geojson", "Write zones, walls, paths, density and conflicts for QGIS (GeoJSON)");
+  command->footer(kFooter);
+  const auto options = std::make_shared<GeoJsonOptions>();
+  RecordingOptions& recording = options->recording;
+  command->add_option("scenario", recording.scenario, "SUMO configuration (.sumocfg)")->required();
+  command->add_option("--zone", recording.zone_file, "Zone file (.zone.xml)");
+  command->add_option("--recording", recording.source.file,
+                      "SUMO's fcd-output or pedzone's --trajectories (table), gzipped or not");
+  add_recording_filter(*command, recording);
+  command->add_option("--conflicts", options->conflicts,
+                      "What `pedzone run` or `pedzone conflicts` wrote by --conflict-csv");
+  command->add_option("--out", options->out, "Folder to write into")->required();
+  command->callback([options, &code] { code = guarded([&] { write_layers(*options); }); });
+}
+
+}  // namespace pedzone

@@ -1,0 +1,32 @@
+#include "sumo/files/geo_reader.hpp"
+
+#include "core/xml_stream.hpp"
+
+namespace pedzone {
+namespace {
+
+Vec2 read_offset(const XmlElement& location) {
+  const std::string text(location.required("netOffset"));
+  const std::vector<std::string> words = split_words(text, ',');
+  Vec2 offset;
+  if (words.size() != 2 || !parse_number(words[0], offset.x()) ||
+      !parse_number(words[1], offset.y())) {
+    throw location.error("is no offset", "netOffset", text, "x,y in m");
+  }
+  return offset;
+}
+
+}  // namespace
+
+GeoReference read_geo_reference(const std::string& net_file) {
+  GeoReference geo;
+  geo.file = net_file;
+  visit_elements(net_file, "net", [&](const XmlElement& element) {
+    if (element.depth() != 1 || element.name() != "location") return;
+    geo.projection = element.value("projParameter").value_or("");
+    geo.offset = read_offset(element);
+  });
+  return geo;
+}
+
+}  // namespace pedzone
