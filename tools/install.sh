@@ -21,8 +21,9 @@ packages=(
   libtbb-dev                        # threads
   libboost-dev                      # distributions; overlay of polygons; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
-  python3 python3-shapely python3-numpy                         # independent checks
+  python3 python3-shapely python3-numpy python3-jsonschema      # independent checks
   libxml2-utils                     # the second opinion on the schema of study files
+  zsh groff-base                    # tests of completion and of the manual page
   librsvg2-bin                      # the picture as PNG
   chromium chromium-driver          # tests of pages
   poppler-utils                     # tests of pages on paper
