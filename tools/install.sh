@@ -23,9 +23,10 @@ packages=(
   libtbb-dev                        # threads
   libboost-dev                      # distributions; overlay of polygons; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
-  python3 python3-shapely python3-numpy python3-pyproj          # independent checks
+  python3 python3-shapely python3-numpy python3-pyproj python3-jsonschema  # independent checks
   python3-matplotlib                # SUMO's plot_net_dump.py reads our edge data in a test
   libxml2-utils                     # the second opinion on the schema of study files
+  zsh groff-base                    # tests of completion and of the manual page
   librsvg2-bin                      # the picture as PNG
   chromium chromium-driver          # tests of pages
   poppler-utils                     # tests of pages on paper

@@ -7,6 +7,8 @@
 #include <set>
 #include <string_view>
 
+#include "app/command_line/terminal.hpp"
+#include "app/command_line/values.hpp"
 #include "app/guarded.hpp"
 #include "app/recording_options.hpp"
 #include "core/error.hpp"
@@ -72,8 +74,8 @@ void animate(AnimateOptions options) {
   }
   file.write(animation_page(runs, place.get(), options.page));
   file.finish();
-  fmt::print("{}: {:.1f} MB\n", options.out,
-             static_cast<double>(std::filesystem::file_size(options.out)) / 1e6);
+  print_result(fmt::format("{}: {:.1f} MB\n", options.out,
+                           static_cast<double>(std::filesystem::file_size(options.out)) / 1e6));
 }
 
 constexpr const char* kFooter =
@@ -99,19 +101,27 @@ void add_animate(CLI::App& app, int& code) {
   command->footer(kFooter);
   const auto options = std::make_shared<AnimateOptions>();
   add_recording_options(*command, options->recording);
-  command->add_option("--name", options->name, "What the run is called [default: its file's name]");
-  auto* beside = command->add_option("--beside", options->beside,
-                                     "A second run of the same scenario, shown beside it");
+  command->add_option("--name", options->name, "What the run is called")
+      ->type_name(kNames)
+      ->default_str("its file's name");
+  auto* beside = command
+                     ->add_option("--beside", options->beside,
+                                  "A second run of the same scenario, shown beside it")
+                     ->type_name(kFile);
   command->add_option("--beside-fcd", options->beside_fcd, "fcd-output of the second run")
+      ->type_name(kFile)
       ->needs(beside);
   command->add_option("--beside-name", options->beside_name, "What the second run is called")
+      ->type_name(kNames)
       ->needs(beside);
-  command->add_option("--title", options->page.title,
-                      "Heading of the page [default: the scenario's]");
-  command->add_option("--rate", options->page.rate, "At most so many steps a second are kept [1/s]")
-      ->check(CLI::Range(0.01, 100.0))
+  command->add_option("--title", options->page.title, "Heading of the page")
+      ->type_name("TEXT")
+      ->default_str("the scenario's");
+  command->add_option("--rate", options->page.rate, "At most so many steps a second are kept")
+      ->check(number_in(0.01, 100.0))
+      ->type_name(kNumber)
       ->capture_default_str();
-  command->add_option("--out", options->out, "HTML file to write")->required();
+  command->add_option("--out", options->out, "HTML file to write")->required()->type_name(kFile);
   command->callback([options, &code] { code = guarded([&] { animate(*options); }); });
 }
 

@@ -1,5 +1,7 @@
 #include "app/conflict_options.hpp"
 
+#include "app/command_line/values.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -15,18 +17,18 @@ void add_conflict_options(CLI::App& command, ConflictOptions& options) {
   const auto add = [&](const char* name, auto& value, const std::string& what) {
     return command.add_option(name, value, what)->group(group);
   };
-  add(kXml, options.xml, "Write them as XML, in the manner of SUMO's SSM device");
-  add(kCsv, options.csv, "Write them as a table");
-  const auto limit = [&](const char* name, double& value, double least, double most,
-                         const char* what) {
-    add(name, value, what)->check(CLI::Range(least, most))->capture_default_str();
+  add(kXml, options.xml, "Write them as XML, in the manner of SUMO's SSM device")->type_name(kFile);
+  add(kCsv, options.csv, "Write them as a table")->type_name(kFile);
+  const auto limit = [&](const char* name, double& value, double most, const char* unit,
+                         const char* what, double least = 0.0) {
+    add(name, value, what)->check(number_in(least, most))->type_name(unit)->capture_default_str();
   };
   ConflictLimits& limits = options.limits;
-  limit("--conflict-ttc", limits.ttc, 0, 60, "Told where the TTC falls below this [s] ...");
-  limit("--conflict-pet", limits.pet, 0, 60, "... or the PET [s] ...");
-  limit("--conflict-drac", limits.drac, 0, 100, "... or the DRAC rises above this [m/s2]");
-  limit("--conflict-range", limits.range, 1, 1000, "Nobody farther away is detected [m]");
-  limit("--conflict-horizon", limits.horizon, 0, 60, "A longer TTC is none [s]");
+  limit("--conflict-ttc", limits.ttc, 60, kSeconds, "Told where the TTC falls below this ...");
+  limit("--conflict-pet", limits.pet, 60, kSeconds, "... or the PET ...");
+  limit("--conflict-drac", limits.drac, 100, "M/S2", "... or the DRAC rises above this");
+  limit("--conflict-range", limits.range, 1000, kMetres, "Nobody farther away is detected", 1.0);
+  limit("--conflict-horizon", limits.horizon, 60, kSeconds, "A longer TTC is none");
 }
 
 }  // namespace pedzone

@@ -4,6 +4,11 @@
 
 #include <unordered_set>
 
+#include "app/command_line/common_options.hpp"
+#include "app/command_line/terminal.hpp"
+#include "app/command_line/values.hpp"
+#include "app/conflict_options.hpp"
+#include "app/conflicts_json.hpp"
 #include "app/guarded.hpp"
 #include "app/share_bar.hpp"
 #include "conflict/tracker.hpp"
@@ -13,6 +18,15 @@
 
 namespace pedzone {
 namespace {
+
+struct ConflictsOptions {
+  std::string fcd;                      ///< fcd-output
+  std::string scenario;                 ///< .sumocfg whose files tell sizes; empty: none
+  std::vector<std::string> types;       ///< more files that do
+  std::vector<std::string> as_persons;  ///< vehicle types that count as persons
+  bool json = false;                    ///< all of them are printed, too
+  ConflictOptions conflicts;
+};
 
 BodySizes read_sizes(const ConflictsOptions& options) {
   BodySizes sizes;
@@ -36,17 +50,18 @@ void require_types(const BodySizes& sizes, const std::vector<std::string>& types
 }
 
 void measure(const ConflictsOptions& options) {
-  if (!options.conflicts.wanted()) {
-    throw InputError("is missing", {.element = "option --conflict-output or --conflict-csv",
-                                    .allowed = "a file to write"});
+  if (!options.conflicts.wanted() && !options.json) {
+    throw InputError("is missing", {.element = "option --conflict-output, --conflict-csv or --json",
+                                    .allowed = "one of them or more"});
   }
   const BodySizes sizes = read_sizes(options);
   require_types(sizes, options.as_persons);
   ConflictWriter writer(options.conflicts.paths());
   ConflictTracker tracker(options.conflicts.limits);
-  std::vector<Conflict> over;
+  std::vector<Conflict> over, printed;
   const auto write = [&] {
     for (const Conflict& conflict : over) writer.write(conflict);
+    if (options.json) printed.insert(printed.end(), over.begin(), over.end());
     over.clear();
   };
   ShareBar bar("measuring conflicts");
@@ -65,13 +80,44 @@ void measure(const ConflictsOptions& options) {
   write();
   bar.finish();
   writer.finish();
-  fmt::print("{} conflicts\n", writer.written());
+  if (options.json) {
+    print_text(conflicts_json(printed));
+  } else {
+    print_result(fmt::format("{} conflicts\n", writer.written()));
+  }
 }
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  sumo -c town.sumocfg --fcd-output fcd.xml.gz\n"
+    "  pedzone conflicts fcd.xml.gz --scenario town.sumocfg --conflict-output conflicts.xml\n\n"
+    "The same measures as `pedzone run --conflict-output`, whoever walked the persons. SUMO\n"
+    "writes positions to 0.01 m; its option --precision 4 makes the measures smoother.\n"
+    "Exit codes: 0 done, 2 input at fault.";
 
 }  // namespace
 
-int conflicts(const ConflictsOptions& options) {
-  return guarded([&options] { measure(options); });
+void add_conflicts(CLI::App& app, int& code) {
+  const auto options = std::make_shared<ConflictsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "conflicts", "Measure conflicts of persons and vehicles in SUMO's floating-car data");
+  command->footer(kFooter);
+  command->add_option("fcd", options->fcd, "SUMO's fcd-output, gzipped or not")->required();
+  command
+      ->add_option("--scenario", options->scenario,
+                   "SUMO configuration whose files tell how large vehicles and persons are")
+      ->type_name(kFile);
+  command->add_option("--vtypes", options->types, "More route or additional files that tell it")
+      ->type_name(kFile)
+      ->allow_extra_args(false);
+  command
+      ->add_option("--treat-as-person", options->as_persons,
+                   "Types of vehicles that count as persons, e.g. wheelchairs")
+      ->type_name("TYPE")
+      ->allow_extra_args(false);
+  add_json_flag(*command, options->json);
+  add_conflict_options(*command, options->conflicts);
+  command->callback([options, &code] { code = guarded([&] { measure(*options); }); });
 }
 
 }  // namespace pedzone

@@ -6,6 +6,8 @@
 #include <functional>
 #include <memory>
 
+#include "app/command_line/common_options.hpp"
+#include "app/command_line/values.hpp"
 #include "app/guarded.hpp"
 #include "app/recording_options.hpp"
 #include "results/conflict_table.hpp"
@@ -96,14 +98,19 @@ void add_geojson(CLI::App& app, int& code) {
   command->footer(kFooter);
   const auto options = std::make_shared<GeoJsonOptions>();
   RecordingOptions& recording = options->recording;
-  command->add_option("scenario", recording.scenario, "SUMO configuration (.sumocfg)")->required();
-  command->add_option("--zone", recording.zone_file, "Zone file (.zone.xml)");
-  command->add_option("--recording", recording.source.file,
-                      "SUMO's fcd-output or pedzone's --trajectories (table), gzipped or not");
+  add_scenario(*command, recording.scenario, recording.zone_file);
+  command
+      ->add_option("--recording", recording.source.file,
+                   "SUMO's fcd-output or pedzone's --trajectories (table), gzipped or not")
+      ->type_name(kFile);
   add_recording_filter(*command, recording);
-  command->add_option("--conflicts", options->conflicts,
-                      "What `pedzone run` or `pedzone conflicts` wrote by --conflict-csv");
-  command->add_option("--out", options->out, "Folder to write into")->required();
+  command
+      ->add_option("--conflicts", options->conflicts,
+                   "What `pedzone run` or `pedzone conflicts` wrote by --conflict-csv")
+      ->type_name(kFile);
+  command->add_option("--out", options->out, "Folder to write into")
+      ->type_name(kFolder)
+      ->required();
   command->callback([options, &code] { code = guarded([&] { write_layers(*options); }); });
 }
 

@@ -1,14 +1,13 @@
 #include "app/guarded.hpp"
 
-#include <fmt/format.h>
-
+#include "app/command_line/terminal.hpp"
 #include "core/error.hpp"
 
 namespace pedzone {
 
 int guarded(const std::function<void()>& work) {
   const auto report = [](const std::exception& error, int code) {
-    fmt::print(stderr, "Error: {}\n", error.what());
+    print_error(error.what());
     return code;
   };
   try {
@@ -21,6 +20,12 @@ int guarded(const std::function<void()>& work) {
   } catch (const std::exception& error) {
     return report(error, 1);
   }
+}
+
+int guarded_code(const std::function<int()>& work) {
+  int code = 0;
+  const int error = guarded([&] { code = work(); });
+  return error != 0 ? error : code;
 }
 
 }  // namespace pedzone

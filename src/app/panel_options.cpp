@@ -1,7 +1,5 @@
 #include "app/panel_options.hpp"
 
-#include <fmt/format.h>
-
 namespace pedzone {
 
 void add_panel_options(CLI::App& command, PanelOptions& options) {
@@ -15,8 +13,10 @@ void add_panel_options(CLI::App& command, PanelOptions& options) {
             [&options, attribute](const std::string& value) {
               options.text.values.emplace_back(attribute, value);
             },
-            fmt::format("{} [default: {}]", field.meaning, field.otherwise))
-        ->type_name(std::string(field.value))
+            std::string(field.meaning))
+        ->type_name("VALUE")
+        ->check(CLI::Validator(std::string(field.value)))  // told; checked as in a zone file
+        ->default_str(std::string(field.otherwise))
         ->group("People to be made (as <pedestrians> in a zone file)");
   }
 }

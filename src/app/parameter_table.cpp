@@ -24,8 +24,8 @@ std::string panel_attributes() {
       "| attribute | what is allowed | default | meaning |\n"
       "| --- | --- | --- | --- |\n";
   for (const PanelField& field : panel_fields()) {
-    text += fmt::format("| `{}` | {} | {} | {} |\n", field.attribute, field.value,
-                        field.otherwise, field.meaning);
+    text += fmt::format("| `{}` | {} | {} | {} |\n", field.attribute, field.value, field.otherwise,
+                        field.meaning);
   }
   return text;
 }
@@ -33,8 +33,8 @@ std::string panel_attributes() {
 }  // namespace
 
 std::string parameter_tables() {
-  return "Parameters of a zone:\n\n" + zone_parameters() +
-         "\nAttributes of `<pedestrians>`:\n\n" + panel_attributes();
+  return "Parameters of a zone:\n\n" + zone_parameters() + "\nAttributes of `<pedestrians>`:\n\n" +
+         panel_attributes();
 }
 
 }  // namespace pedzone

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/command_line/values.hpp"
 #include "app/guarded.hpp"
 #include "app/png.hpp"
 #include "app/recording_options.hpp"
@@ -112,24 +113,31 @@ void add_plot(CLI::App& app, int& code) {
   command->footer(kExamples);
   add_recording_options(*command, options->recording);
   command->add_option("--kind", options->kind, "What to draw")
-      ->check(CLI::IsMember({"time", "path", "speed", "clearance"}))
+      ->check(one_of({"time", "path", "speed", "clearance"}))
+      ->type_name("KIND")
       ->capture_default_str();
-  command->add_option("--out", options->out, "Picture to write: .svg or .png")->required();
-  command
-      ->add_option("--every", options->every,
-                   "Time-plot: seconds between two moments [default: 10 to 20 moments]")
-      ->check(CLI::Range(0.01, 1e6));
-  command
-      ->add_option("--area", options->area,
-                   "Maps: show LEFT BOTTOM RIGHT TOP, network metres [default: where persons are]")
+  command->add_option("--out", options->out, "Picture to write: .svg or .png")
+      ->required()
+      ->type_name(kFile);
+  command->add_option("--every", options->every, "Time-plot: time between two moments")
+      ->check(number_in(0.01, 1e6))
+      ->type_name(kSeconds)
+      ->default_str("10 to 20 moments");
+  command->add_option("--area", options->area, "Maps: what is shown, in metres of the network")
       ->expected(4)
-      ->check(CLI::Range(-1e9, 1e9));
+      ->check(number_in(-1e9, 1e9))
+      ->type_name("LEFT BOTTOM RIGHT TOP")
+      ->default_str("where persons are");
   command->add_option("--colour-by", options->colour, "Path plot: what a line's colour tells")
-      ->check(CLI::IsMember({"auto", "person", "group", "none"}))
+      ->check(one_of({"auto", "person", "group", "none"}))
+      ->type_name("COLOUR")
       ->capture_default_str();
-  command->add_option("--title", options->title, "Title [default: the recording's name]");
-  command->add_option("--width", options->width, "Of a PNG in pixels")
-      ->check(CLI::Range(kLeastPixels, kMostPixels))
+  command->add_option("--title", options->title, "Title")
+      ->type_name("TEXT")
+      ->default_str("the recording's name");
+  command->add_option("--width", options->width, "Of a PNG")
+      ->check(whole_number_in(kLeastPixels, kMostPixels))
+      ->type_name("PIXELS")
       ->capture_default_str();
   command->callback([options, &code] { code = guarded([&] { plot(*options); }); });
 }

@@ -1,5 +1,6 @@
 #include "app/recording_options.hpp"
 
+#include "app/command_line/values.hpp"
 #include "app/share_bar.hpp"
 #include "sumo/files/place_reader.hpp"
 
@@ -11,12 +12,18 @@ void add_recording_options(CLI::App& command, RecordingOptions& options) {
       .add_option("recording", source.file,
                   "SUMO's fcd-output or pedzone's --trajectories, gzipped or not")
       ->required();
-  command.add_option("--fcd", source.fcd,
-                     "fcd-output of the same run: vehicles, and people whom SUMO walks");
-  auto* scenario = command.add_option(
-      "--scenario", options.scenario,
-      "SUMO configuration: network, polygons, waypoints, sizes, profiles, groups");
-  command.add_option("--zone", options.zone_file, "Zone file (.zone.xml)")->needs(scenario);
+  command
+      .add_option("--fcd", source.fcd,
+                  "fcd-output of the same run: vehicles, and people whom SUMO walks")
+      ->type_name(kFile);
+  auto* scenario =
+      command
+          .add_option("--scenario", options.scenario,
+                      "SUMO configuration: network, polygons, waypoints, sizes, profiles, groups")
+          ->type_name(kFile);
+  command.add_option("--zone", options.zone_file, "Zone file (.zone.xml)")
+      ->type_name(kFile)
+      ->needs(scenario);
   add_recording_filter(command, options);
 }
 
@@ -25,11 +32,16 @@ void add_recording_filter(CLI::App& command, RecordingOptions& options) {
   command
       .add_option("--vtypes", options.types,
                   "More route or additional files that tell sizes, profiles and groups")
+      ->type_name(kFile)
       ->allow_extra_args(false);
-  command.add_option("--begin", source.begin, "Show from this time on [s]")
-      ->check(CLI::Range(-1e9, 1e9));
-  command.add_option("--end", source.end, "Show until this time [s]")->check(CLI::Range(-1e9, 1e9));
-  command.add_option("--persons", source.persons, "Show these persons only (ids)");
+  const auto add_time = [&](const char* name, auto& time, const char* what) {
+    command.add_option(name, time, what)
+        ->check(number_in(-kLongestTime, kLongestTime))
+        ->type_name(kSeconds);
+  };
+  add_time("--begin", source.begin, "Show from this time on");
+  add_time("--end", source.end, "Show until this time");
+  command.add_option("--persons", source.persons, "Show these persons only (ids)")->type_name("ID");
 }
 
 std::unique_ptr<Place> read_place(const RecordingOptions& options) {

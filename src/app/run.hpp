@@ -19,7 +19,6 @@ struct RunOptions {
   std::optional<double> end;  ///< [s]
   int threads = 0;            ///< 0: all cores
   bool strict = false;        ///< where there is nobody or nowhere to walk, that is an error
-  bool quiet = false;         ///< no progress, and no summary on standard output
   std::string summary, trajectories, picture;  ///< files to write; empty: not
   std::string trajectories_of = "zones";       ///< or "all": those, too, whom SUMO walks
   std::string edge_data;                       ///< file to write; empty: not
@@ -31,7 +30,6 @@ struct RunOptions {
   std::vector<std::string> sumo_options;  ///< what stands after `--`
 };
 
-/// Runs and prints; returns the exit code. Errors are printed, not thrown.
-int run(const RunOptions& options);
+void add_run(CLI::App& app, int& code);
 
 }  // namespace pedzone

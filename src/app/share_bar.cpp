@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/clock_text.hpp"
+#include "app/command_line/terminal.hpp"
 
 namespace pedzone {
 namespace {
@@ -15,6 +16,7 @@ ShareBar::ShareBar(std::string what)
     : what_(std::move(what)), start_(Clock::now()), last_(start_) {}
 
 void ShareBar::update(double share) {
+  if (is_quiet()) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   const Clock::time_point now = Clock::now();
   const double every = line_.is_terminal() ? kBarEvery : kLineEvery;

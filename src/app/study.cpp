@@ -2,13 +2,17 @@
 
 #include <memory>
 
+#include "app/command_line/common_options.hpp"
+#include "app/command_line/values.hpp"
+
 namespace pedzone {
 namespace {
 
 constexpr int kMostJobs = 1024;
 
 constexpr const char* kFooter =
-    "What changes if people walk like this, instead of like SUMO's own? Three lines ask it:\n\n"
+    "Example: what changes if people walk like this, instead of like SUMO's own? Three lines ask "
+    "it:\n\n"
     "  <study seeds=\"1-20\">\n"
     "    <scenario file=\"town.sumocfg\"/>\n"
     "  </study>\n\n"
@@ -47,9 +51,12 @@ void add_run(CLI::App& study, int& code) {
       study.add_subcommand("run", "Make the runs of a study that are missing, and its report");
   command->footer(kRunFooter);
   command->add_option("study", options->file, "Study file (.xml)")->required();
-  command->add_option("--out", options->results, "Folder for the results")->required();
+  command->add_option("--out", options->results, "Folder for the results")
+      ->required()
+      ->type_name(kFolder);
   command->add_option("--jobs", options->jobs, "Runs at a time; 0: one a core")
-      ->check(CLI::Range(0, kMostJobs))
+      ->check(whole_number_in(0, kMostJobs))
+      ->type_name(kNumber)
       ->capture_default_str();
   command->add_flag("--retry-failed", options->retry_failed, "Try failed runs again, too");
   add_slurm_options(*command, options->slurm);
@@ -57,13 +64,27 @@ void add_run(CLI::App& study, int& code) {
   command->callback([options, &code] { code = study_run(*options); });
 }
 
-void add_results_command(CLI::App& study, const char* name, const char* what, const char* footer,
-                         int (*work)(const std::string&), int& code) {
+void add_status(CLI::App& study, int& code) {
+  auto options = std::make_shared<StudyStatusOptions>();
+  CLI::App* command = study.add_subcommand("status", "Tell how far a study is and what failed");
+  command->footer(
+      "Example:\n  pedzone study status results/\n\n"
+      "Also while it runs. Exit codes: 0 nothing failed, 2 input at fault, 4 some runs failed.");
+  command->add_option("results", options->results, "Folder of the results")->required();
+  add_json_flag(*command, options->json);
+  command->callback([options, &code] { code = study_status(*options); });
+}
+
+void add_report(CLI::App& study, int& code) {
   auto results = std::make_shared<std::string>();
-  CLI::App* command = study.add_subcommand(name, what);
-  command->footer(footer);
+  CLI::App* command =
+      study.add_subcommand("report", "Write the report and the tables of what is done so far");
+  command->footer(
+      "Example:\n  pedzone study report results/\n\n"
+      "Writes report.html, summary.csv, summary.json and runs.csv there.\n"
+      "Exit codes: 0 done, 2 input at fault, 4 some runs failed.");
   command->add_option("results", *results, "Folder of the results")->required();
-  command->callback([results, work, &code] { code = work(*results); });
+  command->callback([results, &code] { code = study_report(*results); });
 }
 
 }  // namespace
@@ -72,18 +93,10 @@ void add_study(CLI::App& app, int& code) {
   CLI::App* study = app.add_subcommand(
       "study", "Compare walking models over many runs: plan, run, resume, measure, report");
   study->footer(kFooter);
-  study->require_subcommand(1);
+  study->require_subcommand(0, 1);
   add_run(*study, code);
-  add_results_command(
-      *study, "status", "Tell how far a study is and what failed",
-      "Example:\n  pedzone study status results/\n\n"
-      "Also while it runs. Exit codes: 0 nothing failed, 2 input at fault, 4 some runs failed.",
-      study_status, code);
-  add_results_command(*study, "report", "Write the report and the tables of what is done so far",
-                      "Example:\n  pedzone study report results/\n\n"
-                      "Writes report.html, summary.csv, summary.json and runs.csv there.\n"
-                      "Exit codes: 0 done, 2 input at fault, 4 some runs failed.",
-                      study_report, code);
+  add_status(*study, code);
+  add_report(*study, code);
   add_slurm_jobs(*study, code);
 }
 

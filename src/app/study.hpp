@@ -19,9 +19,14 @@ struct StudyRunOptions {
   StudySlurmOptions slurm;
 };
 
+struct StudyStatusOptions {
+  std::string results;  ///< the study's directory
+  bool json = false;    ///< instead of text
+};
+
 /// All of them return the exit code, with the error on standard error.
 int study_run(const StudyRunOptions& options);
-int study_status(const std::string& results);
+int study_status(const StudyStatusOptions& options);
 int study_report(const std::string& results);
 
 void add_study(CLI::App& app, int& code);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include "app/command_line/terminal.hpp"
 #include "app/guarded.hpp"
 #include "app/study.hpp"
 #include "app/study_results.hpp"
@@ -122,19 +123,11 @@ int aggregate(const AggregateOptions& options) {
   store.clear_rubbish();
   write_results(store, plan, records);
   if (missing.empty()) return count_runs(records).failed > 0 ? kExitSomeFailed : 0;
-  fmt::print(
-      stderr,
-      "Error: {} runs are missing, and {} arrays in a row have finished none; see the logs in "
-      "{}/slurm. `pedzone study run` goes on from there.\n",
-      missing.size(), idle, store.folder());
+  print_error(
+      fmt::format("{} runs are missing, and {} arrays in a row have finished none; see the logs in "
+                  "{}/slurm. `pedzone study run` goes on from there.",
+                  missing.size(), idle, store.folder()));
   return kExitSomeFailed;
-}
-
-template <typename Options>
-int guarded_code(int (*work)(const Options&), const Options& options) {
-  int code = 0;
-  const int error = guarded([&] { code = work(options); });
-  return error != 0 ? error : code;
 }
 
 }  // namespace
@@ -145,7 +138,8 @@ void add_slurm_jobs(CLI::App& study, int& code) {
   CLI::App* command = study.add_subcommand("task", "Make a chunk of a study's runs")->group(hidden);
   command->add_option("results", task_options->results)->required();
   command->add_option("chunk", task_options->chunk, "File of ids of runs")->required();
-  command->callback([task_options, &code] { code = guarded_code(task, *task_options); });
+  command->callback(
+      [task_options, &code] { code = guarded_code([&] { return task(*task_options); }); });
 
   auto aggregate_options = std::make_shared<AggregateOptions>();
   command = study.add_subcommand("aggregate", "Submit what is missing, or write the results")
@@ -154,8 +148,9 @@ void add_slurm_jobs(CLI::App& study, int& code) {
   command->add_option("--submitted", aggregate_options->submitted);
   command->add_option("--idle", aggregate_options->idle);
   add_slurm_options(*command, aggregate_options->slurm);
-  command->callback(
-      [aggregate_options, &code] { code = guarded_code(aggregate, *aggregate_options); });
+  command->callback([aggregate_options, &code] {
+    code = guarded_code([&] { return aggregate(*aggregate_options); });
+  });
 }
 
 }  // namespace pedzone

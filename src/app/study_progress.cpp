@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/clock_text.hpp"
+#include "app/command_line/terminal.hpp"
 
 namespace pedzone {
 namespace {
@@ -19,7 +20,8 @@ void StudyProgress::over(const std::string& run, const std::string& text, bool t
   ++over_;
   ++timed_;
   wall_s_ += wall_s;
-  if (!terminal_.is_terminal() || trouble) line(fmt::format("{} {} {}", count(), run, text));
+  if (trouble || (!terminal_.is_terminal() && !is_quiet()))
+    line(fmt::format("{} {} {}", count(), run, text));
 }
 
 void StudyProgress::note(const std::string& run, const std::string& text) {
@@ -27,6 +29,7 @@ void StudyProgress::note(const std::string& run, const std::string& text) {
 }
 
 void StudyProgress::update() {
+  if (is_quiet()) return;
   const Clock::time_point now = Clock::now();
   if (!terminal_.is_terminal() || (last_ != Clock::time_point::min() && now - last_ < kEvery))
     return;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/command_line/terminal.hpp"
 #include "results/complete_file.hpp"
 #include "study/report/report.hpp"
 #include "study/report/report_verdict.hpp"
@@ -16,13 +17,13 @@ void write(const Store& store, const std::string& name, const std::string& text)
   write_complete_file(store.folder() + "/" + name, text, kOutOption);
 }
 
-void print_sentence(const Sentence& sentence) {
-  fmt::print("  {}{}\n", sentence.head, sentence.rest);
+std::string line_of(const Sentence& sentence) {
+  return fmt::format("  {}{}\n", sentence.head, sentence.rest);
 }
 
 /// What was found of one model: in its only condition, or over all.
-void print_findings(const Plan& plan, const std::vector<Comparison>& comparisons,
-                    const std::string& model) {
+std::string findings(const Plan& plan, const std::vector<Comparison>& comparisons,
+                     const std::string& model) {
   std::vector<Comparison> primary;
   for (const Comparison& one : comparisons) {
     if (one.model == model && find_measure(one.measure)->primary) primary.push_back(one);
@@ -36,20 +37,23 @@ void print_findings(const Plan& plan, const std::vector<Comparison>& comparisons
     }
     std::erase_if(different, [](const Sentence& sentence) { return sentence.head.empty(); });
   }
-  print_sentence(summary_sentence(primary, plan.study.reference));
-  if (different.empty()) return;
-  fmt::print("{} instead of {}:\n", model, plan.study.reference);
-  for (const Sentence& sentence : different) print_sentence(sentence);
+  std::string text = line_of(summary_sentence(primary, plan.study.reference));
+  if (different.empty()) return text;
+  text += fmt::format("{} instead of {}:\n", model, plan.study.reference);
+  for (const Sentence& sentence : different) text += line_of(sentence);
+  return text;
 }
 
 /// The verdict's first lines.
-void print_verdict(const Plan& plan, const std::vector<Comparison>& comparisons,
-                   const std::vector<FreeSpeed>& speeds) {
-  for (const Sentence& sentence : cut_off_sentences(comparisons, plan)) print_sentence(sentence);
-  for (const Sentence& sentence : free_speed_sentences(speeds, plan)) print_sentence(sentence);
+std::string verdict(const Plan& plan, const std::vector<Comparison>& comparisons,
+                    const std::vector<FreeSpeed>& speeds) {
+  std::string text;
+  for (const Sentence& sentence : cut_off_sentences(comparisons, plan)) text += line_of(sentence);
+  for (const Sentence& sentence : free_speed_sentences(speeds, plan)) text += line_of(sentence);
   for (const std::string& model : plan.study.models) {
-    if (model != plan.study.reference) print_findings(plan, comparisons, model);
+    if (model != plan.study.reference) text += findings(plan, comparisons, model);
   }
+  return text;
 }
 
 }  // namespace
@@ -61,13 +65,14 @@ void write_results(const Store& store, const Plan& plan, const Records& records)
   write(store, "summary.csv", summary_csv(plan, comparisons));
   write(store, "summary.json", summary_json(plan, records, comparisons, speeds));
   write(store, "report.html", report_page(store, plan, records, comparisons, speeds));
-  print_verdict(plan, comparisons, speeds);
-  fmt::print(
-      "Results in {}:\n"
-      "  report.html    what differs, by how much, how sure; to be opened in a browser\n"
-      "  summary.csv    each measure of each model against {}, also summary.json\n"
-      "  runs.csv       the measures of each run\n",
-      store.folder(), plan.study.reference);
+  print_result(
+      verdict(plan, comparisons, speeds) +
+      fmt::format(
+          "Results in {}:\n"
+          "  report.html    what differs, by how much, how sure; to be opened in a browser\n"
+          "  summary.csv    each measure of each model against {}, also summary.json\n"
+          "  runs.csv       the measures of each run\n",
+          store.folder(), plan.study.reference));
 }
 
 RunCounts count_runs(const Records& records) {

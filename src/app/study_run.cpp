@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "app/command_line/terminal.hpp"
 #include "app/guarded.hpp"
 #include "app/study.hpp"
 #include "app/study_progress.hpp"
@@ -63,8 +64,8 @@ int work(const StudyRunOptions& options) {
   const DriverResult result = make_missing(options, context);
   const Records records = store.records(plan);
   const RunCounts counts = count_runs(records);
-  fmt::print("{} runs: {} done, {} failed, {} killed, {} missing\n", records.size(), counts.done,
-             counts.failed, counts.killed, counts.missing);
+  print_result(fmt::format("{} runs: {} done, {} failed, {} killed, {} missing\n", records.size(),
+                           counts.done, counts.failed, counts.killed, counts.missing));
   if (result.interrupted) {
     fmt::print(stderr, "Interrupted. What is done is kept; the same command goes on from there.\n");
     return kExitInterrupted;
@@ -76,16 +77,14 @@ int work(const StudyRunOptions& options) {
 }  // namespace
 
 int study_run(const StudyRunOptions& options) {
-  int code = 0;
-  const int error = guarded([&] {
+  return guarded_code([&] {
     try {
-      code = work(options);
+      return work(options);
     } catch (const std::exception&) {
       check_disk(options.results);  // says it better
       throw;
     }
   });
-  return error != 0 ? error : code;
 }
 
 }  // namespace pedzone

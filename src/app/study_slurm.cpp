@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/command_line/terminal.hpp"
+#include "app/command_line/values.hpp"
 #include "core/error.hpp"
 #include "study/run/driver.hpp"
 #include "study/run/slurm_jobs.hpp"
@@ -38,14 +40,19 @@ void add_slurm_options(CLI::App& run, StudySlurmOptions& options) {
                                     "its jobs are submitted; nodes share the folders");
   SlurmOptions& sbatch = options.sbatch;
   for (CLI::Option* option :
-       {run.add_option("--partition", sbatch.partition, "Partition [default: Slurm's]"),
-        run.add_option("--time", sbatch.time,
-                       "Limit of a task as sbatch takes it [default: the partition's]"),
+       {run.add_option("--partition", sbatch.partition, "Partition")
+            ->type_name(kNames)
+            ->default_str("Slurm's"),
+        run.add_option("--time", sbatch.time, "Limit of a task as sbatch takes it")
+            ->type_name("TIME")
+            ->default_str("the partition's"),
         run.add_option("--per-task", sbatch.per_task, "Runs of a task, one after the other")
-            ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
+            ->check(whole_number_in(1, 1000000))
+            ->type_name(kNumber)
             ->capture_default_str(),
         run.add_option("--sbatch", sbatch.sbatch,
                        "An option of sbatch, e.g. --sbatch=--account=traffic; may be repeated")
+            ->type_name(kOption)
             ->allow_extra_args(false)}) {
     option->needs(slurm)->group(group);
   }
@@ -57,10 +64,10 @@ void submit_runs(const Store& store, const std::vector<std::string>& runs,
   const SlurmArray array =
       submit_array(store.folder(), runs, options, {this_program(), "study", "task", store.folder()},
                    aggregate_command(store.folder(), runs.size(), options, idle));
-  fmt::print(
+  print_result(fmt::format(
       "Submitted {} runs to Slurm: job {} with {} tasks, up to {} runs each, then job {}\n"
       "(tables and report). What they print: {}/*.log\n",
-      runs.size(), array.job, array.tasks, array.per_task, array.aggregate, array.folder);
+      runs.size(), array.job, array.tasks, array.per_task, array.aggregate, array.folder));
 }
 
 bool submit_study(const Store& store, const Plan& plan, bool retry_failed,
@@ -73,18 +80,16 @@ bool submit_study(const Store& store, const Plan& plan, bool retry_failed,
   }
   if (runs.empty()) return false;
   submit_runs(store, runs, options, 0);
-  fmt::print("To follow: pedzone study status {}\nTo cancel: scancel --name={}\n", store.folder(),
-             slurm_name(store.folder()));
+  print_result(fmt::format("To follow: pedzone study status {}\nTo cancel: scancel --name={}\n",
+                           store.folder(), slurm_name(store.folder())));
   return true;
 }
 
-void print_slurm_jobs(const Store& store) {
+std::vector<std::string> slurm_lines(const Store& store) {
   try {
-    for (const std::string& line : slurm_summary(slurm_jobs(store.folder()))) {
-      fmt::print("With Slurm: {}\n", line);
-    }
+    return slurm_summary(slurm_jobs(store.folder()));
   } catch (const InputError& error) {
-    fmt::print("{}\n", error.what());
+    return {error.what()};
   }
 }
 

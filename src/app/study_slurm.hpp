@@ -31,7 +31,7 @@ void submit_runs(const study::Store& store, const std::vector<std::string>& runs
 bool submit_study(const study::Store& store, const study::Plan& plan, bool retry_failed,
                   const study::SlurmOptions& options);
 
-/// Prints a line for each job that a study has with Slurm.
-void print_slurm_jobs(const study::Store& store);
+/// A line for each job that a study has with Slurm, or why that is not known.
+std::vector<std::string> slurm_lines(const study::Store& store);
 
 }  // namespace pedzone

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include "app/clock_text.hpp"
+#include "app/command_line/terminal.hpp"
 #include "app/guarded.hpp"
+#include "app/json_text.hpp"
 #include "app/study.hpp"
 #include "app/study_results.hpp"
 
@@ -22,31 +24,88 @@ double time_left(const Records& records, const RunCounts& counts) {
          static_cast<double>(counts.missing + counts.killed);
 }
 
-/// Runs that failed or were killed, and why; the end of each log is in its record.
-void print_troubles(const Store& store, const Plan& plan, const Records& records) {
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (!records[i] || records[i]->status == RunStatus::kDone) continue;
-    const std::string& failure = records[i]->failure;
-    fmt::print("\n{} {}: {}\n  {}/log.txt\n", plan.runs[i].id, status_name(records[i]->status),
-               failure.substr(0, failure.find('\n')), store.run_folder(plan.runs[i].id));
-  }
+/// Of a study, now.
+struct StudyState {
+  Store store;
+  Plan plan;
+  Records records;
+  RunCounts counts;
+  double left_s = 0.0;  ///< [s] of one core's time; 0: not known
+  std::string holder;   ///< who is at work; empty: nobody
+  std::vector<std::string> slurm;
+};
+
+StudyState state_of(const std::string& results) {
+  const Store store = Store::open(results);
+  StudyState state{
+      store, store.plan(), {}, {}, 0.0, lock_holder(store.folder()), slurm_lines(store)};
+  state.records = store.records(state.plan);
+  state.counts = count_runs(state.records);
+  state.left_s = time_left(state.records, state.counts);
+  return state;
 }
 
-int status(const std::string& results) {
-  const Store store = Store::open(results);
-  const Plan plan = store.plan();
-  const Records records = store.records(plan);
-  const RunCounts counts = count_runs(records);
-  fmt::print("{}: {} runs\n  done    {:6}\n  failed  {:6}\n  killed  {:6}\n  missing {:6}\n",
-             plan.study.id, records.size(), counts.done, counts.failed, counts.killed,
-             counts.missing);
-  const double left = time_left(records, counts);
-  if (left > 0.0) fmt::print("About {} of one core's time left.\n", clock_text(left));
-  const std::string holder = lock_holder(store.folder());
-  if (!holder.empty()) fmt::print("At work: {}.\n", holder);
-  print_slurm_jobs(store);
-  print_troubles(store, plan, records);
-  return counts.failed > 0 ? kExitSomeFailed : 0;
+/// A run that failed or was killed; the end of its log is in its record.
+struct RunTrouble {
+  std::string run, status, failure, log;
+};
+
+std::vector<RunTrouble> troubles_of(const StudyState& state) {
+  std::vector<RunTrouble> troubles;
+  for (std::size_t i = 0; i < state.records.size(); ++i) {
+    const auto& record = state.records[i];
+    if (!record || record->status == RunStatus::kDone) continue;
+    const std::string& run = state.plan.runs[i].id;
+    troubles.push_back({run, status_name(record->status),
+                        record->failure.substr(0, record->failure.find('\n')),
+                        state.store.run_folder(run) + "/log.txt"});
+  }
+  return troubles;
+}
+
+std::string state_text(const StudyState& state) {
+  const RunCounts& counts = state.counts;
+  std::string text =
+      fmt::format("{}: {} runs\n  done    {:6}\n  failed  {:6}\n  killed  {:6}\n  missing {:6}\n",
+                  state.plan.study.id, state.records.size(), counts.done, counts.failed,
+                  counts.killed, counts.missing);
+  if (state.left_s > 0.0) {
+    text += fmt::format("About {} of one core's time left.\n", clock_text(state.left_s));
+  }
+  if (!state.holder.empty()) text += fmt::format("At work: {}.\n", state.holder);
+  for (const std::string& line : state.slurm) text += fmt::format("With Slurm: {}\n", line);
+  for (const auto& [run, status, failure, log] : troubles_of(state)) {
+    text += fmt::format("\n{} {}: {}\n  {}\n", run, status, failure, log);
+  }
+  return text;
+}
+
+std::string state_json(const StudyState& state) {
+  const RunCounts& counts = state.counts;
+  nlohmann::ordered_json json = {{"version", kJsonVersion},      {"study", state.plan.study.id},
+                                 {"runs", state.records.size()}, {"done", counts.done},
+                                 {"failed", counts.failed},      {"killed", counts.killed},
+                                 {"missing", counts.missing}};
+  json["left_s"] = state.left_s > 0.0 ? nlohmann::ordered_json(state.left_s) : nullptr;
+  json["at_work"] =
+      state.holder.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(state.holder);
+  json["slurm"] = state.slurm;
+  json["troubles"] = nlohmann::ordered_json::array();
+  for (const auto& [run, status, failure, log] : troubles_of(state)) {
+    json["troubles"].push_back(
+        {{"run", run}, {"status", status}, {"failure", failure}, {"log", log}});
+  }
+  return json_text(json);
+}
+
+int status(const StudyStatusOptions& options) {
+  const StudyState state = state_of(options.results);
+  if (options.json) {
+    print_text(state_json(state));
+  } else {
+    print_result(state_text(state));
+  }
+  return state.counts.failed > 0 ? kExitSomeFailed : 0;
 }
 
 int report(const std::string& results) {
@@ -57,16 +116,14 @@ int report(const std::string& results) {
   return count_runs(records).failed > 0 ? kExitSomeFailed : 0;
 }
 
-int guarded_code(int (*work)(const std::string&), const std::string& results) {
-  int code = 0;
-  const int error = guarded([&] { code = work(results); });
-  return error != 0 ? error : code;
-}
-
 }  // namespace
 
-int study_status(const std::string& results) { return guarded_code(status, results); }
+int study_status(const StudyStatusOptions& options) {
+  return guarded_code([&] { return status(options); });
+}
 
-int study_report(const std::string& results) { return guarded_code(report, results); }
+int study_report(const std::string& results) {
+  return guarded_code([&] { return report(results); });
+}
 
 }  // namespace pedzone

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "app/json_text.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -158,6 +160,7 @@ std::string summary_json(const RunSummary& summary) {
   const auto& vehicles = summary.vehicles;
   const auto& time = summary.time;
   nlohmann::ordered_json json;
+  json["version"] = kJsonVersion;
   json["interrupted"] = summary.interrupted_by != 0;
   json["persons"] = {{"seen", persons.seen},
                      {"controlled", persons.controlled},
@@ -218,7 +221,7 @@ std::string summary_json(const RunSummary& summary) {
                   {"pedzone_s", time.pedzone_s},
                   {"us_per_person_step", time.us_per_person_step},
                   {"person_steps", time.person_steps}};
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace pedzone

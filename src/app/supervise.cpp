@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "app/command_line/terminal.hpp"
 #include "app/interrupts.hpp"
 #include "core/child_process.hpp"
 #include "core/error.hpp"
@@ -24,7 +25,7 @@ int supervise(const std::function<int()>& work, const std::vector<std::string>& 
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0) {
-    fmt::print(stderr, "Error: cannot start a process for SUMO: {}\n", std::strerror(errno));
+    print_error(fmt::format("cannot start a process for SUMO: {}", std::strerror(errno)));
     return 1;
   }
   if (child == 0) {
@@ -39,18 +40,19 @@ int supervise(const std::function<int()>& work, const std::vector<std::string>& 
   if (WIFEXITED(status)) return WEXITSTATUS(status);
   for (const std::string& output : outputs) std::remove(CompleteFile::partial(output).c_str());
   const int signal = WTERMSIG(status);
+  if (signal == SIGPIPE) return 128 + SIGPIPE;  // nobody reads any more: no word more, either
   if (signal == SIGINT) {
     fmt::print(stderr, "\nInterrupted; no output was written.\n");
     return 128 + SIGINT;
   }
   if (signal == SIGKILL || signal == SIGTERM || signal == SIGHUP) {  // not its own doing
-    fmt::print(stderr, "Error: the run was killed (signal {}); no output was written.\n", signal);
+    print_error(fmt::format("the run was killed (signal {}); no output was written.", signal));
     return 128 + signal;
   }
-  fmt::print(stderr,
-             "Error: SUMO died in the middle of the run (signal {}: {}); no output was written. "
-             "What it printed before is above.\n",
-             signal, strsignal(signal));
+  print_error(
+      fmt::format("SUMO died in the middle of the run (signal {}: {}); no output was written. "
+                  "What it printed before is above.",
+                  signal, strsignal(signal)));
   return kExitSumo;
 }
 

@@ -4,10 +4,14 @@
 
 #include <memory>
 
+#include "app/command_line/common_options.hpp"
+#include "app/command_line/terminal.hpp"
+#include "app/command_line/values.hpp"
 #include "app/guarded.hpp"
 #include "app/share_bar.hpp"
 #include "app/validation_output.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/xml.hpp"
 #include "results/complete_file.hpp"
 #include "validation/page.hpp"
@@ -26,10 +30,14 @@ struct ValidateOptions {
 /// From KEY=VALUE, checked like a <param> of a zone file.
 void set_parameter(const std::string& text, Parameters& parameters) {
   const std::size_t equals = text.find('=');
-  const ParameterInfo* info = find_parameter(text.substr(0, equals));
-  if (equals == std::string::npos || info == nullptr) {
-    throw InputError("is no parameter",
-                     {"", 0, "option --param", text, "KEY=VALUE; `pedzone parameters` lists keys"});
+  if (equals == std::string::npos) {
+    throw InputError("has no value", {"", 0, "option --param", text, "KEY=VALUE"});
+  }
+  const std::string key = text.substr(0, equals);
+  const ParameterInfo* info = find_parameter(key);
+  if (info == nullptr) {
+    throw InputError("is no parameter", {"", 0, "option --param", key,
+                                         comma_list(parameter_list(), &ParameterInfo::key)});
   }
   double value = 0.0;
   const std::string number = text.substr(equals + 1);
@@ -44,11 +52,7 @@ std::vector<ReplayModel> models_of(const ValidateOptions& options) {
   std::vector<ReplayModel> models;
   for (const std::string& name : options.models) {
     if (name == "plain") continue;  // among the reference rows
-    try {
-      make_model(name);
-    } catch (const ModelError& error) {
-      throw InputError(error.problem, {"", 0, "option --model", name, error.allowed});
-    }
+    require_models({name});
     ReplayModel model;
     model.name = model.model = name;
     for (const std::string& text : options.parameters) set_parameter(text, model.parameters);
@@ -78,7 +82,7 @@ void validate(const ValidateOptions& options) {
   if (html) html->write(validation_page(result, worst));
   if (json) json->finish();
   if (html) html->finish();
-  fmt::print("{}", validation_table(result));
+  print_result(validation_table(result));
 }
 
 struct CalibrateOptions {
@@ -105,7 +109,7 @@ void calibrate(CalibrateOptions options) {
   header.finish();
   tuned.finish();
   zone.finish();
-  fmt::print("{}", calibration_table(result));
+  print_result(calibration_table(result));
 }
 
 }  // namespace
@@ -124,17 +128,25 @@ void add_validate(CLI::App& app, int& code) {
       "Reference rows: straight to the goal, constant velocity, plain (the paper's form).\n"
       "Exit codes: 0 done, 2 input at fault.");
   command->add_option("--data", options->data, "Folder of clips, or of folders of them")
-      ->required();
-  command->add_option("--model", options->models, "Walking models")->capture_default_str();
-  command->add_option("--param", options->parameters, "KEY=VALUE, as <param> of a zone file");
-  command->add_option("--seeds", options->seeds, "Replays with 3 % of speed jitter")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      ->required()
+      ->type_name(kFolder);
+  command->add_option("--model", options->models, "Walking models, or plug-ins (*.so)")
+      ->check(any_beside(model_names()))
+      ->type_name(kModelValue)
+      ->default_str("heuristic");
+  command
+      ->add_option("--param", options->parameters,
+                   "Parameter of the models, as <param> of a zone file")
+      ->type_name("KEY=VALUE");
+  add_seeds(*command, options->seeds, "Replays with 3 % of speed jitter");
   command->add_option("--resamples", options->resamples, "Of the bootstrap by clip (95 %)")
-      ->check(CLI::Range(10, 100000))
+      ->check(whole_number_in(10, 100000))
+      ->type_name(kNumber)
       ->capture_default_str();
-  command->add_option("--json", options->json, "Write all figures with their intervals");
-  command->add_option("--html", options->html, "Write a page with tables, distributions, paths");
+  command->add_option("--json", options->json, "Write all figures with their intervals")
+      ->type_name(kFile);
+  command->add_option("--html", options->html, "Write a page with tables, distributions, paths")
+      ->type_name(kFile);
   command->callback([options, &code] { code = guarded([&] { validate(*options); }); });
 }
 
@@ -150,14 +162,18 @@ void add_calibrate(CLI::App& app, int& code) {
       "evaluations.csv: started again with the same folder, it goes on from there.");
   CalibrationOptions& calibration = options->calibration;
   command->add_option("--data", options->data, "Folder of clips, or of folders of them")
-      ->required();
-  command->add_option("--out", options->out, "Folder for the results")->required();
+      ->required()
+      ->type_name(kFolder);
+  command->add_option("--out", options->out, "Folder for the results")
+      ->required()
+      ->type_name(kFolder);
   const auto add = [&](const char* name, int& value, int least, int most, const char* meaning) {
     command->add_option(name, value, meaning)
-        ->check(CLI::Range(least, most))
+        ->check(whole_number_in(least, most))
+        ->type_name(kNumber)
         ->capture_default_str();
   };
-  add("--seeds", calibration.seeds, 1, 1000, "Replays of each point");
+  add_seeds(*command, calibration.seeds, "Replays of each point");
   add("--first", calibration.first, 1, 100000, "Points over the whole box");
   add("--rounds", calibration.rounds, 0, 100, "Rounds about the best");
   add("--points", calibration.points, 1, 10000, "Points in each round");

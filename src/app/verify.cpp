@@ -4,6 +4,9 @@
 
 #include <memory>
 
+#include "app/command_line/common_options.hpp"
+#include "app/command_line/terminal.hpp"
+#include "app/command_line/values.hpp"
 #include "app/guarded.hpp"
 #include "app/share_bar.hpp"
 #include "app/thread_limit.hpp"
@@ -11,7 +14,6 @@
 #include "core/error.hpp"
 #include "results/complete_file.hpp"
 #include "verify/page.hpp"
-#include "world/model_names.hpp"
 
 namespace pedzone {
 namespace {
@@ -27,14 +29,8 @@ struct VerifyCommand {
 
 std::vector<std::string> models_of(const VerifyCommand& command) {
   std::vector<std::string> models = command.models;
-  if (models.empty()) models.assign(std::begin(kModelNames), std::end(kModelNames));
-  for (const std::string& name : models) {
-    try {
-      make_model(name);
-    } catch (const ModelError& error) {
-      throw InputError(error.problem, {"", 0, "option --model", name, error.allowed});
-    }
-  }
+  if (models.empty()) models = model_names();
+  require_models(models);
   return models;
 }
 
@@ -64,7 +60,7 @@ bool verify_all(const VerifyCommand& command) {
   if (html) html->write(verify::verification_page(verification, repeat_command(command)));
   if (json) json->finish();
   if (html) html->finish();
-  fmt::print("{}", verification_table(verification));
+  print_result(verification_table(verification));
   return verification.passes(0);
 }
 
@@ -83,27 +79,28 @@ void add_verify(CLI::App& app, int& code) {
       "one level. Limits are from the literature; the page says what was chosen on them. SUMO is\n"
       "not needed.\n"
       "Exit codes: 0 the first model passes all, 1 it fails a test, 2 input at fault.");
-  command->add_option("--model", options->models,
-                      "Walking models [default: all]: " + allowed_models());
-  command->add_option("--only", options->only, "Ids of tests [default: all]");
-  command->add_option("--seeds", options->seeds, "Runs of each test that differ by chance")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "Threads; 0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_option("--html", options->html,
-                      "Write a page with set-ups, limits, figures, charts and density maps");
-  command->add_option("--json", options->json, "Write all figures, limits and curves");
+  command->add_option("--model", options->models, "Walking models, or plug-ins (*.so)")
+      ->check(any_beside(model_names()))
+      ->type_name(kModelValue)
+      ->default_str("all");
+  command->add_option("--only", options->only, "Ids of tests; --list prints them")
+      ->type_name("TEST")
+      ->default_str("all");
+  add_seeds(*command, options->seeds, "Runs of each test that differ by chance");
+  add_threads(*command, options->threads);
+  command
+      ->add_option("--html", options->html,
+                   "Write a page with set-ups, limits, figures, charts and density maps")
+      ->type_name(kFile);
+  command->add_option("--json", options->json, "Write all figures, limits and curves")
+      ->type_name(kFile);
   command->add_flag("--list", options->list, "Print the tests and end");
   command->callback([options, &code] {
     if (options->list) {
-      fmt::print("{}", test_list_text());
+      code = guarded([] { print_text(test_list_text()); });
       return;
     }
-    bool passed = true;
-    code = guarded([&] { passed = verify_all(*options); });
-    if (code == 0 && !passed) code = kExitFailed;
+    code = guarded_code([&] { return verify_all(*options) ? 0 : kExitFailed; });
   });
 }
 

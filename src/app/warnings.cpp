@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/command_line/terminal.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -24,16 +26,17 @@ void JamWarnings::step(const Simulation& simulation, Progress& progress) {
   const std::vector<JamRecord>& jams = simulation.jams();
   for (; told_ < std::min(jams.size(), kNamed); ++told_) {
     const JamRecord& jam = jams[told_];
-    progress.print(
-        fmt::format("Warning: person '{}' in zone '{}' is stuck among people at ({:.1f}, {:.1f}), "
-                    "time {:.1f}: it squeezes through.",
-                    jam.person, jam.zone, jam.position.x(), jam.position.y(), jam.time));
+    progress.print(fmt::format(
+        "{} person '{}' in zone '{}' is stuck among people at ({:.1f}, {:.1f}), "
+        "time {:.1f}: it squeezes through.",
+        warning_label(), jam.person, jam.zone, jam.position.x(), jam.position.y(), jam.time));
   }
 }
 
 void JamWarnings::finish(const Simulation& simulation, Progress& progress) const {
   const std::size_t all = simulation.jams().size();
-  if (all > kNamed) progress.print(fmt::format("Warning: {} more were stuck.", all - kNamed));
+  if (all > kNamed)
+    progress.print(fmt::format("{} {} more were stuck.", warning_label(), all - kNamed));
 }
 
 void StuckWarning::step(const Simulation& simulation, Progress& progress) {
@@ -50,11 +53,11 @@ void StuckWarning::step(const Simulation& simulation, Progress& progress) {
     if (others_near(one, long_stuck) > others_near(*most, long_stuck)) most = &one;
   }
   progress.print(fmt::format(
-      "Warning: at {:.0f} s {} people have stood for {:.0f} s, {} of them within {:.0f} m of '{}' "
+      "{} at {:.0f} s {} people have stood for {:.0f} s, {} of them within {:.0f} m of '{}' "
       "at ({:.1f}, {:.1f}){}{}.",
-      simulation.time(), long_stuck.size(), kStoodFor, others_near(*most, long_stuck), kOnePlace,
-      most->id, most->position.x(), most->position.y(), most->where.empty() ? "" : " ",
-      most->where));
+      warning_label(), simulation.time(), long_stuck.size(), kStoodFor,
+      others_near(*most, long_stuck), kOnePlace, most->id, most->position.x(), most->position.y(),
+      most->where.empty() ? "" : " ", most->where));
 }
 
 }  // namespace pedzone

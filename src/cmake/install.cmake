@@ -1,4 +1,5 @@
-# Installs the command, the layers with their headers, the zone file's schema, and what
+# Installs the command with its manual page and completion, the layers with their headers, the
+# schemas of the zone file and of a run's summary, and what
 # find_package(pedzone) needs: targets pedzone::core ... pedzone::sumo.
 include(CMakePackageConfigHelpers)
 
@@ -9,6 +10,19 @@ install(TARGETS pedzone_flags ${layers} EXPORT pedzone
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 if(TARGET pedzone)
   install(TARGETS pedzone RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # What the program prints of itself: the manual page, completion for shells.
+  set(texts ${PROJECT_BINARY_DIR}/texts)
+  file(MAKE_DIRECTORY ${texts})
+  function(pedzone_text file destination)  # what follows: the words that have it printed
+    add_custom_command(OUTPUT ${texts}/${file} COMMAND pedzone ${ARGN} > ${texts}/${file}
+                       DEPENDS pedzone VERBATIM)
+    install(FILES ${texts}/${file} DESTINATION ${destination})
+  endfunction()
+  pedzone_text(pedzone.1 ${CMAKE_INSTALL_MANDIR}/man1 man)
+  pedzone_text(pedzone ${CMAKE_INSTALL_DATADIR}/bash-completion/completions completion bash)
+  pedzone_text(_pedzone ${CMAKE_INSTALL_DATADIR}/zsh/site-functions completion zsh)
+  add_custom_target(pedzone_texts ALL
+                    DEPENDS ${texts}/pedzone.1 ${texts}/pedzone ${texts}/_pedzone)
 endif()
 # Headers keep their folders: #include "crowd/crowd.hpp" works inside and outside alike.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/
@@ -16,6 +30,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/
         FILES_MATCHING PATTERN "*.hpp"
         PATTERN app EXCLUDE PATTERN cmake EXCLUDE PATTERN animation EXCLUDE PATTERN report EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/src/zone/zones.xsd
+              ${PROJECT_SOURCE_DIR}/src/app/summary.schema.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/pedzone)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <memory>
 #include <sstream>
 
@@ -162,8 +163,9 @@ std::vector<std::string> split_words(std::string_view text, char separator) {
 }
 
 std::string describe(const NumberRange& range) {
+  constexpr int kDigits = 12;  // 1000000000, not 1e+09
   std::ostringstream text;
-  text << range.least << " to " << range.most;
+  text << std::setprecision(kDigits) << range.least << " to " << range.most;
   return text.str();
 }
 

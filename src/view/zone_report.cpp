@@ -31,19 +31,15 @@ void add_types(const std::vector<TypeLength>& entries, std::string& text) {
 }
 
 void add_zone(const Network& network, const Zone& zone, std::string& text) {
-  double length = 0.0;
-  for (const TypeLength& entry : zone.inside) length += entry.length;
-  double surface = area(zone.walkable);
-  const auto crossings = std::count_if(zone.lanes.begin(), zone.lanes.end(), [&](int lane) {
-    return network.edges[network.lanes[lane].edge].function == EdgeFunction::kCrossing;
-  });
+  const ZoneFigures figures = figures_of(network, zone);
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "Zone \"{}\" (model {})\n", zone.id, zone.model);
-  fmt::format_to(out, "  edges        {} of {:.1f} m together\n", zone.edges.size(), length);
+  fmt::format_to(out, "  edges        {} of {:.1f} m together\n", zone.edges.size(),
+                 figures.length);
   fmt::format_to(out, "  lanes        {}, those inside junctions included; {} crossings\n",
-                 zone.lanes.size(), crossings);
-  fmt::format_to(out, "  walkable     {:.0f} m² in {} part{}\n", surface, zone.walkable.size(),
-                 zone.walkable.size() == 1 ? "" : "s");
+                 zone.lanes.size(), figures.crossings);
+  fmt::format_to(out, "  walkable     {:.0f} m² in {} part{}\n", figures.surface,
+                 zone.walkable.size(), zone.walkable.size() == 1 ? "" : "s");
   fmt::format_to(out, "  walls        {}\n", zone.walls.walls().size());
   text += "  edges inside by type\n";
   add_types(zone.inside, text);
@@ -73,16 +69,26 @@ void add_warnings(const std::string& heading, const std::vector<std::string>& wa
 
 }  // namespace
 
+ZoneFigures figures_of(const Network& network, const Zone& zone) {
+  ZoneFigures figures;
+  for (const TypeLength& entry : zone.inside) figures.length += entry.length;
+  figures.surface = area(zone.walkable);
+  figures.crossings = std::ranges::count_if(zone.lanes, [&](int lane) {
+    return network.edges[network.lanes[lane].edge].function == EdgeFunction::kCrossing;
+  });
+  return figures;
+}
+
+std::vector<TypeLength> left_to_sumo(const Network& network, const std::vector<Zone>& zones) {
+  if (!zones.empty()) return zones.front().left_out;
+  return lengths_left_out(network, std::vector<bool>(network.edges.size(), false));
+}
+
 std::string zone_report(const Network& network, const std::vector<Zone>& zones) {
   std::string text;
   for (const Zone& zone : zones) add_zone(network, zone, text);
-  if (zones.empty()) {
-    text += "No shared space\n";
-    const std::vector<bool> none_taken(network.edges.size(), false);
-    add_left_out(lengths_left_out(network, none_taken), text);
-  } else {
-    add_left_out(zones.front().left_out, text);
-  }
+  if (zones.empty()) text += "No shared space\n";
+  add_left_out(left_to_sumo(network, zones), text);
   add_warnings("Input files", network.warnings, text);
   for (const Zone& zone : zones) add_warnings("Zone \"" + zone.id + "\"", zone.warnings, text);
   return text;

@@ -241,7 +241,7 @@ class Terminal(RedLightCase):
         reader, terminal = pty.openpty()
         process = subprocess.Popen(
             [PEDZONE, "run", "tiny.sumocfg", *words, "--", *sumo_options], cwd=self.folder,
-            stdout=subprocess.DEVNULL, stderr=terminal)
+            stdout=subprocess.DEVNULL, stderr=terminal, env={**os.environ, "NO_COLOR": "1"})
         self.addCleanup(process.kill)
         os.close(terminal)
         text, stopped, begin = b"", False, time.monotonic()

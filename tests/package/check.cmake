@@ -12,7 +12,10 @@ run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${OUTSIDE} -B ${WORK}/build
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/outside ${SCENARIO})
 run(${WORK}/prefix/bin/pedzone --version)
-if(NOT EXISTS ${WORK}/prefix/share/pedzone/zones.xsd)
-  message(FATAL_ERROR "zones.xsd is not installed")
-endif()
+foreach(file pedzone/zones.xsd pedzone/summary.schema.json man/man1/pedzone.1
+             bash-completion/completions/pedzone zsh/site-functions/_pedzone)
+  if(NOT EXISTS ${WORK}/prefix/share/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
 include(${CMAKE_CURRENT_LIST_DIR}/plugin_check.cmake)
