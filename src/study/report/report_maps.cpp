@@ -86,7 +86,8 @@ Grid density(const std::vector<std::string>& folders) {
       grid.add(Vec2(row.x, row.y) + Vec2(kDensityCell, kDensityCell) / 2.0, row.person_seconds);
     });
   }
-  for (auto& [cell, value] : grid.cells) value /= std::max(seconds, 1.0) * kDensityCell * kDensityCell;
+  for (auto& [cell, value] : grid.cells)
+    value /= std::max(seconds, 1.0) * kDensityCell * kDensityCell;
   return grid;
 }
 
