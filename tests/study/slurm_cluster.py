@@ -186,5 +186,8 @@ class SlurmCluster:
         nodes = "\n".join(
             f"NodeName={node} NodeHostname={host} NodeAddr=127.0.0.1 Port={port + 1 + index} "
             "CPUs=1 State=UNKNOWN" for index, node in enumerate(NODES))
+        # Slurm 24 would manage control groups, which need systemd or a mounted tree of them; where
+        # Slurm 22 needs none it does not read this file.
+        (self.folder / "cgroup.conf").write_text("CgroupPlugin=disabled\n")
         self.config.write_text(CONFIG.format(host=host, port=port, folder=self.folder,
                                              nodes=nodes))
