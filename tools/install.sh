@@ -1,10 +1,11 @@
 #!/bin/bash
-# Installs the Debian 12 packages that pedzone needs and that are missing; nothing when none is.
+# Installs the packages of Debian 12 or 13 that pedzone needs and that are missing; nothing when none is.
 # tools/run.sh and tools/test.sh call it.
 set -euo pipefail
 
 if [[ "${1:-}" == "--help" || "${1:-}" == "-h" ]]; then
-  echo "usage: tools/install.sh   installs what is missing (Debian 12, root or sudo)"
+  echo "usage: tools/install.sh [--long]   installs what is missing (Debian 12 or 13, root or sudo)"
+  echo "  --long    also what only the long tests need"
   exit 0
 fi
 
@@ -34,6 +35,9 @@ packages=(
 )
 # Fetches the libraries that draw in a study's report; any npm will do.
 command -v npm >/dev/null || packages+=(nodejs npm)
+
+# Makes the root of the other Debian, in which the long tests build and test pedzone.
+[[ "${1:-}" != "--long" ]] || packages+=(mmdebstrap)
 
 missing=()
 installed=$'\n'$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)$'\n'

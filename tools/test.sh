@@ -10,7 +10,8 @@ usage: tools/test.sh [--long] [--again] [-- OPTIONS OF ctest]
 
 Installs what is missing, builds in build/ with warnings as errors, and runs the tests.
   --long    also those that take long: the property test over 1,000,000 person-steps, many seeds,
-            and the unit tests under sanitizers of memory and of threads (build-*/)
+            all tests in a root of the other Debian (12 or 13; only root can make it), and the unit
+            tests under sanitizers of memory and of threads (build-*/)
   --again   run even when nothing has changed since the tests last passed
 Exit code: 0 when all tests passed.
 TEXT
@@ -57,12 +58,13 @@ run_tests() {
   done
 }
 
-tools/install.sh
 if [[ "$long" == yes ]]; then
+  tools/install.sh --long
   run_tests release long
   for sanitizer in memory thread; do
     run_tests $sanitizer $sanitizer
   done
 else
+  tools/install.sh
   run_tests release release
 fi

@@ -4,10 +4,12 @@ import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
+from junction_ways import counts_own_ways
 from scenario import CheckError, open_bytes
 
 # What SUMO leaves in a plan when the walk that was the last stage is removed while it is walked.
 _REMOVED_STAGE = "last stage removed"
+_HEAD_SIZE = 1000  # [bytes] of an output, in which its first comment names the version
 
 
 @dataclass
@@ -18,6 +20,8 @@ class Stage:
     arrival: float = None  # [s]
     route_length: float = None  # [m]
     vehicle: str = ""  # of a ride
+    depart_pos: float = 0.0  # [m] of a walk
+    arrival_pos: float = 0.0  # [m] of a walk that has ended
 
 
 @dataclass
@@ -57,6 +61,7 @@ class Run:
     plans: dict = None  # id -> [(kind, edges)]
     teleports: int = None
     person_jams: int = None
+    own_junctions_only: bool = False  # routeLength: see junction_ways
     extra: dict = field(default_factory=dict)
 
 
@@ -112,7 +117,8 @@ def read_tripinfo(path):
             length = child.get("routeLength")
             stages.append(Stage(child.tag, _time(child, "depart"), _time(child, "arrival"),
                                 None if length is None else float(length),
-                                child.get("vehicle", "")))
+                                child.get("vehicle", ""), float(child.get("departPos") or 0.0),
+                                float(child.get("arrivalPos") or 0.0)))
         persons[element.get("id")] = PersonTrip(
             element.get("type", "DEFAULT_PEDTYPE"), float(element.get("depart")), stages)
     return persons, vehicles
@@ -165,5 +171,7 @@ def read_run(folder, need_fcd=True):
     persons, vehicles = read_tripinfo(tripinfo)
     vehroute = find_output(folder, "vehroute")
     teleports, jams = _read_counts(folder)
+    with open_bytes(tripinfo) as stream:
+        own_junctions_only = counts_own_ways(stream.read(_HEAD_SIZE))
     return Run(folder, fcd_file, persons, vehicles, read_plans(vehroute) if vehroute else None,
-               teleports, jams)
+               teleports, jams, own_junctions_only)

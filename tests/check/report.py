@@ -126,7 +126,8 @@ def _plain_lines(plain):
     yield ("  departed there only", str(plain["missing"]))
     differing = "not compared" if plain["edges_differ"] is None else plain["edges_differ"]
     yield ("  other stages / edges", f"{plain['stages_differ']} / {differing}")
-    yield ("  other routeLength", str(plain["route_length_differs"]))
+    yield ("  other routeLength", f"{plain['route_length_differs']}, without the zone's junctions "
+           f"{plain['route_length_without_junctions']}")
     yield ("  mean duration", f"ratio {_number(plain['duration_ratio'], 3)}, plain "
            f"{_number(plain['mean_duration_s'], 1)} s")
 

@@ -111,8 +111,11 @@ def write_scenario(folder, types=TYPES):
     return os.path.join(folder, "tiny.sumocfg")
 
 
-def write_run(folder, frames, trips, plans=None, statistics=None):
-    """Writes a run's outputs; frames: one list of FCD rows a second."""
+def write_run(folder, frames, trips, plans=None, statistics=None, version=None):
+    """Writes a run's outputs; frames: one list of FCD rows a second; version: of SUMO."""
+    head = _HEAD
+    if version:
+        head += f"<!-- generated on 2023-01-01 by Eclipse SUMO sumo Version {version}\n-->\n"
     fcd = _HEAD + "<fcd-export>\n"
     for time, rows in enumerate(frames):
         if rows:
@@ -121,7 +124,7 @@ def write_run(folder, frames, trips, plans=None, statistics=None):
             fcd += f'    <timestep time="{time:.2f}"/>\n'
     write(os.path.join(folder, "fcd.xml"), fcd + "</fcd-export>\n")
     write(os.path.join(folder, "tripinfo.xml"),
-          f"{_HEAD}<tripinfos>\n{''.join(trips)}</tripinfos>\n")
+          f"{head}<tripinfos>\n{''.join(trips)}</tripinfos>\n")
     if plans is not None:
         write(os.path.join(folder, "vehroute.xml"),
               f"{_HEAD}<routes>\n{''.join(plans)}</routes>\n")

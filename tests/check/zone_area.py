@@ -39,6 +39,7 @@ class Lane:
     speed: float  # [m/s]
     width: float  # [m]
     line: LineString
+    length: float = 0.0  # [m] as SUMO counts it, which need not be its line's
 
     def area(self, margin=0.0, cap_style=2):
         return self.line.buffer(self.width / 2 + margin, cap_style=cap_style)
@@ -97,7 +98,8 @@ def _read_lane(element, edge_id):
         persons = not refused & {"pedestrian", "all"}
         vehicles = "all" not in refused
     return Lane(element.get("id"), edge_id, persons, vehicles, float(element.get("speed")),
-                float(element.get("width", LANE_WIDTH)), _line(element.get("shape")))
+                float(element.get("width", LANE_WIDTH)), _line(element.get("shape")),
+                float(element.get("length")))
 
 
 def read_network(path):

@@ -225,8 +225,21 @@ def check_conflicts(comparison, arguments, folder, fcd, scenario, persons, edges
     comparison.require("every contact told is one", told <= set(near))
 
 
-def check_files(comparison, folder, fcd, counted, inside):
-    """series.csv of those who count, density.csv of all inside, against the rows themselves."""
+def elsewhere(folder, fcd, inside):
+    """(cells of density.csv, [s] of all inside, [s] of them that it has not in their cell)."""
+    step = numpy.diff(fcd.times).min()
+    with open(folder / "density.csv", newline="", encoding="utf-8") as file:
+        cells = {(float(row["x"]), float(row["y"])): float(row["personSeconds"])
+                 for row in csv.DictReader(file)}
+    found, rows = {}, inside & (fcd.persons.step > 0)
+    for x, y in zip(fcd.persons.x[rows] // 2 * 2, fcd.persons.y[rows] // 2 * 2):
+        found[x, y] = found.get((x, y), 0.0) + step
+    error = sum(abs(cells.get(cell, 0.0) - found.get(cell, 0.0)) for cell in {*cells, *found})
+    return len(cells), sum(found.values()), error
+
+
+def check_series(comparison, folder, fcd, counted):
+    """series.csv of those who count against the rows themselves."""
     with open(folder / "series.csv", newline="", encoding="utf-8") as file:
         series = list(csv.DictReader(file))
     step = numpy.diff(fcd.times).min()
@@ -242,16 +255,6 @@ def check_files(comparison, folder, fcd, counted, inside):
                 or abs(float(window["personSpeed"] or 0.0) - speed) > WINDOW * speed):
             comparison.require(f"window {window} is {found:.2f} at {speed:.3f} m/s", False)
     comparison.require(f"series of {len(series)} windows", len(series) >= 10)
-    with open(folder / "density.csv", newline="", encoding="utf-8") as file:
-        cells = {(float(row["x"]), float(row["y"])): float(row["personSeconds"])
-                 for row in csv.DictReader(file)}
-    found, rows = {}, inside & (fcd.persons.step > 0)
-    for x, y in zip(fcd.persons.x[rows] // 2 * 2, fcd.persons.y[rows] // 2 * 2):
-        found[x, y] = found.get((x, y), 0.0) + step
-    error = sum(abs(cells.get(cell, 0.0) - found.get(cell, 0.0)) for cell in {*cells, *found})
-    total = sum(found.values())
-    print(f"  cells: {len(cells)}, {total:.1f} person seconds, {error:.2f} of them elsewhere")
-    comparison.require("grid of density", error < AREA * total)
 
 
 def check_run(arguments, model, folder):
@@ -273,17 +276,24 @@ def check_run(arguments, model, folder):
     area = parts.reach.area.difference(parts.buildings.area).difference(parts.roads.area)
     area = area.buffer(-TOLERANCE)  # all three are that much on the safe side
     walks = walk_measures(fcd, persons, PointTest(area), Ways(area), FREE_SHARE)
-    comparison.check("person.visitors", walks.pop("person.visitors"))
-    for key, value in walks.items():
-        # Waiting and delay are small differences of long times: a step at the border counts.
-        comparison.check(key, value, AREA, 0.1 if key in ("person.waiting", "person.delay") else 0)
+    visitors = walks.pop("person.visitors")
+    comparison.check("person.visitors", visitors)
     walking = walking_rows(fcd, persons)
     inside = PointTest(area).contains(fcd.persons.x, fcd.persons.y)
+    cells, total, error = elsewhere(folder, fcd, inside)
+    print(f"  cells: {cells}, {total:.1f} person seconds, {error:.2f} of them elsewhere")
+    comparison.require("grid of density", error < AREA * total)
+    for key, value in walks.items():
+        # Waiting and delay are small differences of long times: a step at the border counts, and so
+        # do the seconds that only one of the two areas has. Measured: 67 s of 185 people with
+        # SUMO 1.15, and 126 s with 1.18, whose people wait longer where the roads meet the plaza.
+        near = max(0.1, error / visitors) if key in ("person.waiting", "person.delay") else 0
+        comparison.check(key, value, AREA, near)
     for key, value in space_measures(fcd, walking, inside).items():
         relative = {"space.density": AREA, "space.peak": WINDOW}.get(key, 0)
         comparison.check(key, value, relative, AREA_SHARE)
     check_conflicts(comparison, arguments, folder, fcd, scenario, persons, parts.edges)
-    check_files(comparison, folder, fcd, walking & inside, inside)
+    check_series(comparison, folder, fcd, walking & inside)
     return comparison, measured
 
 

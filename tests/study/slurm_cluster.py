@@ -63,6 +63,12 @@ def free_ports(number):
                 opened.close()
 
 
+def slurm_version():
+    """The first number of "slurm-wlm 22.05.8"."""
+    text = subprocess.run(["slurmd", "-V"], check=True, capture_output=True, text=True).stdout
+    return int(text.split()[1].split(".")[0])
+
+
 def kill(process):
     try:
         os.kill(process, signal.SIGKILL)
@@ -186,5 +192,9 @@ class SlurmCluster:
         nodes = "\n".join(
             f"NodeName={node} NodeHostname={host} NodeAddr=127.0.0.1 Port={port + 1 + index} "
             "CPUs=1 State=UNKNOWN" for index, node in enumerate(NODES))
+        # Debian 13's Slurm would manage control groups, which need a mounted tree of them or systemd.
+        # Debian 12's (22.05) does not by itself, and does not know the word that tells it not to.
+        if slurm_version() >= 23:
+            (self.folder / "cgroup.conf").write_text("CgroupPlugin=disabled\n")
         self.config.write_text(CONFIG.format(host=host, port=port, folder=self.folder,
                                              nodes=nodes))

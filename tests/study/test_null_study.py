@@ -35,7 +35,10 @@ def run_study(pedzone, folder):
 
 
 def check_null(found):
-    share = {key: trial["different"] / found["repetitions"] for key, trial in found["null"].items()}
+    # What is the same in every run, as the share of those who arrive is here, never is different.
+    same = {key for key, trial in found["planted"].items() if trial["size"] == 0}
+    share = {key: trial["different"] / found["repetitions"] for key, trial in found["null"].items()
+             if key not in same}
     overall = sum(share.values()) / len(share)
     print(f"called different where nothing is: {overall:.1%} over all; " +
           ", ".join(f"{key} {value:.1%}" for key, value in share.items()))
