@@ -99,6 +99,21 @@ class ScenarioCase(RefusalChecks, unittest.TestCase):
             self.assertEqual(*texts)
 
 
+class BackAndForth(ScenarioCase):
+    """Somebody comes back over the edge on which pedzone gave it back to SUMO."""
+
+    def test_it_is_walked_by_pedzone_again(self):
+        routes = "".join(
+            f'<person id="p{k}" depart="{5 * k}"><walk edges="shared east" arrivalPos="10"/>'
+            '<walk edges="east shared west" arrivalPos="50"/></person>' for k in range(3))
+        self.scenario(routes=f"<routes>{routes}</routes>")
+        self.check_as_in_sumo()
+        for name in ("p0", "p1", "p2"):
+            times = [float(row["time"]) for row in self.walked() if row["id"] == name]
+            visits = 1 + sum(b - a > 1.5 * STEP for a, b in zip(times, times[1:]))
+            self.assertEqual(visits, 2, name)
+
+
 class WithoutSharedSpace(ScenarioCase):
     def test_it_runs_as_in_sumo_with_one_warning(self):
         self.scenario(edges=NO_ZONE, routes=WALKS.replace("</routes>", CARS + "</routes>"))

@@ -107,7 +107,10 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id,
   if (found == network_.edge_index.end()) return false;
   const int edge = found->second;
   const int zone = zone_of_edge_[edge];
-  if (zone < 0) return false;
+  if (zone < 0) {  // whoever comes back is looked at again
+    if (const auto past = past_.find(id); past != past_.end()) past->second.refused_edge = -1;
+    return false;
+  }
   PersonPast& past = past_[id];
   if (past.refused_edge == edge) return false;
   auto walker = sumo_person::walker(id);
