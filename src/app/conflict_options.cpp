@@ -19,6 +19,11 @@ void add_conflict_options(CLI::App& command, ConflictOptions& options) {
   };
   add(kXml, options.xml, "Write them as XML, in the manner of SUMO's SSM device")->type_name(kFile);
   add(kCsv, options.csv, "Write them as a table")->type_name(kFile);
+  add("--conflicts-of", options.of,
+      "Whose: zones: people whom pedzone walks, as far as that is known; all: everybody's")
+      ->check(one_of({"zones", "all"}))
+      ->type_name(kNames)
+      ->capture_default_str();
   const auto limit = [&](const char* name, double& value, double most, const char* unit,
                          const char* what, double least = 0.0) {
     add(name, value, what)->check(number_in(least, most))->type_name(unit)->capture_default_str();

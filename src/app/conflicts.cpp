@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "sumo/files/fcd_reader.hpp"
 #include "sumo/files/scenario.hpp"
+#include "sumo/files/walked_by_pedzone.hpp"
 
 namespace pedzone {
 namespace {
@@ -22,6 +23,7 @@ namespace {
 struct ConflictsOptions {
   std::string fcd;                      ///< fcd-output
   std::string scenario;                 ///< .sumocfg whose files tell sizes; empty: none
+  std::string trajectories;             ///< of pedzone, which tell whom it walked; empty: none
   std::vector<std::string> types;       ///< more files that do
   std::vector<std::string> as_persons;  ///< vehicle types that count as persons
   bool json = false;                    ///< all of them are printed, too
@@ -49,6 +51,15 @@ void require_types(const BodySizes& sizes, const std::vector<std::string>& types
   }
 }
 
+/// How many were told, and whose they are: another scope would give another number.
+std::string scope_text(std::size_t told, std::size_t others, bool known, const std::string& of) {
+  if (!known) return fmt::format("{} conflicts of everybody in the file\n", told);
+  if (of == "all") return fmt::format("{} conflicts of everybody\n", told);
+  return fmt::format(
+      "{} conflicts of people whom pedzone walked; {} of others (--conflicts-of all)\n", told,
+      others);
+}
+
 void measure(const ConflictsOptions& options) {
   if (!options.conflicts.wanted() && !options.json) {
     throw InputError("is missing", {.element = "option --conflict-output, --conflict-csv or --json",
@@ -58,12 +69,21 @@ void measure(const ConflictsOptions& options) {
   require_types(sizes, options.as_persons);
   ConflictWriter writer(options.conflicts.paths());
   ConflictTracker tracker(options.conflicts.limits);
+  const std::optional<WalkedByPedzone> walked = read_walked(options.trajectories);
   std::vector<Conflict> over, printed;
+  std::size_t others = 0;
   const auto write = [&] {
-    for (const Conflict& conflict : over) writer.write(conflict);
-    if (options.json) printed.insert(printed.end(), over.begin(), over.end());
+    for (const Conflict& conflict : over) {
+      if (!options.conflicts.takes(conflict)) {
+        ++others;
+        continue;
+      }
+      writer.write(conflict);
+      if (options.json) printed.push_back(conflict);
+    }
     over.clear();
   };
+  std::vector<PersonSample> told;
   ShareBar bar("measuring conflicts");
   const std::unordered_set<std::string> as_persons(options.as_persons.begin(),
                                                    options.as_persons.end());
@@ -72,7 +92,11 @@ void measure(const ConflictsOptions& options) {
           options.fcd,
           [&](double time, std::span<const PersonSample> persons,
               std::span<const VehicleSample> vehicles) {
-            tracker.step(time, persons, vehicles, {}, over);
+            told.assign(persons.begin(), persons.end());
+            if (walked) {
+              for (PersonSample& one : told) one.by_pedzone = walked->at(one.id, time);
+            }
+            tracker.step(time, told, vehicles, {}, over);
             write();
           },
           [&](double share) { bar.update(share); });
@@ -83,7 +107,7 @@ void measure(const ConflictsOptions& options) {
   if (options.json) {
     print_text(conflicts_json(printed));
   } else {
-    print_result(fmt::format("{} conflicts\n", writer.written()));
+    print_result(scope_text(writer.written(), others, walked.has_value(), options.conflicts.of));
   }
 }
 
@@ -91,7 +115,8 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  sumo -c town.sumocfg --fcd-output fcd.xml.gz\n"
     "  pedzone conflicts fcd.xml.gz --scenario town.sumocfg --conflict-output conflicts.xml\n\n"
-    "The same measures as `pedzone run --conflict-output`, whoever walked the persons. SUMO\n"
+    "The same measures as `pedzone run --conflict-output`, whoever walked the persons: with\n"
+    "--trajectories those of people whom pedzone walked, else everybody's. SUMO\n"
     "writes positions to 0.01 m; its option --precision 4 makes the measures smoother.\n"
     "Exit codes: 0 done, 2 input at fault.";
 
@@ -115,6 +140,10 @@ void add_conflicts(CLI::App& app, int& code) {
                    "Types of vehicles that count as persons, e.g. wheelchairs")
       ->type_name("TYPE")
       ->allow_extra_args(false);
+  command
+      ->add_option("--trajectories", options->trajectories,
+                   "pedzone's --trajectories (table) of the same run, which tell whom it walked")
+      ->type_name(kFile);
   add_json_flag(*command, options->json);
   add_conflict_options(*command, options->conflicts);
   command->callback([options, &code] { code = guarded([&] { measure(*options); }); });

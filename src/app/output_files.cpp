@@ -101,6 +101,7 @@ OutputFiles::OutputFiles(const RunOptions& options) {
     shapes_time_ = options.debug_time.value_or(shapes_time_);
   }
   if (options.conflicts.wanted()) {
+    conflict_options_ = options.conflicts;
     conflicts_ = std::make_unique<ConflictWriter>(options.conflicts.paths());
     tracker_ = std::make_unique<ConflictTracker>(options.conflicts.limits);
   }
@@ -131,7 +132,9 @@ void OutputFiles::take_shapes(Simulation& simulation) {
 }
 
 void OutputFiles::write_conflicts() {
-  for (const Conflict& conflict : over_) conflicts_->write(conflict);
+  for (const Conflict& conflict : over_) {
+    if (conflict_options_.takes(conflict)) conflicts_->write(conflict);
+  }
   over_.clear();
 }
 

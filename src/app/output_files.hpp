@@ -52,6 +52,7 @@ class OutputFiles {
   double shapes_time_ = std::numeric_limits<double>::infinity();  ///< [s]
   std::string shapes_text_;  ///< empty: it is not yet that time
   std::unique_ptr<ConflictWriter> conflicts_;
+  ConflictOptions conflict_options_;
   std::unique_ptr<ConflictTracker> tracker_;
   std::vector<Conflict> over_;
 };

@@ -129,7 +129,7 @@ std::string summary_table(const RunSummary& summary) {
   line("gave way to persons", std::to_string(vehicles.yielding));
   line("mean delay", fmt::format("{:.1f} s", vehicles.mean_delay_s));
   line("smallest clearance to a person", metres(vehicles.min_clearance_m));
-  line("contacts (person-vehicle pairs)", std::to_string(vehicles.contacts));
+  line("contacts of people it walked", std::to_string(vehicles.contacts));
   line("  by vehicles put onto somebody", std::to_string(vehicles.insertion_contacts));
   line("persons pushed", push_text(summary));
   line("ran into a person", std::to_string(summary.run_into.size()));

@@ -49,6 +49,8 @@ struct Conflict {
   First first = First::kUnknown;                ///< who was first at the place of the PET
   std::optional<bool> aware;          ///< the person had noticed the vehicle by the moment
                                       ///< of the least TTC, else of the least clearance
+  std::optional<bool> by_pedzone;     ///< pedzone walked the person at the moment of `type`;
+                                      ///< nothing: not known
   std::optional<Extreme> ttc;         ///< [s] least time to contact
   std::optional<Extreme> drac;        ///< [m/s²] greatest deceleration to avoid contact
   std::optional<Extreme> pet;         ///< [s] least post-encroachment time

@@ -49,6 +49,11 @@ void Encounter::record(const Meeting& meeting, const std::function<std::optional
   started_ = true;
 }
 
+void Encounter::tell_by(const Meeting& meeting) {
+  conflict.type = meeting.type;
+  conflict.by_pedzone = meeting.by_pedzone;
+}
+
 void Encounter::record_contact_course(const Meeting& meeting) {
   if (meeting.braking && !conflict.braking) {
     const bool just_before = last_ttc_ && std::abs(last_ttc_->time - meeting.before) < kSameStep;
@@ -66,7 +71,7 @@ void Encounter::record_contact_course(const Meeting& meeting) {
   if (!conflict.ttc || ttc < conflict.ttc->value) {
     conflict.ttc = extreme(meeting, ttc, meeting.time, place, ttc);
     conflict.aware = noticed_;
-    if (!conflict.contact) conflict.type = meeting.type;
+    if (!conflict.contact) tell_by(meeting);
   }
   const auto drac = deceleration_to_avoid(meeting.approach);
   if (drac && (!conflict.drac || *drac > conflict.drac->value)) {
@@ -80,7 +85,7 @@ void Encounter::record_closeness(const Meeting& meeting) {
     conflict.clearance = extreme(meeting, closest.clearance, meeting.time, meeting.person);
     if (!conflict.ttc) {
       conflict.aware = noticed_;
-      if (!conflict.pet) conflict.type = meeting.type;
+      if (!conflict.pet) tell_by(meeting);
     }
   }
   if (meeting.passing && (!conflict.pet || meeting.passing->pet() < conflict.pet->value)) {
@@ -89,14 +94,14 @@ void Encounter::record_closeness(const Meeting& meeting) {
     conflict.first = passing.gap > 0.0   ? First::kVehicle
                      : passing.gap < 0.0 ? First::kPerson
                                          : First::kUnknown;
-    if (!conflict.ttc) conflict.type = meeting.type;
+    if (!conflict.ttc) tell_by(meeting);
   }
   if (closest.touch && !conflict.contact) {
     const double time = meeting.before + (meeting.time - meeting.before) * *closest.touch;
     conflict.contact =
         extreme(meeting, 0.0, time, contact_place(meeting, 0.0), time - meeting.time);
     conflict.contact->value = conflict.contact->relative_speed;
-    conflict.type = meeting.type;
+    tell_by(meeting);
   }
 }
 

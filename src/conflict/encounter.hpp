@@ -17,6 +17,7 @@ struct Meeting {
   Vec2 centre = Vec2::Zero(), axis = Vec2::UnitX();  ///< [m] of the vehicle; unit vector
   Approach approach;
   EncounterType type = EncounterType::kHeadOn;
+  std::optional<bool> by_pedzone;      ///< pedzone walks the person; nothing: not known
   bool braking = false;                ///< the vehicle slowed down since the step before
   std::optional<double> ttc;           ///< [s] within horizon and range
   Closest closest{0.0, std::nullopt};  ///< since the step before
@@ -34,6 +35,8 @@ struct Encounter {
   void record(const Meeting& meeting, const std::function<std::optional<bool>()>& aware);
 
  private:
+  /// By this meeting the conflict is told, as far as is known.
+  void tell_by(const Meeting& meeting);
   void record_contact_course(const Meeting& meeting);
   void record_closeness(const Meeting& meeting);
 

@@ -76,6 +76,7 @@ void ConflictTracker::take(const PersonSample& sample, std::size_t index) {
   person.trail.push(pose, time_ - memory_);
   person.velocity = sample.velocity;
   person.radius = sample.radius;
+  person.by_pedzone = sample.by_pedzone;
   const auto& trail = person.trail;
   const auto way_since = [&](std::size_t k) {
     return static_cast<double>(trail[0].travelled - trail[k].travelled);
@@ -167,6 +168,7 @@ void ConflictTracker::meet(const PersonRow& person, std::uint32_t v, const Searc
   meeting.centre = pose.centre;
   meeting.axis = pose.axis;
   meeting.braking = vehicle.braking;
+  meeting.by_pedzone = known.by_pedzone;
   meeting.type = type_of(approach, known.trail[0].direction, pose.direction,
                          vehicle.velocity.norm() < kHaltingSpeed);
   const auto [entry, is_new] = encounters_.try_emplace(pair_of(person.place, v));

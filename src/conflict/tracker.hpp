@@ -33,6 +33,7 @@ struct PersonSample {
   std::string_view rides_in = {};  ///< vehicle that it is inside of: not measured while it rides,
                                    ///< and never against that vehicle
   std::string_view edge = {};      ///< of SUMO, where it is known: not for conflicts
+  std::optional<bool> by_pedzone = {};  ///< pedzone walks it; nothing: not known
 };
 
 /// A vehicle as it is in a step.
@@ -76,6 +77,7 @@ class ConflictTracker {
   struct Person : CastMember {
     Vec2 velocity = Vec2::Zero();
     double radius = 0.0;
+    std::optional<bool> by_pedzone;
     std::uint64_t own_vehicle = 0;  ///< serial number of the one it rides or rode in; 0: none
     Trail<PersonPose> trail;
   };

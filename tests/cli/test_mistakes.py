@@ -14,8 +14,8 @@ from tiny_scenario import TinyScenario
 
 PEDZONE = None  # set from the command line
 
-COMMANDS = ("run, inspect, demand, conflicts, animate, plot, study, validate, calibrate, verify, "
-            "parameters, profiles, help, completion, man")
+COMMANDS = ("run, inspect, demand, conflicts, animate, plot, geojson, study, validate, calibrate, "
+            "verify, parameters, profiles, help, completion, man")
 MODELS = ("heuristic, heuristic-original, plain, orca, social-force, gradient-navigation, "
           "optimal-steps, constant-velocity, or the path of a plug-in (*.so)")
 RUN = "pedzone run SCENARIO [OPTIONS] [-- SUMO OPTIONS]"

@@ -3,11 +3,10 @@
 #include <cmath>
 #include <optional>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "core/vec.hpp"
 #include "core/xml_stream.hpp"
-#include "results/trajectories.hpp"
+#include "sumo/files/walked_by_pedzone.hpp"
 
 namespace pedzone::study {
 namespace {
@@ -17,23 +16,9 @@ constexpr double kLeastTime = 10.0;  // [s] assumed: less says little where dawd
 constexpr NumberRange kTimes{-1e9, 1e9};   // [s]
 constexpr NumberRange kPlaces{-1e9, 1e9};  // [m]
 
-/// Trajectories have hundredths of seconds.
-long long hundredths(double time) { return std::llround(time * 100.0); }
-
-/// When pedzone had whom.
-using Controlled = std::unordered_map<std::string, std::unordered_set<long long>>;
-
-Controlled read_controlled(const std::string& trajectories) {
-  Controlled controlled;
-  trajectory_table().visit(trajectories, [&](const TrajectoryRow& row, const CsvRow&) {
-    controlled[std::string(row.id)].insert(hundredths(row.time));
-  });
-  return controlled;
-}
-
 class FreeWalks {
  public:
-  explicit FreeWalks(const std::optional<Controlled>& controlled) : controlled_(controlled) {}
+  explicit FreeWalks(const std::optional<WalkedByPedzone>& controlled) : controlled_(controlled) {}
 
   void begin_step(double time) {
     ++step_;
@@ -88,11 +73,10 @@ class FreeWalks {
   /// Whether the model's own walking is to be seen at this moment.
   bool models_own(const std::string& id, const std::string& edge) const {
     if (!controlled_) return !edge.starts_with(':');
-    const auto found = controlled_->find(id);
-    return found != controlled_->end() && found->second.contains(hundredths(time_));
+    return controlled_->at(id, time_);
   }
 
-  const std::optional<Controlled>& controlled_;
+  const std::optional<WalkedByPedzone>& controlled_;
   std::uint64_t step_ = 0;
   double time_ = 0.0, dt_ = 0.0;  ///< [s]
   std::unordered_map<std::string, Walk> walks_;
@@ -102,8 +86,7 @@ class FreeWalks {
 
 std::map<std::string, FreeWalk> free_walks_of(const std::string& fcd,
                                               const std::string& trajectories) {
-  std::optional<Controlled> controlled;
-  if (!trajectories.empty()) controlled = read_controlled(trajectories);
+  std::optional<WalkedByPedzone> controlled = read_walked(trajectories);
   if (controlled && controlled->empty()) controlled.reset();
   FreeWalks walks(controlled);
   visit_elements(fcd, "fcd-export", [&](const XmlElement& element) {

@@ -16,7 +16,8 @@ Scene SceneReader::read(double time) {
   }
   for (const Guest& guest : takeover_.guests()) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
-    persons_.push_back({guest.id, view.position, view.velocity, view.heading, guest.radius, {}});
+    persons_.push_back(
+        {guest.id, view.position, view.velocity, view.heading, guest.radius, {}, {}, true});
   }
   add_bystanders();
   return {time, persons_, vehicles_,
@@ -40,8 +41,14 @@ void SceneReader::add_bystanders() {
     const bool at_front = std::binary_search(fronts_.begin(), fronts_.end(), place);
     if (at_front) ridden_.push_back(sumo_person::vehicle(person.id));
     if (person.radius == 0.0) measure(person, sumo_person::size(person.id));
-    persons_.push_back({person.id, person.position, person.velocity, person.heading, person.radius,
-                        at_front ? std::string_view(ridden_.back()) : ""});
+    persons_.push_back({person.id,
+                        person.position,
+                        person.velocity,
+                        person.heading,
+                        person.radius,
+                        at_front ? std::string_view(ridden_.back()) : "",
+                        {},
+                        false});
   }
 }
 

@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Mistake{"seed='1'",
                 ": 'seed' is an unknown attribute; allowed: id, title, question, seeds, models, "
-                "reference, end, timeLimit"},
+                "reference, end, timeLimit. Did you mean 'seeds'?"},
         Mistake{"seeds='1-1000000'",
                 " attribute seeds: '1-1000000' makes too many seeds; allowed: 100000 in all"},
         Mistake{"seeds='1-5 3'", " attribute seeds: '3' is named twice; allowed: each seed once"},
@@ -126,10 +126,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"reference='orca'",
                 " attribute reference: 'orca' is none of the study's models; allowed: striping, "
                 "heuristic"},
-        Mistake{"end='0'", " attribute end: '0' is out of range; allowed: 0.001 to 1e+09"},
-        Mistake{"end='soon'", " attribute end: 'soon' is not a number; allowed: 0.001 to 1e+09"},
+        Mistake{"end='0'", " attribute end: '0' is out of range; allowed: 0.001 to 1000000000"},
+        Mistake{"end='soon'",
+                " attribute end: 'soon' is not a number; allowed: 0.001 to 1000000000"},
         Mistake{"timeLimit='0.5'",
-                " attribute timeLimit: '0.5' is out of range; allowed: 1 to 1e+07"},
+                " attribute timeLimit: '0.5' is out of range; allowed: 1 to 10000000"},
         Mistake{"id=''", " attribute id: is empty"},
         Mistake{"title='\xFF'", " attribute title: is no text; allowed: UTF-8"},
         Mistake{"id='\xC3'", " attribute id: is no text; allowed: UTF-8"}));
@@ -151,7 +152,7 @@ TEST_F(StudyFile, unknown_models_are_refused) {
   EXPECT_EQ(error("<study models='striping strping'/>"),
             "1: <study> attribute models: 'strping' is no walking model; allowed: striping, "
             "nonInteracting, " +
-                allowed_models());
+                allowed_models() + ". Did you mean 'striping'?");
   EXPECT_EQ(error("<study models='./none.so'/>"),
             "1: <study> attribute models: '" + folder_ +
                 "/none.so' does not exist; allowed: a shared library with a walking model");

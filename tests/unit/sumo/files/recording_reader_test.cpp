@@ -82,11 +82,16 @@ TEST_F(Reading, trajectories_have_activities_and_another_files_vehicles) {
   EXPECT_THAT(recording.times, ElementsAre(1.0, 2.0, 3.0));
   ASSERT_EQ(recording.persons.size(), 1U);
   const auto& moments = recording.persons[0].moments;
-  ASSERT_EQ(moments.size(), 2U);
-  EXPECT_EQ(moments[0].step, 1U);
-  EXPECT_EQ(moments[0].activity, Activity::kTexting);
-  EXPECT_NEAR(moments[0].speed, 1.0, 1e-6);
-  EXPECT_EQ(moments[1].motion, Motion::kWaiting);
+  ASSERT_EQ(moments.size(), 3U);
+  EXPECT_TRUE(moments[0].by_sumo) << "it is in the other file only";
+  EXPECT_EQ(moments[0].step, 0U);
+  EXPECT_EQ(moments[0].position, Vec2(90, 50));
+  EXPECT_FALSE(moments[1].by_sumo);
+  EXPECT_EQ(moments[1].step, 1U);
+  EXPECT_EQ(moments[1].activity, Activity::kTexting);
+  EXPECT_NEAR(moments[1].speed, 1.0, 1e-6);
+  EXPECT_EQ(moments[2].motion, Motion::kWaiting);
+  EXPECT_FALSE(moments[2].by_sumo);
   EXPECT_EQ(recording.vehicles[0].moments[0].step, 0U);
 }
 
