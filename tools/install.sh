@@ -36,8 +36,8 @@ packages=(
 # Fetches the libraries that draw in a study's report; any npm will do.
 command -v npm >/dev/null || packages+=(nodejs npm)
 
-# Makes the root of the other Debian, in which the long tests build and test pedzone.
-[[ "${1:-}" != "--long" ]] || packages+=(mmdebstrap)
+# Make roots of Debian, in which the long tests build, test and install pedzone.
+[[ "${1:-}" != "--long" ]] || packages+=(mmdebstrap lintian)
 
 missing=()
 installed=$'\n'$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)$'\n'
