@@ -98,7 +98,7 @@ class OldTown(GeoJsonCase):
         scenario = PROJECT / "scenarios/bad-hersfeld/centre-shuttle.sumocfg"
         net = sumolib.net.readNet(str(PROJECT / "networks/bad-hersfeld/centre-shuttle.net.xml.gz"))
         self.command("run", scenario, "--end", 90, "--seed", 1, "--quiet", "--trajectories",
-                     "run.csv", "--conflict-csv", "conflicts.csv")
+                     "run.csv", "--conflict-csv", "conflicts.csv", "--conflicts-of", "all")
         said = self.command("geojson", scenario, "--recording", "run.csv", "--conflicts",
                             "conflicts.csv", "--out", "gis").stdout
         layers = self.layers()
