@@ -265,7 +265,7 @@ void set_perceptions(const CrowdState& crowd, Attention& attention) {
 void perceive(const CrowdState& crowd, double now, ByHandle<TrafficMemory>& memory,
               Attention& attention) {
   set_perceptions(crowd, attention);
-  if (crowd.vehicles.empty()) {
+  if (crowd.vehicles.empty() || crowd.persons.walking == 0) {
     for (std::size_t i = 0; i < crowd.persons.walking; ++i) memory[crowd.handle(i)].noticed.clear();
     return;
   }
