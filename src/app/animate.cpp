@@ -46,11 +46,11 @@ void warn_of_different_people(const std::vector<AnimatedRun>& runs) {
   const std::size_t left = only_in(*runs[0].recording, *runs[1].recording);
   const std::size_t right = only_in(*runs[1].recording, *runs[0].recording);
   if (left + right == 0) return;
-  fmt::print(stderr,
-             "Warning: the two sides hold different people: {} of {} persons are in {} only, {} of "
-             "{} in {} only. --fcd adds those whom SUMO walks.\n",
-             left, runs[0].recording->persons.size(), runs[0].name, right,
-             runs[1].recording->persons.size(), runs[1].name);
+  print_warning(fmt::format(
+      "the two sides hold different people: {} of {} persons are in {} only, {} of {} in {} only. "
+      "--fcd adds those whom SUMO walks.",
+      left, runs[0].recording->persons.size(), runs[0].name, right,
+      runs[1].recording->persons.size(), runs[1].name));
 }
 
 void animate(AnimateOptions options) {

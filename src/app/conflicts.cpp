@@ -92,11 +92,12 @@ void measure(const ConflictsOptions& options) {
           options.fcd,
           [&](double time, std::span<const PersonSample> persons,
               std::span<const VehicleSample> vehicles) {
-            told.assign(persons.begin(), persons.end());
             if (walked) {
+              told.assign(persons.begin(), persons.end());
               for (PersonSample& one : told) one.by_pedzone = walked->at(one.id, time);
+              persons = told;
             }
-            tracker.step(time, told, vehicles, {}, over);
+            tracker.step(time, persons, vehicles, {}, over);
             write();
           },
           [&](double share) { bar.update(share); });

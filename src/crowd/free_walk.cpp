@@ -129,7 +129,7 @@ std::size_t gather_free(CrowdState& crowd, double dt) {
   }
 }
 
-void set_apart(CrowdState& crowd, std::size_t free, double dt, std::vector<FreeWalk>& ends) {
+void set_apart(CrowdState& crowd, std::size_t free, double dt, std::vector<FreeWalkEnd>& ends) {
   Persons& persons = crowd.persons;
   Moves& moves = crowd.moves;
   const std::size_t all = crowd.first_seen(), rest = all - free;
@@ -149,9 +149,9 @@ void set_apart(CrowdState& crowd, std::size_t free, double dt, std::vector<FreeW
   crowd.others = free;
 }
 
-void take_back(CrowdState& crowd, const std::vector<FreeWalk>& ends) {
+void take_back(CrowdState& crowd, const std::vector<FreeWalkEnd>& ends) {
   Persons& persons = crowd.persons;
-  for (const FreeWalk& end : ends) {
+  for (const FreeWalkEnd& end : ends) {
     const std::size_t i = crowd.row[end.handle];
     persons.x[i] = end.position.x();
     persons.y[i] = end.position.y();

@@ -16,9 +16,9 @@ std::size_t gather_free(CrowdState& crowd, double dt);
 
 /// Sets the rows of the first `free` apart as `others`, behind those still to be walked. They are
 /// where they were, with the velocity that brings them to their `ends` within `dt` [s].
-void set_apart(CrowdState& crowd, std::size_t free, double dt, std::vector<FreeWalk>& ends);
+void set_apart(CrowdState& crowd, std::size_t free, double dt, std::vector<FreeWalkEnd>& ends);
 
 /// All are walked again; those that were set apart are at their ends.
-void take_back(CrowdState& crowd, const std::vector<FreeWalk>& ends);
+void take_back(CrowdState& crowd, const std::vector<FreeWalkEnd>& ends);
 
 }  // namespace pedzone

@@ -30,6 +30,8 @@ namespace pedzone {
 namespace {
 
 constexpr double kRounding = 1e-9;  // numerical: 0.3 s are three substeps, not four
+constexpr double kCornerCell =
+    4.0;  // [m] numerical: nobody touches anybody, but at corners they look
 
 /// What pedzone does not walk moves on as it is seen to move.
 void move_others_on(double dt, std::vector<SeenPerson>& seen, std::vector<VehicleState>& vehicles) {
@@ -110,7 +112,6 @@ void walk_free(CrowdState& crowd, double dt, std::uint64_t substeps) {
   if (free == 0) return;
   crowd.persons.walking = free;
   crowd.others = all - free;
-  crowd.span = substeps;
 
   set_paces(crowd, crowd.persons.preferred_speed);
   crowd.perception_varies = perceives_otherwise(crowd);
@@ -120,15 +121,14 @@ void walk_free(CrowdState& crowd, double dt, std::uint64_t substeps) {
   resolve(crowd.proposals, crowd.persons);
   decide(crowd, dt, {}, crowd.decisions);
   set_moves(crowd, dt);
-  find_neighbours(crowd, crowd.grid, crowd.near);
+  crowd.grid.build(crowd.persons.x, crowd.persons.y, kCornerCell);
   move_freely(crowd);
   commit(crowd);
-  follow_waypoints(crowd, dt);
+  follow_waypoints(crowd, dt, substeps);
   notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
 
-  crowd.span = 1;
   crowd.person_steps += free * substeps;
-  set_apart(crowd, free, dt, crowd.free_walks);
+  set_apart(crowd, free, dt, crowd.free_walk_ends);
 }
 
 }  // namespace
@@ -184,14 +184,14 @@ void decide(const CrowdState& crowd, double dt, std::span<const VehicleState> ve
 void walk(CrowdState& crowd, double dt) {
   crowd.jam_notices.clear();
   crowd.pushes.clear();
-  crowd.free_walks.clear();
+  crowd.free_walk_ends.clear();
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
   // A model that sets velocities is made for short steps.
   if (substeps > 1 && !crowd.model->sets_velocity()) {
     walk_free(crowd, dt, static_cast<std::uint64_t>(substeps));
   }
   for (int k = 0; k < substeps; ++k) walk_substep(crowd, dt / substeps);
-  take_back(crowd, crowd.free_walks);
+  take_back(crowd, crowd.free_walk_ends);
   resize_rows(crowd.persons, crowd.persons.walking);
 }
 

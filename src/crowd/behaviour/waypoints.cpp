@@ -50,7 +50,7 @@ bool reaches(const Route& route, double radius, const Vec2& from, const Vec2& to
 /// One person's look at its way.
 class Follower {
  public:
-  Follower(CrowdState& crowd, std::size_t i)
+  Follower(CrowdState& crowd, std::size_t i, std::uint64_t substeps)
       : crowd_(crowd),
         row_(i),
         walls_(crowd.zone.walls),
@@ -58,7 +58,8 @@ class Follower {
         route_(walker_.route),
         here_(crowd.position(i)),
         radius_(crowd.persons.radius[i]),
-        turn_(crowd.substep + crowd.persons.key[i]) {}
+        turn_(crowd.substep + crowd.persons.key[i]),
+        substeps_(substeps) {}
 
   void follow(double dt) {
     if ((heading_point(route_, here_) - here_).norm() <= crowd_.zone.parameters.waypoint_radius) {
@@ -76,8 +77,8 @@ class Follower {
   }
 
  private:
-  /// Whether it is this person's turn to look, in one of the substeps that the pass stands for.
-  bool due(std::uint64_t every) const { return (every - turn_ % every) % every < crowd_.span; }
+  /// Whether it is this person's turn to look, in one of the substeps.
+  bool due(std::uint64_t every) const { return (every - turn_ % every) % every < substeps_; }
 
   bool sees(const Vec2& point, double clearance) const {
     return walls_.free_line(here_, point, clearance);
@@ -175,11 +176,12 @@ class Follower {
   Vec2 here_;
   double radius_;
   std::uint64_t turn_;  ///< spreads the looks of different persons over the substeps
+  std::uint64_t substeps_;
 };
 
 }  // namespace
 
-void follow_waypoints(CrowdState& crowd, double dt) {
+void follow_waypoints(CrowdState& crowd, double dt, std::uint64_t substeps) {
   Persons& persons = crowd.persons;
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -193,7 +195,7 @@ void follow_waypoints(CrowdState& crowd, double dt) {
         } else if (path == nullptr && reaches(walker.route, persons.radius[i], from, to)) {
           walker.arrived = true;
         } else {
-          Follower(crowd, i).follow(dt);
+          Follower(crowd, i, substeps).follow(dt);
         }
       }
       if (walker.arrived && !crowd.decisions[i].escapes) persons.vx[i] = persons.vy[i] = 0.0;

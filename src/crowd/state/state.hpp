@@ -87,7 +87,7 @@ struct GroupMember {
 };
 
 /// Where somebody is after the step, whom the others see walk there meanwhile.
-struct FreeWalk {
+struct FreeWalkEnd {
   PersonHandle handle = 0;
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
 };
@@ -123,7 +123,6 @@ struct CrowdState {
   // The clock: one.
   double time = 0.0;          ///< [s] of all substeps so far
   std::uint64_t substep = 0;  ///< their number: a key of random numbers
-  std::uint64_t span = 1;     ///< of them, that the present pass stands for
   std::uint64_t person_steps = 0;
 
   // Made anew in every substep, each by one phase.
@@ -138,12 +137,12 @@ struct CrowdState {
   Standing standing;
   BodyGrid grid;
   Neighbourhood near;
-  std::vector<double> next_radius;     ///< [m] of each walked person's body, while it is found
-  std::vector<FreeWalk> free_walks;    ///< of this step
-  std::vector<JamNotice> jam_notices;  ///< begun in this step
-  std::vector<VehiclePush> pushes;     ///< of this step, by person and vehicle
-  bool solid_vehicles = true;          ///< bodies are kept out of vehicles
-  bool kept_out = false;               ///< one ever was
+  std::vector<double> next_radius;          ///< [m] of each walked person's body, while it is found
+  std::vector<FreeWalkEnd> free_walk_ends;  ///< of this step
+  std::vector<JamNotice> jam_notices;       ///< begun in this step
+  std::vector<VehiclePush> pushes;          ///< of this step, by person and vehicle
+  bool solid_vehicles = true;               ///< bodies are kept out of vehicles
+  bool kept_out = false;                    ///< one ever was
 
   /// Row of the first of crowd.seen.
   std::size_t first_seen() const { return persons.walking + others; }

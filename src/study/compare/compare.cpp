@@ -1,6 +1,7 @@
 // Models against the reference, measure by measure, in pairs of one seed.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/random.hpp"
 #include "study/compare/measured.hpp"
@@ -13,7 +14,6 @@ namespace {
 constexpr double kLevel = 0.05;            // of significance, usual
 constexpr double kNarrow = 0.1;            // assumed: half width over the reference's mean
 constexpr double kWantedPrecision = 0.05;  // assumed: the same, for the seeds needed
-constexpr std::size_t kLeastPairs = 3;     // for a test: see PairedDifference::p
 /// Numerical: values closer than this share of theirs are equal but for rounding.
 constexpr double kRounding = 1e-12;
 
@@ -158,6 +158,15 @@ std::vector<Comparison> compare(const Plan& plan, const Records& records) {
   correct_family(comparisons, false);
   for (Comparison& comparison : comparisons) comparison.finding = finding_of(comparison);
   return comparisons;
+}
+
+std::vector<Comparison> comparisons_of(std::span<const Comparison> all, std::size_t condition,
+                                       const std::string& model) {
+  std::vector<Comparison> found;
+  std::ranges::copy_if(all, std::back_inserter(found), [&](const Comparison& one) {
+    return one.condition == condition && one.model == model;
+  });
+  return found;
 }
 
 }  // namespace pedzone::study

@@ -25,28 +25,31 @@ const Comparison* find(std::span<const Comparison> of_model, std::string_view me
   return found == of_model.end() ? nullptr : &*found;
 }
 
+/// The comparison of shares arrived where they are apart; null where they are not, or not known.
+const Comparison* apart(std::span<const Comparison> of_model, std::string_view arrived) {
+  const Comparison* const shares = find(of_model, arrived);
+  const bool are =
+      shares != nullptr && shares->difference.n > 0 && std::abs(shares->difference.mean) > kApart;
+  return are ? shares : nullptr;
+}
+
 }  // namespace
 
 void mark_cut_off(std::span<Comparison> of_model) {
   for (const CutTime& cut : kTimes) {
     const auto time = std::ranges::find(of_model, cut.measure, &Comparison::measure);
-    const Comparison* const arrived = find(of_model, cut.arrived);
-    if (time == of_model.end() || arrived == nullptr || arrived->difference.n == 0) continue;
-    const double more = arrived->difference.mean;
-    if (std::abs(more) <= kApart) continue;
+    const Comparison* const arrived = apart(of_model, cut.arrived);
+    if (time == of_model.end() || arrived == nullptr) continue;
     // Who has fewer arrivals has the times that are too short. Where they are the longer ones all
     // the same, the difference is at least that.
-    const bool longer_cut = (more < 0.0) == (time->difference.mean > 0.0);
+    const bool longer_cut = (arrived->difference.mean < 0.0) == (time->difference.mean > 0.0);
     time->bound = longer_cut ? Bound::kAtLeast : Bound::kUnknown;
   }
 }
 
 std::optional<CutOff> cut_off(std::span<const Comparison> of_model) {
-  const Comparison* const arrived = find(of_model, "person.arrived");
-  if (arrived == nullptr || arrived->difference.n == 0 ||
-      std::abs(arrived->difference.mean) <= kApart) {
-    return {};
-  }
+  const Comparison* const arrived = apart(of_model, "person.arrived");
+  if (arrived == nullptr) return {};
   CutOff cut{*arrived->reference.mean, *arrived->sample.mean, {}};
   const Comparison* const nearly = find(of_model, "person.nearlyAll");
   if (nearly == nullptr || nearly->undefined > 0 || nearly->difference.n == 0) return cut;

@@ -69,8 +69,15 @@ struct CutOff {
 /// Unset where they are not so far apart.
 std::optional<CutOff> cut_off(std::span<const Comparison> of_model);
 
+/// Fewer pairs make no test: PairedDifference::p is unset.
+inline constexpr std::size_t kLeastPairs = 3;
+
 /// All comparisons, by condition, model, measure in their order.
 std::vector<Comparison> compare(const Plan& plan, const Records& records);
+
+/// Those of one model in one condition, in their order.
+std::vector<Comparison> comparisons_of(std::span<const Comparison> all, std::size_t condition,
+                                       const std::string& model);
 
 /// How people walk who meet nobody: a model's over the reference's, in pairs of persons.
 struct FreeSpeed {

@@ -29,14 +29,18 @@ std::string file_word(const std::string& path) {
   return shell_word(std::filesystem::path(path).filename().string());
 }
 
-Json versions(const Input& input) {
+std::map<std::string, std::set<std::string>> versions(const Input& input) {
   std::map<std::string, std::set<std::string>> all;
   for (const auto& record : input.records) {
     if (!record) continue;
     for (const auto& [name, version] : record->versions) all[name].insert(version);
   }
+  return all;
+}
+
+Json version_list(const Input& input) {
   Json list = Json::array();
-  for (const auto& [name, found] : all) {
+  for (const auto& [name, found] : versions(input)) {
     list.push_back({{"name", name == "build" ? "checksum of the program pedzone" : name},
                     {"version", fmt::format("{}", fmt::join(found, ", "))}});
   }
@@ -45,17 +49,15 @@ Json versions(const Input& input) {
 
 /// "2026-11-23, with pedzone 0.1.0 and SUMO 1.15.0".
 std::string made_text(const Input& input) {
-  const std::time_t now = std::time(nullptr);
   std::vector<std::string> programs;
-  for (const Json& one : versions(input)) {
-    const std::string name = one["name"];
-    if (name != "pedzone" && name != "sumo") continue;
+  for (const auto& [name, found] : versions(input)) {
+    if (name == "build") continue;
     // SUMO says: "Eclipse SUMO sumo Version 1.15.0".
-    const std::string version = one["version"];
+    const std::string version = fmt::format("{}", fmt::join(found, ", "));
     programs.push_back((name == "sumo" ? "SUMO" : name) + ' ' +
                        version.substr(version.rfind(' ') + 1));
   }
-  return fmt::format("{:%Y-%m-%d}, with {}", fmt::gmtime(now), joined(programs));
+  return fmt::format("{:%Y-%m-%d}, with {}", fmt::gmtime(std::time(nullptr)), joined(programs));
 }
 
 /// Sections of one condition: its maps, and the places of its charts over time.
@@ -115,7 +117,7 @@ Json page_data(const Input& input, const Json& lines) {
   data["cut"] = pictured(input.plan) < input.plan.conditions.size();
   data["several"] = input.plan.conditions.size() > 1;
   data["failures"] = failures_part(input);
-  data["versions"] = versions(input);
+  data["versions"] = version_list(input);
   data["command"] = fmt::format("pedzone study run {} --out {}", file_word(study.file),
                                 file_word(input.store.folder()));
   return data;
@@ -131,13 +133,14 @@ std::vector<std::string> others(const Plan& plan) {
   return models;
 }
 
-std::vector<Comparison> comparisons_of(const Input& input, std::size_t condition,
-                                       const std::string& model) {
-  std::vector<Comparison> found;
-  for (const Comparison& one : input.comparisons) {
-    if (one.condition == condition && one.model == model) found.push_back(one);
+std::optional<std::size_t> first_done_run(const Input& input, std::size_t condition) {
+  for (const std::string& model : input.plan.study.models) {
+    for (const std::uint64_t seed : input.plan.study.seeds) {
+      if (done_run(input, condition, model, seed) == nullptr) continue;
+      return input.plan.run_of(RunKind::kStudy, condition, model, seed);
+    }
   }
-  return found;
+  return {};
 }
 
 const RunRecord* done_run(const Input& input, std::size_t condition, const std::string& model,

@@ -42,29 +42,16 @@ std::string kind_of(const PersonTrip& person, const TraitReader& traits) {
   return profile.empty() ? plain_type(person.type) : profile;
 }
 
-Json demand_of(const Input& input, std::size_t condition, const RunRecord& record) {
-  const std::string folder = input.store.run_folder(record.id);
-  const auto planned = std::ranges::find(input.plan.runs, record.id, &PlannedRun::id);
-  if (planned == input.plan.runs.end()) return nullptr;
-  Trips trips = read_tripinfo(folder + "/tripinfo.xml");
-  const RecordingCast cast = run_cast(input.plan, *planned, folder);
+Json demand_of(const Input& input, const PlannedRun& run) {
+  const std::string folder = input.store.run_folder(run.id);
+  const Trips trips = read_tripinfo(folder + "/tripinfo.xml");
+  const RecordingCast cast = run_cast(input.plan, run, folder);
   Kinds people, vehicles;
   for (const PersonTrip& one : trips.persons) ++people[kind_of(one, cast.traits)];
   for (const VehicleTrip& one : trips.vehicles) ++vehicles[plain_type(one.type)];
-  return {{"name", input.plan.conditions[condition].name},
+  return {{"name", input.plan.conditions[run.condition].name},
           {"people", kinds_text(people)},
           {"vehicles", vehicles.empty() ? "none" : kinds_text(vehicles)}};
-}
-
-/// The first run of a condition that is done; null where there is none.
-const RunRecord* first_run(const Input& input, std::size_t condition) {
-  for (const std::string& model : input.plan.study.models) {
-    for (const std::uint64_t seed : input.plan.study.seeds) {
-      const RunRecord* const run = done_run(input, condition, model, seed);
-      if (run != nullptr) return run;
-    }
-  }
-  return nullptr;
 }
 
 /// "striping 1.2, heuristic 0.4", means of the seeds.
@@ -85,10 +72,10 @@ std::string peak_text(const Input& input, std::size_t condition) {
 Json demand_part(const Input& input) {
   Json all = Json::array();
   for (std::size_t i = 0; i < pictured(input.plan); ++i) {
-    const RunRecord* const run = first_run(input, i);
-    if (run == nullptr) continue;
+    const auto run = first_done_run(input, i);
+    if (!run) continue;
     try {
-      Json demand = demand_of(input, i, *run);
+      Json demand = demand_of(input, input.plan.runs[*run]);
       demand["peak"] = peak_text(input, i);
       all.push_back(std::move(demand));
     } catch (const InputError&) {

@@ -248,17 +248,13 @@ Box shown_box(const std::vector<ConditionGrids>& all) {
 const Place* place_of(const Input& input, RunPlaces& places,
                       const std::vector<ConditionGrids>& all) {
   for (const ConditionGrids& one : all) {
-    for (const std::string& model : input.plan.study.models) {
-      for (const std::uint64_t seed : input.plan.study.seeds) {
-        const RunRecord* record = done_run(input, one.condition, model, seed);
-        if (record == nullptr) continue;
-        const auto run = input.plan.run_of(RunKind::kStudy, one.condition, model, seed);
-        try {
-          return &places.of(input.plan.runs[run], input.store.run_folder(record->id));
-        } catch (const InputError&) {
-          return nullptr;  // the maps do without their ground
-        }
-      }
+    const auto first = first_done_run(input, one.condition);
+    if (!first) continue;
+    const PlannedRun& run = input.plan.runs[*first];
+    try {
+      return &places.of(run, input.store.run_folder(run.id));
+    } catch (const InputError&) {
+      return nullptr;  // the maps do without their ground
     }
   }
   return nullptr;

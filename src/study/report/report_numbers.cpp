@@ -44,6 +44,10 @@ std::string digits_text(const std::optional<double>& value) {
   return number_text(*value, decimals(std::abs(*value), kValueDigits));
 }
 
+std::string mean_text(const SampleSummary& sample, int decimals) {
+  return sample.mean ? number_text(*sample.mean, decimals) : digits_text({});
+}
+
 std::string count_text(std::size_t count, std::string_view one, std::string_view more) {
   return fmt::format("{} {}", count, count == 1 ? one : more);
 }

@@ -20,6 +20,8 @@ std::string signed_text(double value, int decimals);
 std::string with_unit(const std::string& number, std::string_view unit);
 /// With three significant digits; a dash where it is unset.
 std::string digits_text(const std::optional<double>& value);
+/// A sample's mean with so many decimals; a dash where it has none.
+std::string mean_text(const SampleSummary& sample, int decimals);
 
 /// "1 run", "2 runs".
 std::string count_text(std::size_t count, std::string_view one, std::string_view more);
@@ -28,7 +30,8 @@ std::string joined(const std::vector<std::string>& words);
 
 /// Decimals that a comparison's difference and interval are told with.
 int decimals_of(const Comparison& comparison);
-/// The difference in percent of the reference's mean; unset where that is 0 or unknown.
+/// The difference in percent of the reference's mean; unset where that is 0, negative or unknown,
+/// and where more than all of it would be gone.
 std::optional<double> percent_of(const Comparison& comparison);
 /// "14 %" of an absolute value: a digit after the point below 10.
 std::string percent_text(double percent);

@@ -35,8 +35,7 @@ Json one_column(const Input& input, const std::string& model,
     const auto found = std::ranges::find(comparisons, measure->key, &Comparison::measure);
     const Comparison one = found == comparisons.end() ? Comparison{} : *found;
     const auto mean = [&](const SampleSummary& sample) -> Json {
-      const std::string text = sample.mean ? number_text(*sample.mean, decimals_of(one)) : "–";
-      return {{"text", text}, {"class", "mean"}, {"say", ""}};
+      return {{"text", mean_text(sample, decimals_of(one))}, {"class", "mean"}, {"say", ""}};
     };
     rows.push_back({{"name", measure_label(*measure)},
                     {"unit", std::string(measure->unit)},
@@ -54,7 +53,7 @@ Json overview(const Input& input) {
       columns.push_back({input.plan.conditions.size() == 1 ? model
                          : models.size() == 1              ? condition
                                                            : condition + ": " + model,
-                         comparisons_of(input, i, model)});
+                         comparisons_of(input.comparisons, i, model)});
     }
   }
   if (columns.empty()) return false;
@@ -106,7 +105,7 @@ Json overall_verdict(const Input& input, const std::string& model) {
 }  // namespace
 
 Json condition_verdict(const Input& input, std::size_t condition, const std::string& model) {
-  const std::vector<Comparison> comparisons = comparisons_of(input, condition, model);
+  const std::vector<Comparison> comparisons = comparisons_of(input.comparisons, condition, model);
   const Verdict verdict = verdict_of(comparisons);
   Json found = Json::array(), others = Json::array();
   for (const Sentence& one : verdict.different) found.push_back(sentence_json(one));

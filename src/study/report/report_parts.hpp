@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,12 +29,11 @@ struct Input {
 std::size_t pictured(const Plan& plan);
 /// The study's models but the reference, in their order.
 std::vector<std::string> others(const Plan& plan);
-/// Comparisons of one model in one condition, in the order of the measures.
-std::vector<Comparison> comparisons_of(const Input& input, std::size_t condition,
-                                       const std::string& model);
 /// A finished study run; null where there is none.
 const RunRecord* done_run(const Input& input, std::size_t condition, const std::string& model,
                           std::uint64_t seed);
+/// Index into Plan::runs of a condition's first finished study run; unset where there is none.
+std::optional<std::size_t> first_done_run(const Input& input, std::size_t condition);
 /// Directories of the finished runs of a model in a condition, by seed.
 std::vector<std::string> run_folders(const Input& input, std::size_t condition,
                                      const std::string& model);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iterator>
 
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_verdict.hpp"
@@ -11,8 +10,7 @@
 namespace pedzone::study {
 namespace {
 
-constexpr std::size_t kMostTold = 3;    // differences in a sentence that is read once
-constexpr std::size_t kLeastPairs = 3;  // as compare() has it
+constexpr std::size_t kMostTold = 3;  // differences in a sentence that is read once
 
 /// What most people ask first; the other main measures follow in their order.
 constexpr std::string_view kFirst[] = {"person.travelTime", "vehicle.travelTime",
@@ -78,16 +76,6 @@ std::string range_text(const std::vector<double>& shares) {
   return least == most ? least : least + " to " + most;
 }
 
-/// Of one model in one condition.
-std::vector<Comparison> part_of(std::span<const Comparison> comparisons, std::size_t condition,
-                                const std::string& model) {
-  std::vector<Comparison> part;
-  std::ranges::copy_if(comparisons, std::back_inserter(part), [&](const Comparison& one) {
-    return one.condition == condition && one.model == model;
-  });
-  return part;
-}
-
 Sentence cut_off_sentence(std::span<const CutOff> cuts, const std::string& model,
                           const Plan& plan) {
   std::vector<double> reference, own;
@@ -148,7 +136,7 @@ std::vector<Sentence> cut_off_sentences(std::span<const Comparison> comparisons,
   for (const std::string& model : plan.study.models) {
     std::vector<CutOff> cuts;
     for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
-      if (const auto cut = cut_off(part_of(comparisons, i, model))) cuts.push_back(*cut);
+      if (const auto cut = cut_off(comparisons_of(comparisons, i, model))) cuts.push_back(*cut);
     }
     if (!cuts.empty()) sentences.push_back(cut_off_sentence(cuts, model, plan));
   }

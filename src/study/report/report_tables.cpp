@@ -82,10 +82,6 @@ double axis_limit(const std::vector<Comparison>& comparisons) {
   return found == std::end(kAxes) ? kMostPercent : *found;
 }
 
-std::string mean_text(const SampleSummary& sample, int decimals) {
-  return sample.mean ? number_text(*sample.mean, decimals) : digits_text({});
-}
-
 Json difference_row(const Comparison& one, double limit) {
   const Measure& measure = *find_measure(one.measure);
   const int decimals = decimals_of(one);
@@ -109,7 +105,7 @@ Json differences(const Input& input) {
   Json tables = Json::array();
   for (std::size_t i = 0; i < input.plan.conditions.size(); ++i) {
     for (const std::string& model : others(input.plan)) {
-      std::vector<Comparison> all = comparisons_of(input, i, model);
+      std::vector<Comparison> all = comparisons_of(input.comparisons, i, model);
       std::erase_if(all, [](const Comparison& one) {
         const Measure* measure = find_measure(one.measure);
         return measure == nullptr || !measure->primary;
