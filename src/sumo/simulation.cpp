@@ -12,6 +12,7 @@
 #include "sumo/files/people_file.hpp"
 #include "sumo/live/stuck_watch.hpp"
 #include "sumo/live/vehicle_reader.hpp"
+#include "sumo/live/zone_marks.hpp"
 #include "sumo/plan/insertions.hpp"
 #include "sumo/plan/stand_off.hpp"
 #include "sumo/plan/steering.hpp"
@@ -121,6 +122,7 @@ struct Simulation::Parts {
                        {options.scenario.config, 0, "option pedestrian.model",
                         session->option("pedestrian.model"), "striping"});
     }
+    if (attached) join();
   }
 
   std::vector<WaypointPath> read_paths(const SimulationOptions& options) const {
@@ -141,6 +143,8 @@ struct Simulation::Parts {
     return edges;
   }
 
+  void join();
+  void leave();
   template <typename Work>
   void with_time_of_errors(const Work& work);
   std::size_t people_in_sumo();
@@ -178,6 +182,23 @@ struct Simulation::Parts {
   std::vector<PersonAhead> people;
   std::vector<VehicleState> states;
 };
+
+/// A SUMO that others started may have another network than its configuration says.
+void Simulation::Parts::join() {
+  try {
+    mark_zones(*session, network, zones);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError("is not the network that SUMO runs: " + std::string(error.what()),
+                     {network.file, 0, "", "", "the configuration with which SUMO was started"});
+  }
+}
+
+void Simulation::Parts::leave() {
+  stranded = takeover.let_go();
+  unmark_zones(*session, network, zones);
+}
 
 /// As it was known last where SUMO is there no more.
 std::size_t Simulation::Parts::people_in_sumo() {
@@ -224,7 +245,8 @@ void Simulation::Parts::with_time_of_errors(const Work& work) {
   const auto gone = [this] {
     lost = true;
     return ConnectionLost("SUMO has gone at " + time_text(session->time()) +
-                          ": it was closed, or another client broke off, or it died.");
+                          ": it was closed, or another client broke off, or it died. (It ends in "
+                          "the first step where two clients have the same order.)");
   };
   try {
     work();
@@ -266,7 +288,7 @@ void Simulation::close() {
   if (parts_->lost) return;
   parts_->with_time_of_errors([this] {
     if (parts_->observer) parts_->read(parts_->session->step_length());
-    if (parts_->attached) parts_->stranded = parts_->takeover.let_go();
+    if (parts_->attached) parts_->leave();
     parts_->session->close();
   });
 }

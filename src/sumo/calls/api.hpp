@@ -8,6 +8,7 @@
 #define PEDZONE_CALLS over_traci
 namespace pedzone::api {
 using namespace remembered;
+using libtraci::Edge;
 constexpr bool kRemote = true;  ///< SUMO can go away
 }  // namespace pedzone::api
 #else

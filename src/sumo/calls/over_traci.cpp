@@ -35,13 +35,20 @@ std::string name_of(const TraciAddress& address) {
   return address.host + ":" + std::to_string(address.port);
 }
 
-/// Nothing where nobody listens there yet. Waits until SUMO has all its clients.
-std::optional<std::pair<int, std::string>> version_at(const TraciAddress& address) {
+/// What a try to reach SUMO has led to.
+struct Try {
+  std::optional<std::pair<int, std::string>> version;
+  bool answered = false;  ///< somebody listens there
+};
+
+/// Waits until SUMO has all its clients.
+Try try_once(const TraciAddress& address) {
   const StreamLines silence(std::cout, [](const std::string&) {});  // libtraci tells each try
   try {
-    return libtraci::Simulation::init(address.port, 0, address.host);
-  } catch (const std::exception&) {
-    return std::nullopt;
+    return {libtraci::Simulation::init(address.port, 0, address.host), true};
+  } catch (const std::exception& error) {
+    // libtraci writes to its socket although it could not connect it.
+    return {std::nullopt, std::string_view(error.what()).find("send") == std::string_view::npos};
   }
 }
 
@@ -49,7 +56,12 @@ std::pair<int, std::string> reach(const TraciAddress& address) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + std::chrono::duration<double>(address.patience);
   while (true) {
-    if (const auto version = version_at(address)) return *version;
+    const Try found = try_once(address);
+    if (found.version) return *found.version;
+    if (found.answered) {
+      throw SumoError("What listens at " + name_of(address) +
+                      " does not speak TraCI, or it is a SUMO that ended while it was loading.");
+    }
     if (Clock::now() >= until) break;
     std::this_thread::sleep_for(kTryAgain);
   }

@@ -57,6 +57,15 @@ class SessionCalls final : public Session {
     return translated("to tell option " + name, [&] { return Simulation::getOption(name); });
   }
 
+  std::string edge_parameter(const std::string& edge, const std::string& key) const override {
+    return api::Edge::getParameter(edge, key);
+  }
+
+  void set_edge_parameter(const std::string& edge, const std::string& key,
+                          const std::string& value) override {
+    api::Edge::setParameter(edge, key, value);
+  }
+
  private:
   std::unique_ptr<SumoPersons> persons_ = person_calls();
   std::unique_ptr<SumoVehicles> vehicles_ = vehicle_calls();

@@ -51,6 +51,10 @@ class Session {
   virtual bool is_lost(const std::exception& error) const = 0;
   /// An option's value as SUMO has it.
   virtual std::string option(const std::string& name) const = 0;
+  /// Throws where SUMO has no such edge.
+  virtual std::string edge_parameter(const std::string& edge, const std::string& key) const = 0;
+  virtual void set_edge_parameter(const std::string& edge, const std::string& key,
+                                  const std::string& value) = 0;
 };
 
 /// Starts SUMO in this process, one at a time: its state is global. Finds SUMO's data itself where
