@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/command_line/common_options.hpp"
 #include "app/command_line/sumo_words.hpp"
@@ -56,6 +57,18 @@ void require_no_panel(const RunOptions& options, const ZoneFile& file) {
                     "`pedzone demand` to write them as a route file, for SUMO to start with"});
 }
 
+/// Made where it is not there, with its whole path: SUMO writes the pictures. Empty: none.
+std::string picture_folder(const std::string& folder) {
+  if (folder.empty()) return folder;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError("cannot be made: " + error.message(),
+                     {"", 0, "--screenshots", folder, "a folder that can be written"});
+  }
+  return std::filesystem::absolute(folder).string();
+}
+
 SimulationOptions prepare(const RunOptions& options) {
   SimulationOptions prepared;
   prepared.scenario = read_scenario(options.config, options.sumo_options);
@@ -67,6 +80,7 @@ SimulationOptions prepare(const RunOptions& options) {
   }
   prepared.needs_zone = options.strict || options.attach || !file.panels.empty();
   prepared.attach = options.attach;
+  prepared.screenshots = picture_folder(options.screenshots);
   if (options.own_process()) prepared.own = options.own;
   if (options.own.clients > 0 && options.own.port == 0) prepared.own->port = TraciAddress{}.port;
   if (options.model) set_model(*options.model, file.zones);

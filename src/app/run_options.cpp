@@ -45,6 +45,12 @@ void add_process_options(CLI::App& command, RunOptions& options) {
       ->capture_default_str()
       ->group(group)
       ->needs(gui);
+  command
+      .add_option("--screenshots", options.screenshots,
+                  "Write a picture of each step: FOLDER/step-000000.png, ...")
+      ->type_name(kFolder)
+      ->group(group)
+      ->needs(gui);
   auto* clients =
       command
           .add_option("--clients", options.own.clients,

@@ -30,6 +30,7 @@ struct RunOptions {
   PanelOptions panel;
   std::vector<std::string> sumo_options;  ///< what stands after `--`
   std::optional<TraciAddress> attach;     ///< a SUMO that runs; unset: one of our own
+  std::string screenshots;                ///< folder; empty: none
   OwnSumo own;                            ///< how that is, where it is another process
   bool own_process() const { return own.gui || own.clients > 0; }
 };

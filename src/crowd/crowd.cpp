@@ -212,6 +212,7 @@ PersonView Crowd::view(Handle handle) const {
           walker.arrived,
           walker.gave_up,
           state.groups[handle].waits,
+          i < state.proposals.size() && state.proposals.best(i).by == Behaviour::kClaim,
           state.children[handle].holds_hand,
           state.persons.present_radius[i]};
 }

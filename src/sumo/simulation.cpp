@@ -10,6 +10,7 @@
 #include "sumo/files/hint_values.hpp"
 #include "sumo/files/path_vehicles.hpp"
 #include "sumo/files/people_file.hpp"
+#include "sumo/live/gui_view.hpp"
 #include "sumo/live/stuck_watch.hpp"
 #include "sumo/live/vehicle_reader.hpp"
 #include "sumo/live/zone_marks.hpp"
@@ -120,13 +121,15 @@ struct Simulation::Parts {
         profiles(options.profiles),
         crowds(make_crowds()),
         takeover(network, zones, crowds, profiles, paths,
-                 number_option(*session, "pedestrian.striping.dawdling"), session->persons()) {
+                 number_option(*session, "pedestrian.striping.dawdling"), session->persons()),
+        gui(session->view(), session->persons(), crowds, takeover, options.screenshots) {
     if (session->option("pedestrian.model") != "striping") {
       throw InputError("is a pedestrian model that pedzone cannot take persons over from",
                        {options.scenario.config, 0, "option pedestrian.model",
                         session->option("pedestrian.model"), "striping"});
     }
     if (attached) join();
+    gui.begin(zones, paths);
   }
 
   std::vector<WaypointPath> read_paths(const SimulationOptions& options) const {
@@ -180,6 +183,7 @@ struct Simulation::Parts {
   PushRecords pushes{zones, crowds, takeover, fleet};
   RunTotals totals;
   StuckWatch stuck{zones, crowds, takeover, *session};
+  GuiView gui;
   SceneReader scene{fleet, takeover, crowds, session->persons()};
   std::function<void(const Scene&)> observer;
   bool stepped = false;  ///< SUMO has done a step
@@ -243,6 +247,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   for (auto& crowd : crowds) crowd->step(dt, states);
   for (const std::string& id : pushes.take(session->time(), dt)) yielding.stop(id);
   takeover.write(session->time(), dt, fleet);
+  gui.update();
   if (steering.over()) return;
   sumo.send(steering.plan(session->time(), sumo.ids(),
                           [&](const std::string& id) { return sumo.length(id); }));

@@ -26,6 +26,7 @@ struct SimulationOptions {
   std::optional<std::uint64_t> seed;       ///< of SUMO and of pedzone; unset: SUMO's
   std::optional<double> end;               ///< [s] overrides the scenario's
   std::optional<TraciAddress> attach;      ///< a SUMO that runs
+  std::string screenshots;                 ///< folder for a picture of each step; empty: none
   std::optional<OwnSumo> own;              ///< one to start; neither: in this process
 };
 

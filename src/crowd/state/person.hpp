@@ -66,6 +66,7 @@ struct PersonView {
   bool arrived;          ///< on its destination (or gave up there after its patience)
   bool gave_up;          ///< arrived only since patience ran out near a blocked destination
   bool waits_for_group;  ///< is too far ahead of the last of its group
+  bool makes_way;        ///< goes out of the room that a vehicle claims
   bool holds_hand;       ///< a child whom an adult leads by the hand
   double radius;         ///< [m] of the body as it holds its shoulders now
 };

@@ -26,6 +26,8 @@ auto translated(const std::string& doing, Call call) {
 }
 
 namespace in_process {
+/// None: libsumo has no window.
+inline std::unique_ptr<SumoView> view_calls() { return nullptr; }
 std::unique_ptr<SumoPersons> person_calls();
 std::unique_ptr<SumoVehicles> vehicle_calls();
 /// A SUMO that has been started.
@@ -33,6 +35,7 @@ std::unique_ptr<Session> session_calls();
 }  // namespace in_process
 
 namespace over_traci {
+std::unique_ptr<SumoView> view_calls();
 std::unique_ptr<SumoPersons> person_calls();
 std::unique_ptr<SumoVehicles> vehicle_calls();
 /// A SUMO that this process is connected to.

@@ -100,6 +100,7 @@ class OwnSession final : public Session {
 
   SumoPersons& persons() override { return joined_->persons(); }
   SumoVehicles& vehicles() override { return joined_->vehicles(); }
+  SumoView* view() override { return joined_->view(); }
   void step() override { joined_->step(); }
   void close() override {
     joined_->close();

@@ -14,6 +14,7 @@ namespace pedzone {
 /// As SUMO has it.
 struct TraciColour {
   int red = 0, green = 0, blue = 0, alpha = 255;  ///< [0, 255]
+  bool operator==(const TraciColour&) const = default;
 };
 
 class SumoPersons {

@@ -19,6 +19,7 @@ class SessionCalls final : public Session {
 
   SumoPersons& persons() override { return *persons_; }
   SumoVehicles& vehicles() override { return *vehicles_; }
+  SumoView* view() override { return view_.get(); }
 
   void step() override {
     const std::string doing = "in the step after " + std::to_string(SessionCalls::time()) + " s";
@@ -69,6 +70,7 @@ class SessionCalls final : public Session {
  private:
   std::unique_ptr<SumoPersons> persons_ = person_calls();
   std::unique_ptr<SumoVehicles> vehicles_ = vehicle_calls();
+  std::unique_ptr<SumoView> view_ = view_calls();
   double step_length_ = Simulation::getDeltaT(), end_time_ = Simulation::getEndTime();
   bool open_ = true;
 };

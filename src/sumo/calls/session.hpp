@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "sumo/calls/persons.hpp"
 #include "sumo/calls/vehicles.hpp"
+#include "sumo/calls/view.hpp"
 #include "sumo/files/desired_speeds.hpp"
 
 namespace pedzone {
@@ -38,6 +39,7 @@ class Session {
 
   virtual SumoPersons& persons() = 0;
   virtual SumoVehicles& vehicles() = 0;
+  virtual SumoView* view() = 0;  ///< null: there can be no window
 
   virtual void step() = 0;                 ///< throws SumoError, ConnectionLost
   virtual void close() = 0;                ///< flushes SUMO's outputs; throws SumoError

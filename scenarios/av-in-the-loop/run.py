@@ -1,0 +1,94 @@
+#!/usr/bin/python3
+"""SUMO, pedzone and the shuttle's controller in one command; tells how the encounters went.
+
+usage: run.py [--pedzone build/src/app/pedzone] [--sensor-range 20] [--seed 1] [--gui] [--out FOLDER]
+"""
+
+import argparse
+import csv
+import json
+import socket
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+PROGRAM = HERE.parents[1] / "build/src/app/pedzone"
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def run(pedzone, out, seed, sensor_range, words=()):
+    """One run; its files are in the folder `out`."""
+    port = free_port()
+    walking = subprocess.Popen(
+        [str(pedzone), "run", str(HERE / "plaza.sumocfg"), "--clients", "1", "--port", str(port),
+         "--seed", str(seed), "--summary", str(out / "summary.json"),
+         "--trajectories", str(out / "people.csv"), "--conflict-csv", str(out / "conflicts.csv"),
+         "--quiet", *words, "--", "--fcd-output", str(out / "fcd.xml"), "--no-warnings"],
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    driving = subprocess.Popen(
+        [sys.executable, str(HERE / "shuttle.py"), "--port", str(port), "--sensor-range",
+         str(sensor_range), "--log", str(out / "shuttle.csv")],
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    try:
+        _, complaint = walking.communicate()
+        _, trouble = driving.communicate(timeout=20)
+    finally:  # whatever ends one ends all
+        for process in (walking, driving):
+            process.kill()
+    if walking.returncode or driving.returncode:
+        raise SystemExit(complaint + trouble)
+
+
+def measures(out):
+    """Figures of a run."""
+    with open(out / "conflicts.csv", newline="") as file:
+        met = [row for row in csv.DictReader(file) if row["vehicle"].startswith("shuttle")]
+    with open(out / "shuttle.csv", newline="") as file:
+        drive = list(csv.DictReader(file))
+    trips = {}
+    for row in drive:
+        trips.setdefault(row["vehicle"], []).append(row)
+    ended = [rows for rows in trips.values() if float(rows[-1]["travelled"]) > 270.0]
+    least = lambda column: min((float(row[column]) for row in met if row[column]), default=None)
+    summary = json.loads((out / "summary.json").read_text())
+    return {
+        "trips": len(ended),
+        "conflicts": len(met),
+        "least clearance [m]": least("minClearance"),
+        "least TTC [s]": least("minTTC"),
+        "PCT [s], least": least("PCT"),
+        "TBT [s], least": least("TBT"),
+        "TMT [s], least": least("TMT"),
+        "hardest braking [m/s2]": max(-float(row["acceleration"]) for row in drive),
+        "trip [s], mean": sum(0.1 * len(rows) for rows in ended) / len(ended) if ended else None,
+        "people run into": len([one for one in summary["run_into"]
+                                if one["vehicle"].startswith("shuttle")]),
+    }
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--pedzone", default=PROGRAM, help="the program")
+    parser.add_argument("--sensor-range", type=float, default=20.0, help="m")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--gui", action="store_true", help="show it in sumo-gui")
+    parser.add_argument("--out", help="keep the run's files in this folder")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(options.out or folder)
+        out.mkdir(parents=True, exist_ok=True)
+        run(options.pedzone, out, options.seed, options.sensor_range,
+            ["--gui"] if options.gui else [])
+        for name, value in measures(out).items():
+            print(f"{name:24}", "-" if value is None else f"{value:.2f}".rstrip("0").rstrip("."))
+
+
+if __name__ == "__main__":
+    main()
