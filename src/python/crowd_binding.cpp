@@ -234,8 +234,10 @@ void bind_crowd(py::module_& module) {
            "interpreter's lock is free meanwhile. Raises ValueError, and what a model in Python\n"
            "raises: after that the crowd cannot be used.")
       .def("__len__", [](const PythonCrowd& crowd) { return crowd.read().size(); })
-      .def("__contains__",
-           [](const PythonCrowd& crowd, Crowd::Handle handle) { return crowd.read().has(handle); });
+      .def(
+          "__contains__",
+          [](const PythonCrowd& crowd, Crowd::Handle handle) { return crowd.read().has(handle); },
+          "handle"_a);
   bind_people(bound);
   bind_columns(bound);
 }

@@ -69,8 +69,8 @@ class Walking(unittest.TestCase):
         ends = {}
         for model in pedzone.MODELS:
             crowd = busy_crowd(model=model)
-            for _ in range(20):
-                crowd.step(0.1)
+            for step in range(20):
+                crowd.step(0.1, [pedzone.Vehicle("van", (25 - 0.3 * step, 10), math.pi, 3.0)])
             self.assertGreater(crowd.x.mean(), 5.5, model)
             ends[model] = crowd.positions().tobytes()
         self.assertEqual(len(set(ends.values())), len(pedzone.MODELS))
@@ -88,8 +88,7 @@ class Walking(unittest.TestCase):
 
     def test_goals_speeds_groups_paths_and_those_seen(self):
         crowd = pedzone.Crowd(hall())
-        line = crowd.add((5, 5), ((30, 2), (30, 9)), profile="elderly" if "elderly" in
-                         crowd_profiles() else crowd_profiles()[0], group="friends")
+        line = crowd.add((5, 5), ((30, 2), (30, 9)), profile="adult", group="friends")
         tour = crowd.add((5, 15), (35, 15), path=[(20, 18), (25, 12, 2.0)])
         crowd.set_goal(line, (5, 12))
         crowd.set_speed(tour, 2.0)
@@ -100,7 +99,6 @@ class Walking(unittest.TestCase):
             highest = max(highest, crowd.person(tour).position[1])
         self.assertGreater(highest, 16.9)  # within 1 m of the first waypoint
         self.assertAlmostEqual(crowd.person(line).position[0], 5, delta=0.6)
-        self.assertEqual(crowd.person(line).motion in ("standing", "walking"), True)
         self.assertEqual(len(crowd), 2)  # who is only seen is no row
 
     def test_who_is_removed_is_not_there(self):
@@ -115,10 +113,6 @@ class Walking(unittest.TestCase):
                            "set_goal": lambda: crowd.set_goal(77, (1, 1))}.items():
             with self.subTest(name), self.assertRaisesRegex(KeyError, "nobody .* handle"):
                 call()
-
-
-def crowd_profiles():
-    return hall().profiles
 
 
 class Arrays(unittest.TestCase):
@@ -179,15 +173,15 @@ class Mistakes(unittest.TestCase):
     def test_bad_input_is_an_InputError_with_the_programs_text(self):
         self.assertTrue(issubclass(pedzone.InputError, ValueError))
         cases = {
-            "is no walking model.*telepathy.*heuristic":
+            "model: .telepathy. is no walking model; allowed: heuristic":
                 lambda: hall(model="telepathy"),
             'walking model "telepathy" is not known; allowed: heuristic':
                 lambda: pedzone.Crowd(hall(), model="telepathy"),
             "nothing.so. is missing":
                 lambda: pedzone.Crowd(hall(), model="nothing.so"),
-            "parameters.*is no parameter.*sightt.*sight":
+            "parameters: .sightt. is no parameter; allowed: sight":
                 lambda: hall(parameters={"sightt": 1}),
-            "parameter sight: .*is out of range":
+            "parameter sight: .-1. is out of range; allowed":
                 lambda: hall(parameters={"sight": -1}),
             "has no ground":
                 lambda: pedzone.Zone.from_polygons([(0, 0), (1, 1)]),
