@@ -81,7 +81,7 @@ ReadTable read(const std::string& file) {
       },
       [&](const CsvRow& row) {
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
-          if (table.infos[c].kind == ColumnKind::kNumber) {
+          if (table.infos[c].kind == ColumnKind::kNumeric) {
             table.columns[c].add_number(row, c);
           } else {
             table.columns[c].add_text(row[c]);
@@ -120,7 +120,7 @@ py::dict read_table(const std::string& file) {
   for (std::size_t c = 0; c < table.infos.size(); ++c) {
     const ColumnInfo& info = table.infos[c];
     const Column& column = table.columns[c];
-    arrays[py::str(info.name)] = info.kind == ColumnKind::kNumber
+    arrays[py::str(info.name)] = info.kind == ColumnKind::kNumeric
                                      ? py::array(array_of(column.numbers))
                                      : objects_of(column, info.kind);
   }

@@ -19,12 +19,12 @@ inline constexpr NumberRange kAnyNumber{std::numeric_limits<double>::lowest(),
                                         std::numeric_limits<double>::max()};
 
 /// What the fields of a column are; any may be empty where there is no value.
-enum class ColumnKind { kNumber, kText, kTruth };
+enum class ColumnKind { kNumeric, kText, kTruth };
 
 /// What a column is, for people and for programs that read any table.
 struct ColumnInfo {
   std::string name, unit, meaning;
-  ColumnKind kind = ColumnKind::kNumber;
+  ColumnKind kind = ColumnKind::kNumeric;
 };
 
 /// One column of a table whose rows are `Row`s.

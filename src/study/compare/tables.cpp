@@ -24,8 +24,8 @@ void put(std::string& line, const std::optional<Value>& value) {
 }
 
 ColumnKind kind_of(std::string_view) { return ColumnKind::kText; }
-ColumnKind kind_of(double) { return ColumnKind::kNumber; }
-ColumnKind kind_of(std::uint64_t) { return ColumnKind::kNumber; }
+ColumnKind kind_of(double) { return ColumnKind::kNumeric; }
+ColumnKind kind_of(std::uint64_t) { return ColumnKind::kNumeric; }
 ColumnKind kind_of(bool) { return ColumnKind::kTruth; }
 template <class Value>
 ColumnKind kind_of(const std::optional<Value>&) {
