@@ -83,7 +83,7 @@ speeds = np.linalg.norm(np.diff(places, axis=0), axis=2) / STEP
 dots = axes.scatter(places[1:, :, 0], places[1:, :, 1], c=speeds, s=3, cmap="viridis", vmin=0, vmax=1.6)
 figure.colorbar(dots, label="speed [m/s]", shrink=0.7)
 axes.plot(*shuttle[(shuttle[:, 0] > 0) & (shuttle[:, 0] < 50)].T, color="#c04020", label="shuttle's centre")
-axes.legend(loc="upper left")
+axes.legend(loc="lower right")
 axes.set_title("24 people cross the way of a shuttle")
 save(figure, "crossing.png")
 
@@ -124,20 +124,19 @@ class Magnets(pedzone.WalkingModel):
         return (np.arctan2(wish[:, 1], wish[:, 0]), now.preferred_speed[:n] * np.minimum(1, length))
 
 
-figure, all_axes = plt.subplots(2, 2, figsize=(11, 7))
+figure, all_axes = plt.subplots(2, 2, figsize=(11, 8), constrained_layout=True)
 for axes, model in zip(all_axes.flat, ["heuristic", "orca", "social-force", Magnets()]):
     _, ways, _ = walk(people_in(zone, model), 30)
     draw_ground(axes, zone)
     axes.plot(ways[:, :, 0], ways[:, :, 1], color="#2060a0", linewidth=0.8)
     axes.set_title(model if isinstance(model, str) else "Magnets, in Python")
-figure.tight_layout()
 save(figure, "models.png")
 
 # %% What a run of the program has left: tables as arrays
 scenario = Path(__file__).resolve().parent.parent / "plaza" / "plaza-low.sumocfg"
 table = given.out / "plaza.csv"
 subprocess.run([given.pedzone, "run", scenario, "--end", "120", "--quiet", "--trajectories", table],
-               check=True)
+               check=True, stdout=subprocess.DEVNULL)  # what SUMO itself prints
 run = pedzone.read_table(table)  # pandas.DataFrame(run) is a data frame
 figure, axes = plt.subplots(figsize=(7, 5.5))
 plaza, = pedzone.read_zones(scenario)

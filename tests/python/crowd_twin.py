@@ -34,16 +34,16 @@ def vehicles_at(now):
 
 
 def walk(people, steps):
-    """Seconds that the steps took, and the crowd after them."""
+    """Seconds that the steps took, on the wall and of the processors, and the crowd after them."""
     crowd = make_crowd(people)
-    begin = time.perf_counter()
+    begin, work_begin = time.perf_counter(), time.process_time()
     total = 0.0
     for step in range(steps):
         crowd.step(0.1, vehicles_at(0.1 * step))
         total += crowd.x.sum() + crowd.y.sum()
-    return time.perf_counter() - begin, crowd
+    return time.perf_counter() - begin, time.process_time() - work_begin, crowd
 
 
 if __name__ == "__main__":
-    seconds, walked = walk(int(sys.argv[1]), int(sys.argv[2]))
-    print(f"{seconds:.6f}")
+    wall, work, _ = walk(int(sys.argv[1]), int(sys.argv[2]))
+    print(f"{wall:.6f} {work:.6f}")

@@ -36,9 +36,9 @@ class Tables(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = Path(cls.temporary.name)
         scenario = SCENARIOS / "plaza" / "plaza-low.sumocfg"
-        cls.run_program("run", str(scenario), "--end", "60", "--quiet", "--trajectories",
+        cls.run_program("run", str(scenario), "--end", "90", "--quiet", "--trajectories",
                         str(cls.folder / "run.csv.gz"), "--conflict-csv",
-                        str(cls.folder / "conflicts.csv"), "--conflict-ttc", "60")
+                        str(cls.folder / "conflicts.csv"), "--conflict-ttc", "60", "--conflict-pet", "60")
         (cls.folder / "small.study.xml").write_text(STUDY.format(scenario=scenario), encoding="utf-8")
         cls.run_program("study", "run", str(cls.folder / "small.study.xml"), "--quiet", "--out",
                         str(cls.folder / "results"))
@@ -101,6 +101,9 @@ class Tables(unittest.TestCase):
         self.check(folder / "density.csv", [])
         with self.assertRaisesRegex(KeyError, "no run of model 'orca' with seed 1 in condition 0"):
             study.run_folder("orca", 1)
+        for unknown in (("heuristic", 3, 0), ("heuristic", 1, 2)):
+            with self.assertRaises(KeyError):
+                study.run_folder(*unknown)
 
     def test_what_is_no_table_is_refused_with_its_place(self):
         cases = {"other.csv": ("a,b\n1,2\n", "other.csv:1.*none of pedzone's tables"),

@@ -13,7 +13,7 @@ TWIN = None
 
 class Twin(unittest.TestCase):
     def test_people_are_where_they_are_in_c_plus_plus(self):
-        _, crowd = walk(300, 60)
+        _, _, crowd = walk(300, 60)
         lines = subprocess.run([TWIN, "300", "60"], check=True, capture_output=True,
                                text=True).stdout.splitlines()[1:]
         there = [tuple(map(float.fromhex, line.split())) for line in lines]
