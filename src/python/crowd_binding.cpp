@@ -131,6 +131,26 @@ void bind_person(py::module_& module) {
       .def_readonly("holds_hand", &View::holds_hand, "A child whom an adult leads.");
 }
 
+void bind_push(py::module_& module) {
+  py::class_<VehiclePush>(module, "Push", "What a vehicle that drives did to a person in one step.")
+      .def_readonly("person", &VehiclePush::person, "key_of() the person's id.")
+      .def_readonly("vehicle", &VehiclePush::vehicle, "key_of() the vehicle's id.")
+      .def_readonly("way", &VehiclePush::way,
+                    "[m] by which it moved the person from where its own steps led.")
+      .def_readonly("speed", &VehiclePush::speed, "[m/s] of the fastest of those moves.")
+      .def_readonly("run_into", &VehiclePush::run_into, "The bodies overlap.")
+      .def_readonly("contact_speed", &VehiclePush::contact_speed,
+                    "[m/s] of the vehicle when that began; else 0.")
+      .def_property_readonly(
+          "position", [](const VehiclePush& push) { return tuple_of(push.position); },
+          "(x, y) [m] of the person.");
+}
+
+std::vector<VehiclePush> pushes(const PythonCrowd& crowd) {
+  const std::span<const VehiclePush> all = crowd.read().pushes();
+  return {all.begin(), all.end()};
+}
+
 void bind_people(py::class_<PythonCrowd>& bound) {
   bound
       .def(
@@ -215,6 +235,7 @@ void bind_columns(py::class_<PythonCrowd>& bound) {
 
 void bind_crowd(py::module_& module) {
   bind_person(module);
+  bind_push(module);
   py::class_<PythonCrowd> bound(
       module, "Crowd",
       "The people of one zone, and the step that moves them.\n\n"
@@ -233,6 +254,12 @@ void bind_crowd(py::module_& module) {
            "vehicles: a list of Vehicle as they are now; between substeps they move on. The\n"
            "interpreter's lock is free meanwhile. Raises ValueError, and what a model in Python\n"
            "raises: after that the crowd cannot be used.")
+      .def("pushes", pushes,
+           "Whom vehicles that drive pushed or ran into in the last step: a list of Push.")
+      .def(
+          "let_vehicles_through", [](PythonCrowd& crowd) { crowd.change().let_vehicles_through(); },
+          "From now on nobody is kept out of vehicles: for measures of what a model does by "
+          "itself.")
       .def("__len__", [](const PythonCrowd& crowd) { return crowd.read().size(); })
       .def(
           "__contains__",

@@ -65,6 +65,27 @@ class Walking(unittest.TestCase):
         self.assertGreater(nearest, 0.3)
         self.assertLess(nearest, 4.0)
 
+    def test_who_is_run_into_is_told(self):
+        def pushed(let_through):
+            crowd = pedzone.Crowd(hall(), model="constant-velocity")  # minds no vehicle
+            person = crowd.add((20, 9), (20, 18), id="anna", speed=0.5)
+            if let_through:
+                crowd.let_vehicles_through()
+            found = []
+            for step in range(30):
+                crowd.step(0.1, [pedzone.Vehicle("van", (15 + 0.8 * step, 9.5), speed=8.0)])
+                found += crowd.pushes()
+            return crowd.person(person), found
+        person, found = pushed(False)
+        self.assertEqual({(one.person, one.vehicle) for one in found},
+                         {(pedzone.key_of("anna"), pedzone.key_of("van"))})
+        hits = [one for one in found if one.run_into]
+        self.assertTrue(hits)
+        self.assertAlmostEqual(max(one.contact_speed for one in hits), 8.0)
+        self.assertGreater(sum(one.way for one in found), 0.2)
+        _, found = pushed(True)
+        self.assertEqual(found, [])
+
     def test_every_model_walks(self):
         ends = {}
         for model in pedzone.MODELS:
