@@ -1,4 +1,5 @@
 // TTC, PET and DRAC of two trajectories.
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <optional>
@@ -40,6 +41,20 @@ std::vector<Vec2> velocities_of(const std::optional<Numbers>& given,
   return velocities;
 }
 
+/// As ConflictLimits says. Throws std::invalid_argument.
+ConflictLimits checked(const ConflictLimits& limits) {
+  const auto check = [](const char* what, double value, double most) {
+    if (value >= 0.0 && value <= most) return;
+    throw std::invalid_argument(fmt::format("{}: {}; allowed: 0 to {}", what, value, most));
+  };
+  check("ttc", limits.ttc, 60.0);
+  check("pet", limits.pet, 60.0);
+  check("drac", limits.drac, 100.0);
+  check("range", limits.range, 1000.0);
+  check("horizon", limits.horizon, 60.0);
+  return limits;
+}
+
 std::vector<Conflict> conflicts(const Numbers& time, const Numbers& person, const Numbers& vehicle,
                                 const Numbers& heading,
                                 const std::optional<Numbers>& person_velocity,
@@ -54,7 +69,7 @@ std::vector<Conflict> conflicts(const Numbers& time, const Numbers& person, cons
   const auto moves = velocities_of(person_velocity, places, times, "person_velocity");
   const auto drives = velocities_of(vehicle_velocity, centres, times, "vehicle_velocity");
   sizes_of(length, width, radius);
-  ConflictTracker tracker({ttc, pet, drac, range, horizon});
+  ConflictTracker tracker(checked({ttc, pet, drac, range, horizon}));
   std::vector<Conflict> over;
   const AwareOf unknown = [](std::size_t, std::size_t) { return std::nullopt; };
   for (std::size_t i = 0; i < n; ++i) {

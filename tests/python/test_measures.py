@@ -88,6 +88,9 @@ class Trajectories(unittest.TestCase):
         time, person, vehicle, heading = crossing(1.0)
         with self.assertRaisesRegex(ValueError, "time: allowed: each later"):
             pedzone.conflicts(time[::-1], person, vehicle, heading)
+        for limit in ("ttc", "pet", "drac", "range", "horizon"):
+            with self.assertRaisesRegex(ValueError, f"{limit}: -1; allowed: 0 to"):
+                pedzone.conflicts(time, person, vehicle, heading, **{limit: -1})
         with self.assertRaisesRegex(ValueError, r"person: shape \(5, 2\)"):
             pedzone.conflicts(time, person[:5], vehicle, heading)
 
