@@ -22,6 +22,7 @@ packages=(
   libssl-dev                        # checksums of what a study ran on
   libkainjow-mustache-dev           # the template of a study's report
   libtbb-dev                        # threads
+  pybind11-dev python3-dev          # import pedzone
   libboost-dev                      # distributions; overlay of polygons; second opinion on areas
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev  # tests and benchmarks
   python3 python3-shapely python3-numpy python3-pyproj python3-jsonschema  # independent checks

@@ -28,7 +28,8 @@ endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pedzone
         FILES_MATCHING PATTERN "*.hpp"
-        PATTERN app EXCLUDE PATTERN cmake EXCLUDE PATTERN animation EXCLUDE PATTERN report EXCLUDE)
+        PATTERN app EXCLUDE PATTERN cmake EXCLUDE PATTERN animation EXCLUDE PATTERN report EXCLUDE
+        PATTERN python EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/src/zone/zones.xsd
               ${PROJECT_SOURCE_DIR}/src/app/summary.schema.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/pedzone)

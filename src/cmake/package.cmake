@@ -9,9 +9,16 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The program `sumo`, and the schemas by which it reads files; what pictures become PNG with.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "sumo, sumo-tools")
+if(TARGET pedzone_python)
+  # An extension is for one Python only.
+  get_property(python_minor GLOBAL PROPERTY PEDZONE_PYTHON_MINOR)
+  math(EXPR next_minor "${python_minor} + 1")
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS
+         ", python3 (>= 3.${python_minor}~), python3 (<< 3.${next_minor}), python3-numpy")
+endif()
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin")
-# For programs that are built with the layers: find_package(pedzone).
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libeigen3-dev, libboost-dev, libtbb-dev, libsumo-dev")
+# For programs that are built with the layers: find_package(pedzone). For the plots of an example.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libeigen3-dev, libboost-dev, libtbb-dev, libsumo-dev, python3-matplotlib")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Inside shared-space zones pedzone takes over the persons of the traffic\n\
 simulation Eclipse SUMO and walks them among each other and vehicles. It\n\

@@ -21,9 +21,8 @@ std::string joined(const std::vector<std::string>& words) {
 /// Cuts characters into fields and rows.
 class RowCutter {
  public:
-  RowCutter(const std::string& file, const std::vector<std::string>& header,
-            const RowVisitor& visitor)
-      : file_(file), header_(header), visitor_(visitor), fields_(1) {}
+  RowCutter(const std::string& file, const HeaderVisitor& found, const RowVisitor& visitor)
+      : file_(file), found_(found), visitor_(visitor), fields_(1) {}
 
   void take(char c) {
     if (quoted_) {
@@ -56,7 +55,7 @@ class RowCutter {
       throw error("is cut off: its last row is incomplete", joined(header_));
     }
     if (row_open) end_row();
-    if (!header_read_) throw error("is empty", "a first line '" + joined(header_) + "'");
+    if (!header_read_) found_({});
   }
 
  private:
@@ -69,11 +68,8 @@ class RowCutter {
   void end_row() {
     const std::span<const std::string> row(fields_.data(), count_ + 1);
     if (!header_read_) {
-      if (!std::ranges::equal(row, header_)) {
-        throw InputError("is another header than expected",
-                         {file_, line_, "first line",
-                          joined({row.begin(), row.end()}).substr(0, 80), joined(header_)});
-      }
+      header_.assign(row.begin(), row.end());
+      found_(header_);
       header_read_ = true;
     } else if (row.size() != header_.size()) {
       throw error("has " + std::to_string(row.size()) + " fields",
@@ -90,8 +86,9 @@ class RowCutter {
   }
 
   const std::string& file_;
-  const std::vector<std::string>& header_;
+  const HeaderVisitor& found_;
   const RowVisitor& visitor_;
+  std::vector<std::string> header_;
   std::vector<std::string> fields_;  ///< kept from row to row for their memory
   std::size_t count_ = 0;            ///< the field that is being read
   int line_ = 1;
@@ -118,6 +115,19 @@ InputError CsvRow::error(const std::string& problem, std::size_t column,
 
 void visit_rows(const std::string& file, const std::vector<std::string>& header,
                 const RowVisitor& visitor, const ReadProgress& progress) {
+  const auto compare = [&](const std::vector<std::string>& found) {
+    if (found == header) return;
+    if (found.empty()) {
+      throw InputError("is empty", {file, 1, "", "", "a first line '" + joined(header) + "'"});
+    }
+    throw InputError("is another header than expected",
+                     {file, 1, "first line", joined(found).substr(0, 80), joined(header)});
+  };
+  visit_any_rows(file, compare, visitor, progress);
+}
+
+void visit_any_rows(const std::string& file, const HeaderVisitor& found, const RowVisitor& visitor,
+                    const ReadProgress& progress) {
   // gzopen reads plain files as they are.
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> input(gzopen(file.c_str(), "rb"), gzclose);
   std::error_code no_size;
@@ -125,7 +135,7 @@ void visit_rows(const std::string& file, const std::vector<std::string>& header,
   if (!input || std::filesystem::is_directory(file)) {
     throw InputError("cannot be opened", {.file = file});
   }
-  RowCutter cutter(file, header, visitor);
+  RowCutter cutter(file, found, visitor);
   std::vector<char> piece(kPiece);
   for (int got = kPiece; got == kPiece;) {
     got = gzread(input.get(), piece.data(), kPiece);

@@ -34,11 +34,17 @@ class CsvRow {
 };
 
 using RowVisitor = std::function<void(const CsvRow&)>;
+/// Told the first line, or nothing of an empty file. Throws InputError where it does not know it.
+using HeaderVisitor = std::function<void(const std::vector<std::string>& header)>;
 
 /// Visits all rows in their order. Throws InputError when the file is missing, cannot be
 /// decompressed, has another header than `header`, or is cut off, and for a row with another number
 /// of fields; passes on what a visitor throws.
 void visit_rows(const std::string& file, const std::vector<std::string>& header,
                 const RowVisitor& visitor, const ReadProgress& progress = {});
+
+/// The same for any header: `found` is told it, before the first row is visited.
+void visit_any_rows(const std::string& file, const HeaderVisitor& found, const RowVisitor& visitor,
+                    const ReadProgress& progress = {});
 
 }  // namespace pedzone

@@ -249,4 +249,20 @@ void Crowd::let_vehicles_through() { state_->solid_vehicles = false; }
 std::size_t Crowd::size() const { return state_->persons.walking; }
 std::uint64_t Crowd::person_steps() const { return state_->person_steps; }
 
+bool Crowd::has(Handle handle) const {
+  const State& state = *state_;
+  if (handle >= state.row.size()) return false;
+  const std::size_t i = state.row[handle];
+  return i < state.walkers.size() && state.handle(i) == handle;
+}
+
+const Persons& Crowd::persons() const { return state_->persons; }
+Crowd::Handle Crowd::handle_in(std::size_t row) const { return state_->handle(row); }
+
+Persons Crowd::give_away_persons() {
+  Persons given = std::move(state_->persons);
+  state_->persons = given;
+  return given;
+}
+
 }  // namespace pedzone

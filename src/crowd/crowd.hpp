@@ -63,6 +63,15 @@ class Crowd {
   std::size_t size() const;
   std::uint64_t person_steps() const;  ///< person-substeps so far
 
+  /// Whether somebody has that handle.
+  bool has(Handle handle) const;
+  /// All of them as they are stored, to be read without a copy: until the next call that is not
+  /// const, which may put others in a row.
+  const Persons& persons() const;
+  Handle handle_in(std::size_t row) const;  ///< row < size()
+  /// Gives persons() away with its memory and goes on with a copy: for those who read on.
+  Persons give_away_persons();
+
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -3,12 +3,12 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <utility>
 
 #include "core/error.hpp"
+#include "model/decision_check.hpp"
 
 namespace pedzone {
 namespace {
@@ -44,7 +44,9 @@ class PluginModel : public WalkingModel {
 
   void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override {
     guarded_call(path_, [&] { model_->decide(first, last, decisions); });
-    for (std::size_t i = first; i < last; ++i) check(decisions[i], i);
+    for (std::size_t i = first; i < last; ++i) {
+      check_decision(path_, decisions[i], snapshot_.persons->preferred_speed[i]);
+    }
   }
 
   bool sets_velocity() const override { return model_->sets_velocity(); }
@@ -54,23 +56,6 @@ class PluginModel : public WalkingModel {
   }
 
  private:
-  /// Negated comparisons: what is no number is refused.
-  void check(const Decision& decision, std::size_t person) const {
-    const double most = snapshot_.persons->preferred_speed[person];
-    const auto refuse = [&](const char* what, double value, const std::string& allowed) {
-      throw InputError("is out of range",
-                       {path_, 0, fmt::format("{} of the walking model's decision", what),
-                        fmt::format("{}", value), allowed});
-    };
-    if (!std::isfinite(decision.direction)) refuse("direction", decision.direction, "a number");
-    if (!(decision.speed >= 0.0 && decision.speed <= most)) {
-      refuse("speed", decision.speed, fmt::format("0 to the preferred speed, {} m/s", most));
-    }
-    if (!(decision.free_distance >= 0.0)) {
-      refuse("free distance", decision.free_distance, "at least 0 m");
-    }
-  }
-
   std::string path_;
   Snapshot snapshot_;
   std::unique_ptr<WalkingModel> model_;

@@ -33,15 +33,15 @@ std::vector<Column> common_columns() {
       text_column({"vehicle", "", "id"}, &Conflict::vehicle),
       number_column({"begin", "s", "first moment in which it mattered"}, &Conflict::begin, kDigits),
       number_column({"end", "s", "last moment"}, &Conflict::end, kDigits),
-      {{"type", "", "how the two move to each other"},
+      {{"type", "", "how the two move to each other", ColumnKind::kText},
        [](std::string& line, const Conflict& one) { line += name_of(one.type); },
        [](Conflict& one, const CsvRow& fields, std::size_t c) { one.type = type_of(fields, c); }},
-      {{"first", "", "who was first at the place of the PET"},
+      {{"first", "", "who was first at the place of the PET", ColumnKind::kText},
        [](std::string& line, const Conflict& one) { line += name_of(one.first); },
        [](Conflict& one, const CsvRow& fields, std::size_t c) {
          one.first = named(fields, c, {First::kUnknown, First::kPerson, First::kVehicle});
        }},
-      {{"aware", "", "the person had noticed the vehicle in time"},
+      {{"aware", "", "the person had noticed the vehicle in time", ColumnKind::kTruth},
        [](std::string& line, const Conflict& one) {
          if (one.aware) line += *one.aware ? "true" : "false";
        },
@@ -82,7 +82,7 @@ void add_measure(std::vector<Column>& columns, const ConflictMeasure& measure) {
       "_x", "m", "where", [](auto& at) -> auto& { return at.position.x(); });
   add(
       "_y", "m", "the same", [](auto& at) -> auto& { return at.position.y(); });
-  columns.push_back({{std::string(measure.name) + "_type", "", "`type` then"},
+  columns.push_back({{std::string(measure.name) + "_type", "", "`type` then", ColumnKind::kText},
                      [extreme](std::string& line, const Conflict& one) {
                        if (one.*extreme) line += name_of((one.*extreme)->type);
                      },

@@ -18,9 +18,13 @@ namespace pedzone {
 inline constexpr NumberRange kAnyNumber{std::numeric_limits<double>::lowest(),
                                         std::numeric_limits<double>::max()};
 
-/// What a column is, for people.
+/// What the fields of a column are; any may be empty where there is no value.
+enum class ColumnKind { kNumeric, kText, kTruth };
+
+/// What a column is, for people and for programs that read any table.
 struct ColumnInfo {
   std::string name, unit, meaning;
+  ColumnKind kind = ColumnKind::kNumeric;
 };
 
 /// One column of a table whose rows are `Row`s.
@@ -100,6 +104,7 @@ class Table {
 /// Text, quoted where it has to be.
 template <class Row, class Text>
 TableColumn<Row> text_column(ColumnInfo info, Text Row::*member) {
+  info.kind = ColumnKind::kText;
   return {std::move(info),
           [member](std::string& line, const Row& row) { line += csv_field(row.*member); },
           [member](Row& row, const CsvRow& fields, std::size_t c) { row.*member = fields[c]; }};

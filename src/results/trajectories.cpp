@@ -79,10 +79,10 @@ const Table<TrajectoryRow>& trajectory_table() {
       number_column({"vy", "m/s", "the same"}, &Row::vy, 3, kSpeeds),
       number_column({"heading", "rad", "where it faces, counter-clockwise from +x"}, &Row::heading,
                     3, kAngles),
-      {{"motion", "", "`walking`, `waiting` or `standing`"},
+      {{"motion", "", "`walking`, `waiting` or `standing`", ColumnKind::kText},
        [](std::string& line, const Row& row) { line += name_of(row.motion); },
        read_motion},
-      {{"activity", "", "what it does beside walking: `none`, `texting`, ..."},
+      {{"activity", "", "what it does beside walking: `none`, `texting`, ...", ColumnKind::kText},
        [](std::string& line, const Row& row) { line += info_of(row.activity).id; },
        read_activity},
   }};

@@ -30,6 +30,8 @@ in_root bash -ec '
   test -s /usr/share/zsh/site-functions/_pedzone
   test -s /usr/share/pedzone/zones.xsd
   test -s /usr/include/pedzone/crowd/crowd.hpp
+  python3 -c "import pedzone; zone = pedzone.Zone.from_polygons([(0, 0), (9, 0), (9, 9), (0, 9)])
+crowd = pedzone.Crowd(zone); crowd.add((1, 1), (8, 8)); crowd.step(1.0); assert crowd.x[0] > 1"
   pedzone study run /example.study.xml --out /results --quiet
   grep -q "What the study found" /results/report.html
   pedzone study status /results'

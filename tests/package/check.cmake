@@ -1,12 +1,9 @@
-# Installs into an empty folder, moves that away from where it was installed to (a package must
-# not remember the place), builds the outside project against it, and runs it.
-file(REMOVE_RECURSE ${WORK})
+# Builds the outside project against the package that install.cmake has installed, and runs it.
+file(REMOVE_RECURSE ${WORK}/build ${WORK}/plugins)
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
-file(RENAME ${WORK}/first ${WORK}/prefix)
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${OUTSIDE} -B ${WORK}/build
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)

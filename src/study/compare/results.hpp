@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "results/table.hpp"
 #include "study/compare/statistics.hpp"
 #include "study/plan/plan.hpp"
 #include "study/run/record.hpp"
@@ -115,8 +116,12 @@ std::vector<UnequalDemand> unequal_demands(const Plan& plan, const Records& reco
 
 /// The tables. CSV with a header; fields of hostile ids are quoted. Contain no clock.
 /// Factors have columns `factor.ID`, so that no id can be taken for another column.
+inline constexpr const char* kFactorColumn = "factor.";
 std::string runs_csv(const Plan& plan, const Records& records);
 std::string summary_csv(const Plan& plan, const std::vector<Comparison>& comparisons);
+/// Their columns where nothing varies. Those of factors are texts.
+std::vector<ColumnInfo> runs_columns();
+std::vector<ColumnInfo> summary_columns();
 /// Also the set-up, how fair the pairs are, and the runs that failed.
 std::string summary_json(const Plan& plan, const Records& records,
                          const std::vector<Comparison>& comparisons,

@@ -1,6 +1,8 @@
 // The tables of a study as CSV.
 #include <fmt/format.h>
 
+#include <type_traits>
+
 #include "results/table.hpp"
 #include "study/compare/measured.hpp"
 #include "study/compare/results.hpp"
@@ -21,9 +23,19 @@ void put(std::string& line, const std::optional<Value>& value) {
   if (value) put(line, *value);
 }
 
+ColumnKind kind_of(std::string_view) { return ColumnKind::kText; }
+ColumnKind kind_of(double) { return ColumnKind::kNumeric; }
+ColumnKind kind_of(std::uint64_t) { return ColumnKind::kNumeric; }
+ColumnKind kind_of(bool) { return ColumnKind::kTruth; }
+template <class Value>
+ColumnKind kind_of(const std::optional<Value>&) {
+  return kind_of(Value{});
+}
+
 /// A column that is only written: of what `value` gives for a row.
 template <class Row, class Value>
 TableColumn<Row> column(ColumnInfo info, Value value) {
+  info.kind = kind_of(std::invoke_result_t<Value, const Row&>{});
   return {std::move(info), [value](std::string& line, const Row& row) { put(line, value(row)); }};
 }
 
@@ -38,12 +50,12 @@ std::vector<TableColumn<Row>> condition_columns(const Plan& plan) {
     return std::string_view(plan.study.scenarios[of(row).scenario].id);
   }));
   for (std::size_t f = 0; f < plan.study.factors.size(); ++f) {
-    columns.push_back(column<Row>({"factor." + plan.study.factors[f].id, "", "the factor's level"},
-                                  [&plan, of, f](const Row& row) {
-                                    const std::size_t level = of(row).levels[f];
-                                    return std::string_view(
-                                        plan.study.factors[f].levels[level].name);
-                                  }));
+    columns.push_back(
+        column<Row>({kFactorColumn + plan.study.factors[f].id, "", "the factor's level"},
+                    [&plan, of, f](const Row& row) {
+                      const std::size_t level = of(row).levels[f];
+                      return std::string_view(plan.study.factors[f].levels[level].name);
+                    }));
   }
   return columns;
 }
@@ -162,7 +174,27 @@ void add_finding(Columns& columns) {
       [](const Row& row) { return bound_name(row.bound); });
 }
 
+Table<Comparison> summary_table(const Plan& plan) {
+  Columns columns = condition_columns<Comparison>(plan);
+  add_what(columns, plan);
+  add_summary(columns, "reference", &Comparison::reference);
+  add_summary(columns, "model", &Comparison::sample);
+  add_difference(columns);
+  add_finding(columns);
+  return Table<Comparison>(std::move(columns));
+}
+
 }  // namespace
+
+std::vector<ColumnInfo> runs_columns() {
+  const Plan without_factors;
+  return runs_table(without_factors).infos();
+}
+
+std::vector<ColumnInfo> summary_columns() {
+  const Plan without_factors;
+  return summary_table(without_factors).infos();
+}
 
 std::string runs_csv(const Plan& plan, const Records& records) {
   const Table<RunEntry> table = runs_table(plan);
@@ -179,13 +211,7 @@ std::string runs_csv(const Plan& plan, const Records& records) {
 }
 
 std::string summary_csv(const Plan& plan, const std::vector<Comparison>& comparisons) {
-  Columns columns = condition_columns<Comparison>(plan);
-  add_what(columns, plan);
-  add_summary(columns, "reference", &Comparison::reference);
-  add_summary(columns, "model", &Comparison::sample);
-  add_difference(columns);
-  add_finding(columns);
-  const Table<Comparison> table{std::move(columns)};
+  const Table<Comparison> table = summary_table(plan);
   std::string text = table.header();
   for (const Comparison& comparison : comparisons) table.append(text, comparison);
   return text;

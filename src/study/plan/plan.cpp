@@ -185,8 +185,11 @@ Plan make_plan(Study study) {
 std::size_t Plan::run_of(RunKind kind, std::size_t condition, const std::string& model,
                          std::uint64_t seed) const {
   const auto place = [](const auto& list, const auto& item) {
-    return static_cast<std::size_t>(std::ranges::find(list, item) - list.begin());
+    const auto found = std::ranges::find(list, item);
+    if (found == list.end()) throw std::out_of_range("not in the study");
+    return static_cast<std::size_t>(found - list.begin());
   };
+  if (condition >= conditions.size()) throw std::out_of_range("not in the study");
   const std::size_t round = kind == RunKind::kFreeSpeed ? 0 : 1 + place(study.seeds, seed);
   const std::size_t row = round * conditions.size() + condition;
   return run_index.at(row * study.models.size() + place(study.models, model));

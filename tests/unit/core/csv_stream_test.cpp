@@ -92,6 +92,25 @@ TEST_F(CsvStream, refuses_another_header_another_number_of_fields_and_nothing) {
   EXPECT_THAT(visited(), HasSubstr("cannot be opened"));
 }
 
+TEST_F(CsvStream, any_header_is_told_before_the_first_row_and_none_of_an_empty_file) {
+  const auto told = [&] {
+    std::string text;
+    visit_any_rows(
+        file_,
+        [&](const std::vector<std::string>& header) {
+          text += std::to_string(header.size()) + ":";
+        },
+        [&](const CsvRow& row) { text += row[0] + ";"; });
+    return text;
+  };
+  write("a,b,c\n1,2,3\n4,5,6\n");
+  EXPECT_EQ(told(), "3:1;4;");
+  write("");
+  EXPECT_EQ(told(), "0:");
+  write("a,b\n1,2,3\n");
+  EXPECT_THROW(told(), InputError);
+}
+
 TEST_F(CsvStream, numbers_have_to_be_numbers_in_range) {
   EXPECT_EQ(number_of("2.5"), "2.500000");
   EXPECT_THAT(number_of("two"), AllOf(HasSubstr(file_ + ":2"), HasSubstr("column x"),
