@@ -14,6 +14,7 @@
 #include "app/progress.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
+#include "app/temporary_folder.hpp"
 #include "app/thread_limit.hpp"
 #include "app/warnings.hpp"
 #include "core/error.hpp"
@@ -114,9 +115,12 @@ void walk(Simulation& simulation, OutputFiles& outputs, Progress& progress) {
 }
 
 /// Its exit code: 0, or 128 + the signal that ended it early.
-int simulate(const RunOptions& options) {
+int simulate(RunOptions& options) {
   const ThreadLimit limit(options.threads);
-  const SimulationOptions prepared = prepare(options);
+  SimulationOptions prepared = prepare(options);
+  if (!options.animation.empty()) {
+    options.recorded = record_everybody(prepared.scenario, options.scratch);
+  }
   OutputFiles outputs(options);
   Progress progress(!is_quiet() && !has_step_log(prepared.scenario));
   Simulation simulation(prepared);
@@ -137,7 +141,8 @@ int simulate(const RunOptions& options) {
   return 128 + totals.interrupted_by;
 }
 
-int run(const RunOptions& options) {
+/// The parent makes the folder and removes it, however the child ends.
+int run_with(const RunOptions& options) {
   const auto work = [options = options]() mutable {
     keep_standard_output_clean(options);
     return guarded_code([&] { return simulate(options); });
@@ -145,9 +150,20 @@ int run(const RunOptions& options) {
   return supervise(work, outputs_of(options));
 }
 
+int run(const RunOptions& options) {
+  if (options.animation.empty()) return run_with(options);
+  return guarded_code([&] {
+    const TemporaryFolder scratch;
+    RunOptions with_scratch = options;
+    with_scratch.scratch = scratch.path();
+    return run_with(with_scratch);
+  });
+}
+
 constexpr const char* kFooter =
     "Examples:\n"
     "  pedzone run town.sumocfg\n"
+    "  pedzone run town.sumocfg --animate town.html          # to be opened in a browser\n"
     "  pedzone run town.sumocfg --seed 7 --end 900 --summary out/summary.json \\\n"
     "              --trajectories out/trajectories.csv -- --tripinfo-output out/trips.xml\n"
     "  pedzone run town.sumocfg --pedestrians 200            # 200 people more, of all kinds\n"
@@ -219,6 +235,8 @@ void add_output_options(CLI::App& command, RunOptions& options) {
       ->group("Outputs")
       ->needs(edge_data);
   add("--paths-svg", options.picture, "Draw people's paths over the zone");
+  add("--animate", options.animation,
+      "Make an animation: one HTML file that plays offline, as `pedzone animate` makes it");
   auto* shapes = add(
       "--debug-shapes", options.debug_shapes,
       "Write paths, waypoints and each person's aim, direction and free distances as SUMO shapes");
