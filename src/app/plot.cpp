@@ -1,8 +1,11 @@
 #include "app/plot.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
 
+#include "app/box_option.hpp"
 #include "app/command_line/values.hpp"
 #include "app/guarded.hpp"
 #include "app/png.hpp"
@@ -10,6 +13,7 @@
 #include "results/complete_file.hpp"
 #include "view/path_plot.hpp"
 #include "view/run_charts.hpp"
+#include "view/svg_row.hpp"
 #include "view/time_plot.hpp"
 
 namespace pedzone {
@@ -22,6 +26,7 @@ struct PlotOptions {
   std::string kind = "time", colour = "auto";
   std::string out, title;
   std::optional<double> every;  ///< [s]
+  std::vector<double> at;       ///< [s] of snapshots; empty: none
   std::vector<double> area;     ///< [m] left, bottom, right, top
   int width = 1600;             ///< [pixels]
 };
@@ -35,28 +40,34 @@ bool is_png(const std::string& out) {
       {.element = "option --out", .value = out, .allowed = "a name that ends with .svg or .png"});
 }
 
-Box area_of(const std::vector<double>& sides) {
-  if (sides.empty()) return {};
-  const Box box(Vec2(sides[0], sides[1]), Vec2(sides[2], sides[3]));
-  if (box.isEmpty() || !(box.sizes().minCoeff() > 0.0)) {
-    throw InputError("is no area", {.element = "option --area",
-                                    .allowed = "LEFT BOTTOM RIGHT TOP with LEFT < RIGHT and "
-                                               "BOTTOM < TOP, network metres"});
-  }
-  return box;
-}
-
 std::string title_of(const PlotOptions& options) {
   if (!options.title.empty()) return options.title;
   return std::filesystem::path(options.recording.source.file).filename().string();
 }
 
+/// Side by side.
+std::string snapshots(const PlotOptions& options, const Recording& recording, const Place* place,
+                      const std::string& title, const Box& area) {
+  if (options.kind != "time") {
+    throw InputError(
+        "has no snapshots",
+        {.element = "option --kind", .value = options.kind, .allowed = "time, with --at"});
+  }
+  std::vector<NamedPicture> pictures;
+  for (const double at : options.at) {
+    pictures.push_back(
+        {fmt::format("{:g} s", at), time_plot(recording, place, {title, area, std::nullopt, at})});
+  }
+  return svg_row(pictures);
+}
+
 std::string draw(const PlotOptions& options) {
   const std::string title = title_of(options);
-  const Box area = area_of(options.area);
+  const Box area = box_of_sides(options.area, "--area");
   const bool map = options.kind == "time" || options.kind == "path";
   const std::unique_ptr<Place> place = map ? read_place(options.recording) : nullptr;
   const Recording recording = read_recording(options.recording);
+  if (!options.at.empty()) return snapshots(options, recording, place.get(), title, area);
   if (options.kind == "time")
     return time_plot(recording, place.get(), {title, area, options.every});
   if (options.kind == "speed") return speed_chart(recording, title);
@@ -88,6 +99,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  pedzone run town.sumocfg --trajectories run.csv -- --fcd-output run.fcd.xml\n"
     "  pedzone plot run.csv --fcd run.fcd.xml --scenario town.sumocfg --out time.svg\n"
+    "  pedzone plot run.csv --scenario town.sumocfg --at 12 16 20 24 --out four.svg\n"
     "  pedzone plot run.csv --scenario town.sumocfg --kind path --out paths.png\n"
     "  pedzone plot run.csv --fcd run.fcd.xml --scenario town.sumocfg --kind clearance \\\n"
     "               --persons p0 p1 --begin 30 --end 60 --out clearance.svg\n"
@@ -123,10 +135,11 @@ void add_plot(CLI::App& app, int& code) {
       ->check(number_in(0.01, 1e6))
       ->type_name(kSeconds)
       ->default_str("10 to 20 moments");
-  command->add_option("--area", options->area, "Maps: what is shown, in metres of the network")
-      ->expected(4)
-      ->check(number_in(-1e9, 1e9))
-      ->type_name("LEFT BOTTOM RIGHT TOP")
+  command->add_option("--at", options->at, "Time-plot: snapshots of these moments, side by side")
+      ->check(number_in(-kLongestTime, kLongestTime))
+      ->expected(1, 12)
+      ->type_name(kSeconds);
+  add_box_option(*command, "--area", options->area, "Maps: what is shown, in metres of the network")
       ->default_str("where persons are");
   command->add_option("--colour-by", options->colour, "Path plot: what a line's colour tells")
       ->check(one_of({"auto", "person", "group", "none"}))

@@ -80,6 +80,11 @@ class Picture {
     const double middle = kHeight - 0.5 * (kTop + kBottom);
     page_.text({24.0, kHeight - middle}, kTitle, chart_.y_label,
                fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 24 {})\"", middle));
+    if (!chart_.note.empty()) {
+      page_.text({kRight - 8.0, kTop - 22.0}, 0.9 * kText, chart_.note,
+                 "class=\"note\" text-anchor=\"end\" font-style=\"italic\" stroke=\"#ffffff\" "
+                 "stroke-width=\"4\" paint-order=\"stroke\"");
+    }
     page_.text({kLeft, kTop + 20.0}, kTitle, chart_.title, "font-weight=\"bold\"");
   }
 

@@ -30,6 +30,7 @@ struct Chart {
   std::vector<ChartBand> bands;
   std::vector<ChartLine> lines;
   double y_most = std::numeric_limits<double>::infinity();  ///< larger values are cut off
+  std::string note = {};  ///< written into the chart, above
 };
 
 /// The chart as an SVG file. The y axis has 0. Nothing to draw: axes from 0 to 1.

@@ -1,5 +1,7 @@
 #include "view/run_charts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -46,6 +48,22 @@ std::vector<ChartLine> lines_of_persons(const Recording& recording, const Value&
   return lines;
 }
 
+/// A line that is not to be seen would be taken for one that is not there.
+void tell_of_cut(const ChartLine& line, Chart& chart) {
+  std::size_t all = 0, cut = 0;
+  for (const Polyline& piece : line.pieces) {
+    all += piece.size();
+    cut += static_cast<std::size_t>(
+        std::ranges::count_if(piece, [&](const Vec2& point) { return point.y() > chart.y_most; }));
+  }
+  if (cut == 0) return;
+  chart.note = fmt::format(
+      "{}: above {:g} m {}, off the axis", line.name, chart.y_most,
+      cut == all ? "throughout"
+                 : fmt::format("for {:.0f} % of the time",
+                               100.0 * static_cast<double>(cut) / static_cast<double>(all)));
+}
+
 /// Median, band and, where asked for, the least of everybody at each step.
 void add_summary(const Recording& recording, const Value& value, bool with_least, Chart& chart) {
   std::vector<std::vector<double>> values(recording.times.size());
@@ -70,6 +88,7 @@ void add_summary(const Recording& recording, const Value& value, bool with_least
     add_point(band.pieces, {time, quantile(values[step], kLow), quantile(values[step], kHigh)},
               joined);
   }
+  tell_of_cut(median, chart);
   chart.bands.push_back(std::move(band));
   if (with_least) chart.lines.push_back(std::move(least));
   chart.lines.push_back(std::move(median));
