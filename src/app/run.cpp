@@ -12,6 +12,7 @@
 #include "app/interrupts.hpp"
 #include "app/output_files.hpp"
 #include "app/progress.hpp"
+#include "app/step_watch.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
 #include "app/temporary_folder.hpp"
@@ -48,12 +49,25 @@ void tell_of_no_zone(const RunOptions& options, const Simulation& simulation) {
       simulation.network().file, options.config));
 }
 
+/// SUMO has read its people when pedzone joins.
+void require_no_panel(const RunOptions& options, const ZoneFile& file) {
+  if (file.panels.empty()) return;
+  throw InputError("asks for people, and SUMO runs already",
+                   {options.zone_file, 0, "<pedestrians>", "",
+                    "`pedzone demand` to write them as a route file, for SUMO to start with"});
+}
+
 SimulationOptions prepare(const RunOptions& options) {
   SimulationOptions prepared;
   prepared.scenario = read_scenario(options.config, options.sumo_options);
   ZoneFile file = read_zone_file(options.zone_file, options.panel);
-  if (file.panels.empty()) tell_of_nobody(options, prepared.scenario);
-  prepared.needs_zone = options.strict || !file.panels.empty();
+  if (options.attach) {
+    require_no_panel(options, file);
+  } else if (file.panels.empty()) {
+    tell_of_nobody(options, prepared.scenario);
+  }
+  prepared.needs_zone = options.strict || options.attach || !file.panels.empty();
+  prepared.attach = options.attach;
   if (options.model) set_model(*options.model, file.zones);
   prepared.zones = std::move(file.zones);
   prepared.profiles = std::move(file.profiles);
@@ -71,6 +85,14 @@ void warn_of_interrupt(const RunSummary& totals) {
       stderr,
       "Interrupted at {:.1f} s (signal {}): the outputs hold what was simulated until then.\n",
       totals.time.simulated_s, totals.interrupted_by);
+}
+
+void warn_of_stranded(const std::vector<std::string>& ids) {
+  if (ids.empty()) return;
+  print_warning(
+      fmt::format("{} persons stand where pedzone left them, e.g. '{}': SUMO cannot walk "
+                  "on who has a route of one edge with one lane.",
+                  ids.size(), ids.front()));
 }
 
 /// Farther out people decide otherwise by rounding; measured: nearer they do as at the origin, to
@@ -96,15 +118,24 @@ void warn_of_shapes(const Simulation& simulation) {
   }
 }
 
-/// To its end, or until it is interrupted.
-void walk(Simulation& simulation, OutputFiles& outputs, Progress& progress) {
+/// To its end, or until it is interrupted. What ended it early, if SUMO did.
+std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progress,
+                 StepWatch& watch) {
+  std::string lost;
   JamWarnings jams;
   StuckWarning stuck;
   progress.start(simulation.time(), simulation.end_time());
   note_interrupts();
   while (!simulation.finished() && noted_interrupt() == 0) {
     const double time = simulation.time();
-    simulation.step();
+    watch.begin("for SUMO, which waits for another of its clients to do its step");
+    try {
+      simulation.step();
+    } catch (const ConnectionLost& error) {
+      lost = error.what();
+    }
+    watch.end();
+    if (!lost.empty()) break;
     outputs.step(time, simulation);
     jams.step(simulation, progress);
     stuck.step(simulation, progress);
@@ -112,6 +143,7 @@ void walk(Simulation& simulation, OutputFiles& outputs, Progress& progress) {
   }
   progress.finish();
   jams.finish(simulation, progress);
+  return noted_interrupt() == 0 ? lost : "";
 }
 
 /// Its exit code: 0, or 128 + the signal that ended it early.
@@ -123,41 +155,28 @@ int simulate(RunOptions& options) {
   }
   OutputFiles outputs(options);
   Progress progress(!is_quiet() && !has_step_log(prepared.scenario));
+  StepWatch watch(options.attach.has_value());
+  watch.begin("for SUMO to be there with all its clients (--remote-port, --num-clients)");
   Simulation simulation(prepared);
+  watch.end();
   outputs.begin(simulation);
   tell_of_no_zone(options, simulation);
   warn_of_far_places(simulation.network());
   warn_of_shapes(simulation);
-  walk(simulation, outputs, progress);
+  const std::string lost = walk(simulation, outputs, progress, watch);
   RunSummary totals = simulation.summary();
   totals.interrupted_by = noted_interrupt();
-  const bool warns = simulation.warns();
+  totals.sumo_gone = !lost.empty();
+  const bool warns = !options.attach && simulation.warns();
   simulation.close();
   if (warns) totals.sumo.warnings = progress.warnings();
   outputs.finish(simulation, totals);
   print_result(summary_table(totals));
+  warn_of_stranded(simulation.stranded());
+  if (totals.sumo_gone) throw SumoError(lost + " The outputs hold what was simulated until then.");
   if (totals.interrupted_by == 0) return 0;
   warn_of_interrupt(totals);
   return 128 + totals.interrupted_by;
-}
-
-/// The parent makes the folder and removes it, however the child ends.
-int run_with(const RunOptions& options) {
-  const auto work = [options = options]() mutable {
-    keep_standard_output_clean(options);
-    return guarded_code([&] { return simulate(options); });
-  };
-  return supervise(work, outputs_of(options));
-}
-
-int run(const RunOptions& options) {
-  if (options.animation.empty()) return run_with(options);
-  return guarded_code([&] {
-    const TemporaryFolder scratch;
-    RunOptions with_scratch = options;
-    with_scratch.scratch = scratch.path();
-    return run_with(with_scratch);
-  });
 }
 
 constexpr const char* kFooter =
@@ -179,84 +198,40 @@ constexpr const char* kFooter =
     "Outputs: - is standard output, NAME.gz is compressed.\n"
     "Exit codes: 0 done, 2 input at fault, 3 SUMO failed, 128 + signal: interrupted.";
 
-void add_input_options(CLI::App& command, RunOptions& options) {
-  const char* group = "What is run";
-  add_scenario(command, options.config, options.zone_file);
-  command.get_option("--zone")->group(group);
-  command.add_option("--model", options.model, "Walking model of every zone, or a plug-in (*.so)")
-      ->check(any_beside(model_names()))
-      ->type_name(kModelValue)
-      ->default_str("the zone's, else heuristic")
-      ->group(group);
-  command.add_option("--seed", options.seed, "Seed of SUMO and pedzone")
-      ->check(a_seed())
-      ->type_name(kNumber)
-      ->default_str("SUMO's")
-      ->group(group);
-  command.add_option("--end", options.end, "End time")
-      ->check(number_in(0, kLongestTime))
-      ->type_name(kSeconds)
-      ->default_str("the scenario's")
-      ->group(group);
-  add_threads(command, options.threads)->group(group);
-  command
-      .add_flag("--strict", options.strict,
-                "A scenario without persons or without shared space is an error; else it runs as "
-                "in SUMO, with a warning")
-      ->group(group);
-}
-
-void add_output_options(CLI::App& command, RunOptions& options) {
-  const auto add = [&](const char* name, std::string& file, const std::string& what) {
-    return command.add_option(name, file, what)->type_name(kFile)->group("Outputs");
+/// The parent makes the folder and removes it, however the child ends.
+int run_in_child(const RunOptions& options) {
+  const auto work = [options = options]() mutable {
+    keep_standard_output_clean(options);
+    return guarded_code([&] { return simulate(options); });
   };
-  add("--summary", options.summary, "Write the summary as JSON");
-  auto* trajectories =
-      add("--trajectories", options.trajectories,
-          fmt::format("Write {} of each person and step; NAME.sqlite: JuPedSim's database; "
-                      "NAME.txt: PedPy's text, with NAME.ids.csv",
-                      fmt::join(trajectory_table().names(), ", ")));
-  command
-      .add_option("--trajectories-of", options.trajectories_of,
-                  "Whose, in NAME.sqlite and NAME.txt: zones: whom pedzone walks; all: whom SUMO "
-                  "walks, too")
-      ->check(one_of({"zones", "all"}))
-      ->type_name(kNames)
-      ->capture_default_str()
-      ->group("Outputs")
-      ->needs(trajectories);
-  auto* edge_data =
-      add("--edge-data", options.edge_data,
-          "Write density, speed and time loss of people by edges of the zones, as SUMO's edgeData");
-  command.add_option("--edge-data-period", options.edge_data_period, "An interval of those")
-      ->check(number_in(0.1, kLongestTime))
-      ->type_name(kSeconds)
-      ->default_str("the whole run")
-      ->group("Outputs")
-      ->needs(edge_data);
-  add("--paths-svg", options.picture, "Draw people's paths over the zone");
-  add("--animate", options.animation,
-      "Make an animation: one HTML file that plays offline, as `pedzone animate` makes it");
-  auto* shapes = add(
-      "--debug-shapes", options.debug_shapes,
-      "Write paths, waypoints and each person's aim, direction and free distances as SUMO shapes");
-  command.add_option("--debug-time", options.debug_time, "Time of those shapes")
-      ->check(number_in(0, kLongestTime))
-      ->type_name(kSeconds)
-      ->default_str("the end of the run")
-      ->group("Outputs")
-      ->needs(shapes);
+  return supervise(work, outputs_of(options));
 }
 
 }  // namespace
+
+int run(const RunOptions& options) {
+  if (options.animation.empty()) return run_in_child(options);
+  return guarded_code([&] {
+    const TemporaryFolder scratch;
+    RunOptions with_scratch = options;
+    with_scratch.scratch = scratch.path();
+    return run_in_child(with_scratch);
+  });
+}
 
 void add_run(CLI::App& app, int& code) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand(
       "run", "Run a SUMO scenario; pedzone walks its persons through shared space");
   command->footer(kFooter);
-  add_input_options(*command, *options);
+  add_walking_options(*command, *options);
+  add_strict_flag(*command, *options);
   add_output_options(*command, *options);
+  command
+      ->add_option("--animate", options->animation,
+                   "Make an animation: one HTML file that plays offline, as `pedzone animate` does")
+      ->type_name(kFile)
+      ->group("Outputs");
   add_conflict_options(*command, options->conflicts);
   add_panel_options(*command, options->panel);
   add_sumo_words(*command, options->sumo_options);

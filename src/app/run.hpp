@@ -1,38 +1,13 @@
 // `pedzone run`: a SUMO scenario with its persons walked through the zones.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "app/conflict_options.hpp"
-#include "app/panel_options.hpp"
+#include "app/run_options.hpp"
 
 namespace pedzone {
 
-struct RunOptions {
-  std::string config;                ///< .sumocfg
-  std::string zone_file;             ///< empty: the zone is found by itself
-  std::optional<std::string> model;  ///< of every zone; unset: as the zone file says
-  std::optional<std::uint64_t> seed;
-  std::optional<double> end;  ///< [s]
-  int threads = 0;            ///< 0: all cores
-  bool strict = false;        ///< where there is nobody or nowhere to walk, that is an error
-  std::string summary, trajectories, picture;  ///< files to write; empty: not
-  std::string animation;                       ///< page to write; empty: not
-  std::string scratch;   ///< folder for what only the animation is made of; empty: none
-  std::string recorded;  ///< the fcd-output that the animation is made of
-  std::string trajectories_of = "zones";   ///< or "all": those, too, whom SUMO walks
-  std::string edge_data;                   ///< file to write; empty: not
-  std::optional<double> edge_data_period;  ///< [s] of an interval; unset: the whole run
-  std::string debug_shapes;                ///< file to write; empty: not
-  std::optional<double> debug_time;        ///< [s] of the shapes; unset: the end
-  ConflictOptions conflicts;
-  PanelOptions panel;
-  std::vector<std::string> sumo_options;  ///< what stands after `--`
-};
-
 void add_run(CLI::App& app, int& code);
+
+/// In a process of its own, which SUMO may end. Its exit code.
+int run(const RunOptions& options);
 
 }  // namespace pedzone

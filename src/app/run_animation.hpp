@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/run.hpp"
+#include "app/run_options.hpp"
 #include "results/complete_file.hpp"
 #include "results/trajectories.hpp"
 #include "sumo/simulation.hpp"

@@ -162,6 +162,7 @@ std::string summary_json(const RunSummary& summary) {
   nlohmann::ordered_json json;
   json["version"] = kJsonVersion;
   json["interrupted"] = summary.interrupted_by != 0;
+  json["sumo_gone"] = summary.sumo_gone;
   json["persons"] = {{"seen", persons.seen},
                      {"controlled", persons.controlled},
                      {"takeovers", persons.takeovers},

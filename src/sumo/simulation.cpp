@@ -11,7 +11,8 @@
 #include "sumo/files/path_vehicles.hpp"
 #include "sumo/files/people_file.hpp"
 #include "sumo/live/stuck_watch.hpp"
-#include "sumo/live/sumo_vehicle.hpp"
+#include "sumo/live/vehicle_reader.hpp"
+#include "sumo/live/zone_marks.hpp"
 #include "sumo/plan/insertions.hpp"
 #include "sumo/plan/stand_off.hpp"
 #include "sumo/plan/steering.hpp"
@@ -32,20 +33,7 @@ double number_option(const Session& session, const std::string& name) {
   return std::strtod(session.option(name).c_str(), nullptr);
 }
 
-/// Runs what talks to SUMO and turns what SUMO throws into a SumoError.
-template <typename Work>
-void with_time_of_errors(double time, const Work& work) {
-  try {
-    work();
-  } catch (const InputError&) {
-    throw;
-  } catch (const SumoError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw SumoError(std::string("SUMO refused a call at ") + std::to_string(time) +
-                    " s: " + error.what());
-  }
-}
+std::string time_text(double time) { return std::to_string(time) + " s"; }
 
 /// The panels' people as a file that SUMO reads when it starts. It has no name, so that nothing of
 /// it is left however the process ends.
@@ -90,6 +78,19 @@ const std::vector<VehiclePath>& known_vehicles(const SimulationOptions& options)
   return options.vehicle_paths;
 }
 
+DesiredSpeeds desired_speeds(const Scenario& scenario) {
+  DesiredSpeeds speeds;
+  for (const auto* files : {&scenario.additional_files, &scenario.route_files}) {
+    for (const std::string& file : *files) speeds.read(file);
+  }
+  return speeds;
+}
+
+std::unique_ptr<Session> open_session(const SimulationOptions& options, const Scenario& scenario) {
+  if (options.attach) return join_over_traci(*options.attach, desired_speeds(scenario));
+  return start_in_process(scenario.config, words_for_sumo(scenario, options.seed, options.end));
+}
+
 Stuck stuck_of(const Standstills& found) { return {found.all(), found.most(), found.most_at()}; }
 
 }  // namespace
@@ -102,24 +103,26 @@ struct Simulation::Parts {
         paths(read_paths(options)),
         steering(known_vehicles(options)),
         panel_people(options, network, zones),
-        session(options.scenario.config,
-                words_for_sumo(panel_people.scenario(), options.seed, options.end)),
-        vehicles(network),
+        session(open_session(options, panel_people.scenario())),
+        vehicles(network, session->vehicles()),
         fleet(network, zones),
         yielding(zones),
         insertions(network, read_departures(panel_people.scenario(), network, zone_edges())),
         stand_offs(zones),
+        attached(options.attach.has_value()),
+        end(options.end),
         seed(options.seed ? *options.seed
-                          : static_cast<std::uint64_t>(number_option(session, "seed"))),
+                          : static_cast<std::uint64_t>(number_option(*session, "seed"))),
         profiles(options.profiles),
         crowds(make_crowds()),
         takeover(network, zones, crowds, profiles, paths,
-                 number_option(session, "pedestrian.striping.dawdling")) {
-    if (session.option("pedestrian.model") != "striping") {
+                 number_option(*session, "pedestrian.striping.dawdling"), session->persons()) {
+    if (session->option("pedestrian.model") != "striping") {
       throw InputError("is a pedestrian model that pedzone cannot take persons over from",
                        {options.scenario.config, 0, "option pedestrian.model",
-                        session.option("pedestrian.model"), "striping"});
+                        session->option("pedestrian.model"), "striping"});
     }
+    if (attached) join();
   }
 
   std::vector<WaypointPath> read_paths(const SimulationOptions& options) const {
@@ -140,6 +143,11 @@ struct Simulation::Parts {
     return edges;
   }
 
+  void join();
+  void leave();
+  template <typename Work>
+  void with_time_of_errors(const Work& work);
+  std::size_t people_in_sumo();
   void read(double dt);
   void walk_and_yield(double dt);
 
@@ -150,52 +158,80 @@ struct Simulation::Parts {
   std::vector<WaypointPath> paths;
   Steering steering;
   PanelPeople panel_people;
-  Session session;
+  std::unique_ptr<Session> session;
   VehicleReader vehicles;
   Fleet fleet;
-  SafeSpeeds safe_speeds = sumo_vehicle::safe_speeds();
+  SafeSpeeds safe_speeds = session->vehicles().safe_speeds();
   Yielding yielding;
   Insertions insertions;
   StandOffs stand_offs;
+  bool attached;              ///< SUMO runs on without us
+  std::optional<double> end;  ///< [s] what was asked for
   std::uint64_t seed;
   Profiles profiles;
   std::vector<std::unique_ptr<Crowd>> crowds;
   Takeover takeover;
   PushRecords pushes{zones, crowds, takeover, fleet};
   RunTotals totals;
-  StuckWatch stuck{zones, crowds, takeover};
-  SceneReader scene{fleet, takeover, crowds};
+  StuckWatch stuck{zones, crowds, takeover, *session};
+  SceneReader scene{fleet, takeover, crowds, session->persons()};
   std::function<void(const Scene&)> observer;
   bool stepped = false;  ///< SUMO has done a step
+  bool lost = false;     ///< it is there no more
+  std::vector<std::string> stranded;
   std::vector<PersonAhead> people;
   std::vector<VehicleState> states;
 };
 
+/// A SUMO that others started may have another network than its configuration says.
+void Simulation::Parts::join() {
+  try {
+    mark_zones(*session, network, zones);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError("is not the network that SUMO runs: " + std::string(error.what()),
+                     {network.file, 0, "", "", "the configuration with which SUMO was started"});
+  }
+}
+
+void Simulation::Parts::leave() {
+  stranded = takeover.let_go();
+  unmark_zones(*session, network, zones);
+}
+
+/// As it was known last where SUMO is there no more.
+std::size_t Simulation::Parts::people_in_sumo() {
+  return lost ? takeover.bystanders().all().size() : session->persons().ids().size();
+}
+
 /// Takes in SUMO's present state and shows it.
 void Simulation::Parts::read(double dt) {
   fleet.update(vehicles.read(fleet), dt);
-  steering.foresee(fleet, session.time(), dt);
-  takeover.read(session.time(), fleet);
+  steering.foresee(fleet, session->time(), dt);
+  takeover.read(session->time(), fleet);
   totals.observe(fleet, takeover);
-  stuck.update(session.time());
+  stuck.update(session->time());
   // SUMO's outputs name a step by the time at which it began.
-  if (observer && stepped) observer(scene.read(session.time() - dt));
+  if (observer && stepped) observer(scene.read(session->time() - dt));
 }
 
 /// From SUMO's present state to what it is told for its next step.
 void Simulation::Parts::walk_and_yield(double dt) {
+  SumoVehicles& sumo = session->vehicles();
   read(dt);
   takeover.people(people);
-  sumo_vehicle::send(yielding.plan(fleet.vehicles(), people, safe_speeds, session.time(), dt));
+  sumo.send(yielding.plan(fleet.vehicles(), people, safe_speeds, session->time(), dt));
   takeover.add_bystanders(people);
-  sumo_vehicle::send(stand_offs.plan(fleet.vehicles(), people, dt));
+  sumo.send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);
-  insertions.add_claims(session.time(), fleet, states);
+  insertions.add_claims(session->time(), fleet, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
-  for (const std::string& id : pushes.take(session.time(), dt)) yielding.stop(id);
-  takeover.write(session.time(), dt, fleet);
+  for (const std::string& id : pushes.take(session->time(), dt)) yielding.stop(id);
+  takeover.write(session->time(), dt, fleet);
   if (steering.over()) return;
-  sumo_vehicle::send(steering.plan(session.time(), sumo_vehicle::ids(), sumo_vehicle::length));
+  sumo.send(steering.plan(session->time(), sumo.ids(),
+                          [&](const std::string& id) { return sumo.length(id); }));
 }
 
 Simulation::Simulation(const SimulationOptions& options)
@@ -203,22 +239,45 @@ Simulation::Simulation(const SimulationOptions& options)
 
 Simulation::~Simulation() = default;
 
+/// Runs what talks to SUMO and turns what SUMO throws into a SumoError.
+template <typename Work>
+void Simulation::Parts::with_time_of_errors(const Work& work) {
+  const auto gone = [this] {
+    lost = true;
+    return ConnectionLost("SUMO has gone at " + time_text(session->time()) +
+                          ": it was closed, or another client broke off, or it died. (It ends in "
+                          "the first step where two clients have the same order.)");
+  };
+  try {
+    work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const ConnectionLost&) {
+    throw gone();
+  } catch (const SumoError&) {
+    throw;
+  } catch (const std::exception& error) {
+    if (session->is_lost(error)) throw gone();
+    throw SumoError("SUMO refused a call at " + time_text(session->time()) + ": " + error.what());
+  }
+}
+
 void Simulation::step() {
-  with_time_of_errors(time(), [this] {
-    parts_->walk_and_yield(parts_->session.step_length());
+  parts_->with_time_of_errors([this] {
+    parts_->walk_and_yield(parts_->session->step_length());
     const Clock::time_point before = Clock::now();
-    parts_->session.step();
+    parts_->session->step();
     parts_->stepped = true;
     parts_->sumo_seconds += seconds_since(before);
-    parts_->totals.count_persons(parts_->session.departed_persons(),
-                                 parts_->session.arrived_persons());
-    parts_->totals.count_events(parts_->session.events());
+    parts_->totals.count_persons(parts_->session->departed_persons(),
+                                 parts_->session->arrived_persons());
+    parts_->totals.count_events(parts_->session->events());
   });
 }
 
 bool Simulation::finished() const {
-  const double end = parts_->session.end_time();
-  return end >= 0.0 ? parts_->session.time() >= end : parts_->session.nobody_left();
+  const double end = end_time();
+  return end >= 0.0 ? parts_->session->time() >= end : parts_->session->nobody_left();
 }
 
 void Simulation::observe(std::function<void(const Scene&)> observer) {
@@ -226,15 +285,19 @@ void Simulation::observe(std::function<void(const Scene&)> observer) {
 }
 
 void Simulation::close() {
-  if (parts_->observer) {
-    with_time_of_errors(time(), [this] { parts_->read(parts_->session.step_length()); });
-  }
-  parts_->session.close();
+  if (parts_->lost) return;
+  parts_->with_time_of_errors([this] {
+    if (parts_->observer) parts_->read(parts_->session->step_length());
+    if (parts_->attached) parts_->leave();
+    parts_->session->close();
+  });
 }
 
-double Simulation::time() const { return parts_->session.time(); }
-double Simulation::step_length() const { return parts_->session.step_length(); }
-double Simulation::end_time() const { return parts_->session.end_time(); }
+const std::vector<std::string>& Simulation::stranded() const { return parts_->stranded; }
+
+double Simulation::time() const { return parts_->session->time(); }
+double Simulation::step_length() const { return parts_->session->step_length(); }
+double Simulation::end_time() const { return parts_->end.value_or(parts_->session->end_time()); }
 const std::vector<Zone>& Simulation::zones() const { return parts_->zones; }
 const Network& Simulation::network() const { return parts_->network; }
 const std::vector<WaypointPath>& Simulation::paths() const { return parts_->paths; }
@@ -249,9 +312,10 @@ PersonView Simulation::view(const Guest& guest) const {
 
 std::vector<Passer> Simulation::passers() const {
   std::vector<Passer> passers;
-  for (const std::string& id : sumo_person::ids()) {
-    if (parts_->takeover.guest(id) != nullptr || !sumo_person::vehicle(id).empty()) continue;
-    passers.push_back({id, sumo_person::position(id), sumo_person::heading(id)});
+  const SumoPersons& sumo = parts_->session->persons();
+  for (const std::string& id : sumo.ids()) {
+    if (parts_->takeover.guest(id) != nullptr || !sumo.vehicle(id).empty()) continue;
+    passers.push_back({id, sumo.position(id), sumo.heading(id)});
   }
   return passers;
 }
@@ -268,8 +332,8 @@ Region Simulation::ground(bool everything) const {
 }
 
 bool Simulation::warns() const {
-  return parts_->session.option("no-warnings") == "false" &&
-         parts_->session.option("aggregate-warnings") == "-1";
+  return parts_->session->option("no-warnings") == "false" &&
+         parts_->session->option("aggregate-warnings") == "-1";
 }
 
 const Standstills& Simulation::stuck_persons() const { return parts_->stuck.persons(); }
@@ -293,8 +357,8 @@ std::vector<Insight> Simulation::insights() {
 
 RunSummary Simulation::summary() const {
   RunSummary summary = parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding,
-                                              sumo_person::ids().size());
-  parts_->stuck.look(time());
+                                              parts_->people_in_sumo());
+  if (!parts_->lost) parts_->stuck.look(time());
   summary.stuck_persons = stuck_of(parts_->stuck.persons());
   summary.stuck_vehicles = stuck_of(parts_->stuck.vehicles());
   summary.time.simulated_s = time();

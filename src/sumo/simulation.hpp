@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "sumo/calls/session.hpp"
 #include "sumo/live/run_totals.hpp"
 #include "sumo/live/scene.hpp"
-#include "sumo/live/session.hpp"
 #include "zone/vehicle_path.hpp"
 
 namespace pedzone {
@@ -24,6 +24,7 @@ struct SimulationOptions {
   std::vector<VehiclePath> vehicle_paths;  ///< at most one of a vehicle
   std::optional<std::uint64_t> seed;       ///< of SUMO and of pedzone; unset: SUMO's
   std::optional<double> end;               ///< [s] overrides the scenario's
+  std::optional<TraciAddress> attach;      ///< a SUMO that runs; unset: one in this process
 };
 
 /// A person on foot whom SUMO walks, or who waits as SUMO says.
@@ -43,15 +44,18 @@ class Simulation {
   explicit Simulation(const SimulationOptions& options);
   ~Simulation();
 
-  /// One SUMO step. Throws SumoError.
+  /// One SUMO step. Throws SumoError, ConnectionLost: what was simulated can still be told.
   void step();
   /// From now on shows every step of SUMO's, as soon as its outcome is read: the last one with
   /// close(). One observer; it must not call the simulation.
   void observe(std::function<void(const Scene&)> observer);
   /// Whether SUMO's end time is reached, or, without one, nobody is left.
   bool finished() const;
-  /// Ends SUMO so that its outputs are complete. Throws SumoError.
+  /// Ends SUMO so that its outputs are complete. One that was joined goes on, with its people
+  /// back; nothing where it is gone. Throws SumoError.
   void close();
+  /// Ids of those who could not be given back with close(): SUMO has them stand.
+  const std::vector<std::string>& stranded() const;
 
   double time() const;         ///< [s]
   double step_length() const;  ///< [s]

@@ -19,7 +19,7 @@
 
 #include "core/error.hpp"
 #include "results/trajectories.hpp"
-#include "sumo/live/session.hpp"
+#include "sumo/calls/session.hpp"
 #include "sumo/simulation.hpp"
 
 namespace {
@@ -151,13 +151,14 @@ class Meddler {
 };
 
 void run_plain(const pedzone::Scenario& scenario, unsigned long seed, const std::string& events) {
-  pedzone::Session session(scenario.config, pedzone::words_for_sumo(scenario, {}, {}));
-  Meddler meddler(seed, events, session.step_length());
-  while (session.time() < session.end_time()) {
+  const auto session =
+      pedzone::start_in_process(scenario.config, pedzone::words_for_sumo(scenario, {}, {}));
+  Meddler meddler(seed, events, session->step_length());
+  while (session->time() < session->end_time()) {
     meddler.meddle();
-    session.step();
+    session->step();
   }
-  session.close();
+  session->close();
 }
 
 void run_with_pedzone(const pedzone::Scenario& scenario, unsigned long seed,

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/animate.hpp"
+#include "app/attach.hpp"
 #include "app/command_line/help.hpp"
 #include "app/command_line/look_up.hpp"
 #include "app/command_line/mistakes.hpp"
@@ -40,7 +41,7 @@ struct CommandGroup {
 /// In the order of the help.
 const std::vector<CommandGroup>& command_groups() {
   static const std::vector<CommandGroup> groups = {
-      {"To walk people", {add_run, add_inspect, add_demand}},
+      {"To walk people", {add_run, add_attach, add_inspect, add_demand}},
       {"To look at what they did", {add_conflicts, add_animate, add_plot, add_maps, add_geojson}},
       {"To compare and to judge", {add_study, add_validate, add_calibrate, add_verify}},
       {kLookUpGroup, {add_parameters, add_profiles, add_help, add_completion, add_man}}};

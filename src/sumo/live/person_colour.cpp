@@ -2,13 +2,12 @@
 
 namespace pedzone {
 
-void PersonColour::show(const std::string& person, Activity activity) {
+void PersonColour::show(SumoPersons& sumo, const std::string& person, Activity activity) {
   if (activity == shown_) return;
   shown_ = activity;
-  if (!own_) own_ = sumo_person::colour(person);
+  if (!own_) own_ = sumo.colour(person);
   const auto& [red, green, blue] = info_of(activity).colour;
-  sumo_person::set_colour(person,
-                          activity == Activity::kNone ? *own_ : TraciColour{red, green, blue});
+  sumo.set_colour(person, activity == Activity::kNone ? *own_ : TraciColour{red, green, blue});
 }
 
 }  // namespace pedzone

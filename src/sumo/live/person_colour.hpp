@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "sumo/live/sumo_person.hpp"
+#include "sumo/calls/persons.hpp"
 #include "world/activities.hpp"
 
 namespace pedzone {
@@ -12,7 +12,7 @@ namespace pedzone {
 class PersonColour {
  public:
   /// Colours the person by its activity, and as it was before once it has none.
-  void show(const std::string& person, Activity activity);
+  void show(SumoPersons& sumo, const std::string& person, Activity activity);
 
  private:
   Activity shown_ = Activity::kNone;

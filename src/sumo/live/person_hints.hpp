@@ -4,12 +4,14 @@
 
 #include <string>
 
+#include "sumo/calls/persons.hpp"
 #include "sumo/files/hint_values.hpp"
 
 namespace pedzone {
 
 /// Reads them from SUMO for a person that is there now. Throws InputError naming the person, the
 /// key, the value and what is allowed, for what a program has set since the files were read.
-PersonHints read_hints(const std::string& person, const HintContext& context);
+PersonHints read_hints(const SumoPersons& sumo, const std::string& person,
+                       const HintContext& context);
 
 }  // namespace pedzone

@@ -8,9 +8,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "sumo/calls/session.hpp"
+#include "sumo/calls/sumo_messages.hpp"
 #include "sumo/live/push_records.hpp"
-#include "sumo/live/session.hpp"
-#include "sumo/live/sumo_messages.hpp"
 #include "sumo/live/takeover.hpp"
 #include "sumo/plan/standstills.hpp"
 #include "sumo/plan/yielding.hpp"
@@ -54,6 +54,7 @@ struct RunSummary {
   std::vector<JamRecord> jams;          ///< in time
   std::vector<RunIntoRecord> run_into;  ///< in time
   int interrupted_by = 0;               ///< the signal that ended the run early; 0: none
+  bool sumo_gone = false;               ///< SUMO, which was joined, ended the run early
   struct {
     double simulated_s = 0.0, wall_s = 0.0, sumo_s = 0.0, pedzone_s = 0.0;
     double us_per_person_step = 0.0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/random.hpp"
-#include "sumo/live/sumo_person.hpp"
 
 namespace pedzone {
 
@@ -39,8 +38,8 @@ void SceneReader::add_bystanders() {
     if (person.guest || !person.near) continue;
     const std::pair place(person.position.x(), person.position.y());
     const bool at_front = std::binary_search(fronts_.begin(), fronts_.end(), place);
-    if (at_front) ridden_.push_back(sumo_person::vehicle(person.id));
-    if (person.radius == 0.0) measure(person, sumo_person::size(person.id));
+    if (at_front) ridden_.push_back(sumo_.vehicle(person.id));
+    if (person.radius == 0.0) measure(person, sumo_.size(person.id));
     persons_.push_back({person.id,
                         person.position,
                         person.velocity,

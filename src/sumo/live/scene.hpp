@@ -21,8 +21,8 @@ struct Scene {
 class SceneReader {
  public:
   SceneReader(const Fleet& fleet, Takeover& takeover,
-              const std::vector<std::unique_ptr<Crowd>>& crowds)
-      : fleet_(fleet), takeover_(takeover), crowds_(crowds) {}
+              const std::vector<std::unique_ptr<Crowd>>& crowds, const SumoPersons& sumo)
+      : fleet_(fleet), takeover_(takeover), crowds_(crowds), sumo_(sumo) {}
 
   /// After fleet and takeover have read SUMO's state of the step named `time` [s].
   Scene read(double time);
@@ -34,6 +34,7 @@ class SceneReader {
   const Fleet& fleet_;
   Takeover& takeover_;
   const std::vector<std::unique_ptr<Crowd>>& crowds_;
+  const SumoPersons& sumo_;
   std::vector<PersonSample> persons_;
   std::vector<VehicleSample> vehicles_;
   std::vector<std::pair<double, double>> fronts_;  ///< [m] x, y of vehicles' reference points

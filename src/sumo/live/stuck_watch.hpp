@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "sumo/calls/session.hpp"
 #include "sumo/live/takeover.hpp"
 #include "sumo/plan/standstills.hpp"
 
@@ -15,8 +16,8 @@ class StuckWatch {
  public:
   /// All must outlive it.
   StuckWatch(const std::vector<Zone>& zones, const std::vector<std::unique_ptr<Crowd>>& crowds,
-             const Takeover& takeover)
-      : zones_(zones), crowds_(crowds), takeover_(takeover) {}
+             const Takeover& takeover, Session& sumo)
+      : zones_(zones), crowds_(crowds), takeover_(takeover), sumo_(sumo) {}
 
   /// To be called in each step, at `time` [s]; looks every few seconds.
   void update(double time);
@@ -33,6 +34,7 @@ class StuckWatch {
   const std::vector<Zone>& zones_;
   const std::vector<std::unique_ptr<Crowd>>& crowds_;
   const Takeover& takeover_;
+  Session& sumo_;
   Standstills persons_, vehicles_;
   std::vector<Standstills::Present> present_;  ///< kept for its memory
   double look_at_ = 0.0;                       ///< [s]

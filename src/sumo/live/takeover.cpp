@@ -13,12 +13,13 @@ constexpr double kPlanInterval = 0.5;  // [s] numerical
 
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
                    std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
-                   const std::vector<WaypointPath>& paths, double dawdling)
+                   const std::vector<WaypointPath>& paths, double dawdling, SumoPersons& sumo)
     : network_(network),
       zones_(zones),
       crowds_(crowds),
       profiles_(profiles),
       paths_(paths),
+      sumo_(sumo),
       striping_share_(striping_share(dawdling)),
       zone_of_edge_(zones_of_edges(network, zones)),
       bystanders_(zones),
@@ -31,7 +32,7 @@ void Takeover::read(double time, const Fleet& fleet) {
   check_guests(time, fleet);
   for (Bystander& person : bystanders_.all()) {
     if (!person.near || person.guest) continue;
-    const std::string edge = sumo_person::edge(person.id);
+    const std::string edge = sumo_.edge(person.id);
     if (edge == person.barred_edge) continue;
     const bool may_be_ours = consider(person.id, edge, nullptr, fleet);
     person.barred_edge = may_be_ours ? "" : edge;
@@ -41,10 +42,10 @@ void Takeover::read(double time, const Fleet& fleet) {
 
 void Takeover::look_at_bystanders(double time) {
   // Read in each step: whom a program removes between two of them is in no list of SUMO's.
-  bystanders_.update(sumo_person::ids());
+  bystanders_.update(sumo_.ids());
   for (Bystander& person : bystanders_.all()) {
     if (Bystanders::is_due(person, time)) {
-      bystanders_.look(person, time, sumo_person::position(person.id));
+      bystanders_.look(person, time, sumo_.position(person.id));
     }
   }
 }
@@ -60,19 +61,18 @@ void Takeover::show_bystanders(const Fleet& fleet) {
     seen_[z].clear();
     bystanders_.seen_from(z, eyes_, in_sight_);
     for (Bystander* person : in_sight_) {
-      if (!sumo_person::vehicle(person->id).empty()) continue;  // rides
-      if (person->radius == 0.0) measure(*person, sumo_person::size(person->id));
-      const double heading = sumo_person::heading(person->id);
-      seen_[z].push_back({person->position, unit(heading) * sumo_person::speed(person->id),
-                          person->radius, person->key, heading, person->turns});
+      if (!sumo_.vehicle(person->id).empty()) continue;  // rides
+      if (person->radius == 0.0) measure(*person, sumo_.size(person->id));
+      const double heading = sumo_.heading(person->id);
+      seen_[z].push_back({person->position, unit(heading) * sumo_.speed(person->id), person->radius,
+                          person->key, heading, person->turns});
     }
     crowds_[z]->see(seen_[z]);
   }
 }
 
-bool Takeover::has_plan(const Guest& guest) {
-  return plan_number(sumo_person::stages_left(guest.id), sumo_person::edges(guest.id)) ==
-         guest.plan;
+bool Takeover::has_plan(const Guest& guest) const {
+  return plan_number(sumo_.stages_left(guest.id), sumo_.edges(guest.id)) == guest.plan;
 }
 
 /// A program that embeds us may have given a person another plan: it is then taken over anew,
@@ -81,7 +81,7 @@ bool Takeover::has_plan(const Guest& guest) {
 void Takeover::check_guests(double time, const Fleet& fleet) {
   std::vector<std::pair<std::string, Vec2>> replanned;
   for (Guest& guest : guests_) {
-    const int left = sumo_person::stages_left(guest.id);
+    const int left = sumo_.stages_left(guest.id);
     if (time < guest.check_at && left == guest.stages_left) continue;
     guest.check_at = time + kPlanInterval;
     guest.stages_left = left;
@@ -96,7 +96,7 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
     past = {};
     past.was_controlled = true;
     past.was_given_back = given_back;
-    consider(id, sumo_person::edge(id), &position, fleet);
+    consider(id, sumo_.edge(id), &position, fleet);
   }
 }
 
@@ -113,7 +113,7 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id,
   }
   PersonPast& past = past_[id];
   if (past.refused_edge == edge) return false;
-  auto walker = sumo_person::walker(id);
+  auto walker = sumo_.walker(id);
   if (!walker) return true;
   if (known_position != nullptr) walker->position = *known_position;
   const auto plan =
@@ -135,7 +135,7 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   guest.plan = plan.plan;
   guest.radius = walker.radius;
   guest.preferred_speed = striping_share_ * walker.top_speed;
-  const PersonHints hints = read_hints(walker.id, {profiles_, paths_});
+  const PersonHints hints = read_hints(sumo_, walker.id, {profiles_, paths_});
   guest.handle = crowds_[zone]->add(
       new_person(walker, plan, hints, static_cast<std::size_t>(zone), guest.preferred_speed));
   guest.position = crowds_[zone]->view(guest.handle).position;
@@ -158,7 +158,7 @@ std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& v
   if (!has_plan(guest)) guest.check_at = 0.0;
   if (guest.check_at <= 0.0) return std::nullopt;
   const Walked walked{guest.position, view.position, guest.radius, guest.preferred_speed};
-  ReleasePlan plan = plan_release(network_, guest.stretch, walked, sumo_person::lane(guest.id), dt);
+  ReleasePlan plan = plan_release(network_, guest.stretch, walked, sumo_.lane(guest.id), dt);
   const auto free = [&](const Vec2& place) {
     return may_release(place, guest.radius, fleet, dt, guest.kept);
   };
@@ -197,20 +197,43 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     const auto plan = hand_over(guest, view, dt, fleet);
     guest.gone = plan.has_value();
     // Before it is released: it may be over then.
-    guest.colour.show(guest.id, guest.gone ? Activity::kNone : view.activity);
+    guest.colour.show(sumo_, guest.id, guest.gone ? Activity::kNone : view.activity);
     if (plan) {
-      if (sumo_person::release(guest.id, *plan)) ++totals_.ended;
+      if (sumo_.release(guest.id, *plan)) ++totals_.ended;
       PersonPast& past = past_[guest.id];
       past.last = guest.stretch.last;
       ++totals_.returns;
       if (!past.was_given_back) ++totals_.given_back;
       past.was_given_back = true;
     } else {
-      sumo_person::show(guest.id, view.position, view.heading);
+      sumo_.show(guest.id, view.position, view.heading);
     }
     guest.position = view.position;
   }
   drop_gone();
+}
+
+std::vector<std::string> Takeover::let_go() {
+  std::vector<std::string> stranded;
+  for (Guest& guest : guests_) {
+    const std::vector<int> route = edge_indices(network_, sumo_.edges(guest.id));
+    const auto plan = plan_let_go(network_, route, guest.stretch.last, guest.position, guest.radius,
+                                  sumo_.lane(guest.id));
+    guest.colour.show(sumo_, guest.id, Activity::kNone);
+    if (!plan) {
+      stranded.push_back(guest.id);
+      continue;
+    }
+    sumo_.release(guest.id, *plan);
+    guest.gone = true;
+    PersonPast& past = past_[guest.id];
+    past.last = guest.stretch.last;
+    ++totals_.returns;
+    if (!past.was_given_back) ++totals_.given_back;
+    past.was_given_back = true;
+  }
+  drop_gone();
+  return stranded;
 }
 
 void Takeover::drop_gone() {

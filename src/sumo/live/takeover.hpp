@@ -15,6 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "sumo/calls/persons.hpp"
 #include "sumo/live/person_colour.hpp"
 #include "sumo/plan/bystanders.hpp"
 #include "sumo/plan/release_plan.hpp"
@@ -65,7 +66,7 @@ class Takeover {
   /// `dawdling`: SUMO's option pedestrian.striping.dawdling. The rest must outlive it.
   Takeover(const Network& network, const std::vector<Zone>& zones,
            std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
-           const std::vector<WaypointPath>& paths, double dawdling);
+           const std::vector<WaypointPath>& paths, double dawdling, SumoPersons& sumo);
 
   /// After a step of SUMO, at `time` [s]: forgets persons that are gone, notices new plans, takes
   /// over who has entered a zone, and lets the crowds see who else is near.
@@ -74,6 +75,10 @@ class Takeover {
   /// After the crowds have walked for `dt` [s] from `time` [s] on: writes everybody's place, hands
   /// over who is at the end of its stretch, lists who jams.
   void write(double time, double dt, const Fleet& fleet);
+
+  /// Gives everybody back at once, wherever they are. Returns the ids of those who cannot be: SUMO
+  /// has them stand where they are.
+  std::vector<std::string> let_go();
 
   const std::vector<Guest>& guests() const { return guests_; }
   /// The guest of that id; nullptr: SUMO walks it.
@@ -88,7 +93,7 @@ class Takeover {
   void add_bystanders(std::vector<PersonAhead>& out) const;
 
  private:
-  static bool has_plan(const Guest& guest);
+  bool has_plan(const Guest& guest) const;
   void check_guests(double time, const Fleet& fleet);
   void look_at_bystanders(double time);
   void show_bystanders(const Fleet& fleet);
@@ -106,6 +111,7 @@ class Takeover {
   std::vector<std::unique_ptr<Crowd>>& crowds_;
   const Profiles& profiles_;
   const std::vector<WaypointPath>& paths_;
+  SumoPersons& sumo_;
   double striping_share_;          ///< of top speed, see takeover_plan.hpp
   std::vector<int> zone_of_edge_;  ///< -1: SUMO's
   Bystanders bystanders_;

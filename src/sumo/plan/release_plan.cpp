@@ -1,6 +1,7 @@
 #include "sumo/plan/release_plan.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "zone/lane_geometry.hpp"
 
@@ -25,6 +26,20 @@ double release_position(const Lane& lane, const ZoneStretch& stretch, const Walk
   return std::clamp(position, 0.0, lane.length);
 }
 
+/// Another lane that SUMO can put a person on who is on the route's edge `index`; -1: none.
+int hop_beside(const Network& network, const std::vector<int>& route, int index) {
+  for (const int other : {index - 1, index + 1}) {
+    if (other < 0 || other >= static_cast<int>(route.size()) || route[other] < 0) continue;
+    if (route[other] == route[index] || !is_first_occurrence(route, other)) continue;
+    if (const int lane = walking_lane(network, route[other]); lane >= 0) return lane;
+  }
+  const int own = walking_lane(network, route[index]);
+  for (const int lane : network.edges[route[index]].lanes) {
+    if (lane != own) return lane;
+  }
+  return -1;
+}
+
 }  // namespace
 
 ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, const Walked& walked,
@@ -47,6 +62,39 @@ ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, con
   const double lateral = project_on_lane(lane, walked.to).lateral;
   plan.moves.push_back(
       {lane.id, release_position(lane, stretch, walked, dt), std::clamp(lateral, -side, side)});
+  return plan;
+}
+
+std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector<int>& route,
+                                       int last, const Vec2& position, double radius,
+                                       const std::string& present_lane) {
+  int best = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= std::min(last, static_cast<int>(route.size()) - 1); ++i) {
+    const int lane = route[i] < 0 ? -1 : walking_lane(network, route[i]);
+    if (lane < 0 || network.lanes[lane].length < kShortEdge || !is_first_occurrence(route, i)) {
+      continue;
+    }
+    const LinePoint at =
+        point_on_lane(network.lanes[lane], project_on_lane(network.lanes[lane], position).offset);
+    const double distance = (at.point - position).norm();
+    if (distance < nearest) {
+      nearest = distance;
+      best = i;
+    }
+  }
+  if (best < 0) return std::nullopt;
+  const Lane& lane = network.lanes[walking_lane(network, route[best])];
+  ReleasePlan plan;
+  if (present_lane == lane.id) {
+    const int hop = hop_beside(network, route, best);
+    if (hop < 0) return std::nullopt;
+    plan.moves.push_back({network.lanes[hop].id, 0.5 * network.lanes[hop].length, {}});
+  }
+  const auto [offset, lateral] = project_on_lane(lane, position);
+  const double side = std::max(0.0, 0.5 * lane.width - radius);
+  plan.moves.push_back(
+      {lane.id, std::clamp(offset, 0.0, lane.length), std::clamp(lateral, -side, side)});
   return plan;
 }
 

@@ -37,6 +37,13 @@ struct Walked {
 ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, const Walked& walked,
                          const std::string& present_lane, double dt);
 
+/// How a person in the middle of its stretch, at `position` [m] with `radius` [m], is given back at
+/// once: on the lane of its `route` (Network edges) up to index `last` that is nearest to it.
+/// Nothing where SUMO has no lane to put it on: a route of one edge with one lane.
+std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector<int>& route,
+                                       int last, const Vec2& position, double radius,
+                                       const std::string& present_lane);
+
 /// Where [m] SUMO has a person that is given back so; nothing where it stays where it is.
 std::optional<Vec2> place_of(const Network& network, const ReleasePlan& plan);
 

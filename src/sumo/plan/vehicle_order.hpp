@@ -1,4 +1,4 @@
-// What SUMO is told of a vehicle: plain values, sent by live/sumo_vehicle.cpp.
+// What SUMO is told of a vehicle: plain values, sent by calls/vehicles.cpp.
 #pragma once
 
 #include <optional>

@@ -44,10 +44,6 @@ Destination across_lane(const Lane& lane, double position) {
   return {middle.point + half, middle.point - half};
 }
 
-bool is_first_occurrence(const std::vector<int>& route, int index) {
-  return std::find(route.begin(), route.begin() + index, route[index]) == route.begin() + index;
-}
-
 std::optional<ZoneStretch> leave_at(const Network& network, const std::vector<int>& route,
                                     int index) {
   const int edge = route[index];
@@ -143,6 +139,10 @@ std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
 }
 
 }  // namespace
+
+bool is_first_occurrence(const std::vector<int>& route, int index) {
+  return std::find(route.begin(), route.begin() + index, route[index]) == route.begin() + index;
+}
 
 std::vector<int> edge_indices(const Network& network, const std::vector<std::string>& edges) {
   std::vector<int> route;

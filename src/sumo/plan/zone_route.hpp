@@ -47,6 +47,9 @@ struct ZoneStretch {
 /// Network indices of a route's edges; -1 for one that the network lacks.
 std::vector<int> edge_indices(const Network& network, const std::vector<std::string>& edges);
 
+/// Whether the route uses its edge `index` there for the first time: moveTo takes that place.
+bool is_first_occurrence(const std::vector<int>& route, int index);
+
 /// Plans the stretch of a walk that begins on route[first], which must be an edge of the zone. It
 /// goes on as long as the zone links the route's edges: where a signalled crossing lies between
 /// two of them, SUMO walks the person across.

@@ -1,4 +1,4 @@
-#include "sumo/live/sumo_messages.hpp"
+#include "sumo/calls/sumo_messages.hpp"
 
 #include <string_view>
 

@@ -1,0 +1,87 @@
+#include "app/run_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/command_line/common_options.hpp"
+#include "app/command_line/values.hpp"
+#include "results/trajectories.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr const char* kWhatIsRun = "What is run";
+
+}  // namespace
+
+void add_walking_options(CLI::App& command, RunOptions& options) {
+  const char* group = kWhatIsRun;
+  add_scenario(command, options.config, options.zone_file);
+  command.get_option("--zone")->group(group);
+  command.add_option("--model", options.model, "Walking model of every zone, or a plug-in (*.so)")
+      ->check(any_beside(model_names()))
+      ->type_name(kModelValue)
+      ->default_str("the zone's, else heuristic")
+      ->group(group);
+  command.add_option("--seed", options.seed, "Seed of SUMO and pedzone")
+      ->check(a_seed())
+      ->type_name(kNumber)
+      ->default_str("SUMO's")
+      ->group(group);
+  command.add_option("--end", options.end, "End time")
+      ->check(number_in(0, kLongestTime))
+      ->type_name(kSeconds)
+      ->default_str("the scenario's")
+      ->group(group);
+  add_threads(command, options.threads)->group(group);
+}
+
+void add_strict_flag(CLI::App& command, RunOptions& options) {
+  command
+      .add_flag("--strict", options.strict,
+                "A scenario without persons or without shared space is an error; else it runs as "
+                "in SUMO, with a warning")
+      ->group(kWhatIsRun);
+}
+
+void add_output_options(CLI::App& command, RunOptions& options) {
+  const auto add = [&](const char* name, std::string& file, const std::string& what) {
+    return command.add_option(name, file, what)->type_name(kFile)->group("Outputs");
+  };
+  add("--summary", options.summary, "Write the summary as JSON");
+  auto* trajectories =
+      add("--trajectories", options.trajectories,
+          fmt::format("Write {} of each person and step; NAME.sqlite: JuPedSim's database; "
+                      "NAME.txt: PedPy's text, with NAME.ids.csv",
+                      fmt::join(trajectory_table().names(), ", ")));
+  command
+      .add_option("--trajectories-of", options.trajectories_of,
+                  "Whose, in NAME.sqlite and NAME.txt: zones: whom pedzone walks; all: whom SUMO "
+                  "walks, too")
+      ->check(one_of({"zones", "all"}))
+      ->type_name(kNames)
+      ->capture_default_str()
+      ->group("Outputs")
+      ->needs(trajectories);
+  auto* edge_data =
+      add("--edge-data", options.edge_data,
+          "Write density, speed and time loss of people by edges of the zones, as SUMO's edgeData");
+  command.add_option("--edge-data-period", options.edge_data_period, "An interval of those")
+      ->check(number_in(0.1, kLongestTime))
+      ->type_name(kSeconds)
+      ->default_str("the whole run")
+      ->group("Outputs")
+      ->needs(edge_data);
+  add("--paths-svg", options.picture, "Draw people's paths over the zone");
+  auto* shapes = add(
+      "--debug-shapes", options.debug_shapes,
+      "Write paths, waypoints and each person's aim, direction and free distances as SUMO shapes");
+  command.add_option("--debug-time", options.debug_time, "Time of those shapes")
+      ->check(number_in(0, kLongestTime))
+      ->type_name(kSeconds)
+      ->default_str("the end of the run")
+      ->group("Outputs")
+      ->needs(shapes);
+}
+
+}  // namespace pedzone

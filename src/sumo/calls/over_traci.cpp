@@ -1,0 +1,98 @@
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <iostream>
+#include <optional>
+#include <thread>
+
+#include "sumo/calls/both.hpp"
+#include "sumo/calls/remembered.hpp"
+#include "sumo/calls/sumo_messages.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr std::chrono::milliseconds kTryAgain{200};  // numerical
+
+std::atomic<int> the_wire = -1;  // libtraci's socket, which it keeps to itself
+
+/// The socket of this process that is connected to a port; -1: none.
+int wire_to(int port) {
+  constexpr int kHighest = 1024;
+  for (int wire = 3; wire < kHighest; ++wire) {
+    sockaddr_in peer{};
+    socklen_t size = sizeof peer;
+    if (getpeername(wire, reinterpret_cast<sockaddr*>(&peer), &size) != 0) continue;
+    if (peer.sin_family == AF_INET && ntohs(peer.sin_port) == port) return wire;
+  }
+  return -1;
+}
+
+std::string name_of(const TraciAddress& address) {
+  return address.host + ":" + std::to_string(address.port);
+}
+
+/// What a try to reach SUMO has led to.
+struct Try {
+  std::optional<std::pair<int, std::string>> version;
+  bool answered = false;  ///< somebody listens there
+};
+
+/// Waits until SUMO has all its clients.
+Try try_once(const TraciAddress& address) {
+  const StreamLines silence(std::cout, [](const std::string&) {});  // libtraci tells each try
+  try {
+    return {libtraci::Simulation::init(address.port, 0, address.host), true};
+  } catch (const std::exception& error) {
+    // libtraci writes to its socket although it could not connect it.
+    return {std::nullopt, std::string_view(error.what()).find("send") == std::string_view::npos};
+  }
+}
+
+std::pair<int, std::string> reach(const TraciAddress& address) {
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + std::chrono::duration<double>(address.patience);
+  while (true) {
+    const Try found = try_once(address);
+    if (found.version) return *found.version;
+    if (found.answered) {
+      throw SumoError("What listens at " + name_of(address) +
+                      " does not speak TraCI, or it is a SUMO that ended while it was loading.");
+    }
+    if (Clock::now() >= until) break;
+    std::this_thread::sleep_for(kTryAgain);
+  }
+  throw SumoError("No SUMO listens at " + name_of(address) + " (tried for " +
+                  std::to_string(static_cast<int>(address.patience)) +
+                  " s). Start it with --remote-port " + std::to_string(address.port) +
+                  " --num-clients N, and see that the port is the same.");
+}
+
+}  // namespace
+
+void hang_up() {
+  const int wire = the_wire;
+  if (wire >= 0) shutdown(wire, SHUT_RDWR);
+}
+
+std::unique_ptr<Session> join_over_traci(const TraciAddress& address, const DesiredSpeeds& speeds) {
+  // libtraci writes to a socket that SUMO has closed; that is an error to be told, no reason to
+  // die.
+  std::signal(SIGPIPE, SIG_IGN);
+  const auto [api, program] = reach(address);
+  if (api != libsumo::TRACI_VERSION) {
+    throw SumoError(program + " at " + name_of(address) + " speaks version " + std::to_string(api) +
+                    " of TraCI; pedzone is built with version " +
+                    std::to_string(libsumo::TRACI_VERSION) + ".");
+  }
+  the_wire = wire_to(address.port);
+  translated("to take client " + std::to_string(address.order),
+             [&] { libtraci::Simulation::setOrder(address.order); });
+  remembered::know(speeds);
+  return over_traci::session_calls();
+}
+
+}  // namespace pedzone

@@ -1,0 +1,183 @@
+#include "sumo/calls/remembered.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <vector>
+
+#include "sumo/calls/session.hpp"
+
+namespace pedzone::remembered {
+namespace {
+
+using libsumo::TraCIDouble;
+using libsumo::TraCIInt;
+using libsumo::TraCIPosition;
+using libsumo::TraCIResults;
+using libsumo::TraCIString;
+using Variables = std::vector<int>;
+
+constexpr double kLapse = 20.0;  // [s] numerical: renewing costs a message
+
+// What is asked for together is subscribed to together.
+const Variables kPlace{libsumo::VAR_POSITION};
+const Variables kStages{libsumo::VAR_STAGES_REMAINING};
+const Variables kWalker{libsumo::VAR_ANGLE, libsumo::VAR_SPEED, libsumo::VAR_ROAD_ID,
+                        libsumo::VAR_VEHICLE};
+const Variables kDriver{libsumo::VAR_ANGLE,     libsumo::VAR_SPEED,
+                        libsumo::VAR_TIMELOSS,  libsumo::VAR_ALLOWED_SPEED,
+                        libsumo::VAR_LANE_ID,   libsumo::VAR_LANEPOSITION_LAT,
+                        libsumo::VAR_ROUTE_ID,  libsumo::VAR_ROUTE_INDEX,
+                        libsumo::VAR_STOPSTATE, libsumo::VAR_TYPE};
+const Variables kCounts{libsumo::VAR_TIME,
+                        libsumo::VAR_MIN_EXPECTED_VEHICLES,
+                        libsumo::VAR_DEPARTED_PERSONS_NUMBER,
+                        libsumo::VAR_ARRIVED_PERSONS_NUMBER,
+                        libsumo::VAR_TELEPORT_STARTING_VEHICLES_NUMBER,
+                        libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER};
+
+/// What SUMO has sent of a kind of object with its last step.
+template <typename Domain>
+class Received {
+ public:
+  void refresh() { of_ = Domain::getAllSubscriptionResults(); }
+
+  /// A variable of `id`, of type Value. Subscribes to `together` where it has not come.
+  template <typename Value>
+  const Value& get(const std::string& id, int variable, const Variables& together) {
+    TraCIResults& known = of_[id];
+    auto found = known.find(variable);
+    if (found == known.end()) {
+      const double now = libtraci::Simulation::getTime();
+      Domain::subscribe(id, together, now, now + kLapse);
+      known = Domain::getSubscriptionResults(id);
+      found = known.find(variable);
+    }
+    const Value* value =
+        found == known.end() ? nullptr : dynamic_cast<const Value*>(found->second.get());
+    if (value == nullptr) throw libsumo::TraCIException("SUMO did not tell of '" + id + "'");
+    return *value;
+  }
+
+ private:
+  libsumo::SubscriptionResults of_;
+};
+
+DesiredSpeeds desired_speeds;
+Received<libtraci::Person> persons;
+Received<libtraci::Vehicle> vehicles;
+TraCIResults counts;
+std::unordered_map<std::string, double> lengths, widths;       // [m] of persons
+std::unordered_map<std::string, std::string> type_parameters;  // by type and key
+
+int count(int variable) {
+  if (counts.empty()) {
+    libtraci::Simulation::subscribe(kCounts);
+    counts = libtraci::Simulation::getSubscriptionResults();
+  }
+  return dynamic_cast<const TraCIInt&>(*counts.at(variable)).value;
+}
+
+template <typename Map, typename Ask>
+const auto& once(Map& map, const std::string& key, Ask ask) {
+  const auto found = map.find(key);
+  return found != map.end() ? found->second : map.emplace(key, ask()).first->second;
+}
+
+}  // namespace
+
+void know(const DesiredSpeeds& speeds) { desired_speeds = speeds; }
+
+TraCIPosition Person::getPosition(const std::string& id) {
+  return persons.get<TraCIPosition>(id, libsumo::VAR_POSITION, kPlace);
+}
+double Person::getAngle(const std::string& id) {
+  return persons.get<TraCIDouble>(id, libsumo::VAR_ANGLE, kWalker).value;
+}
+double Person::getSpeed(const std::string& id) {
+  return persons.get<TraCIDouble>(id, libsumo::VAR_SPEED, kWalker).value;
+}
+std::string Person::getRoadID(const std::string& id) {
+  return persons.get<TraCIString>(id, libsumo::VAR_ROAD_ID, kWalker).value;
+}
+std::string Person::getVehicle(const std::string& id) {
+  return persons.get<TraCIString>(id, libsumo::VAR_VEHICLE, kWalker).value;
+}
+int Person::getRemainingStages(const std::string& id) {
+  return persons.get<TraCIInt>(id, libsumo::VAR_STAGES_REMAINING, kStages).value;
+}
+double Person::getMaxSpeed(const std::string& id) {
+  return std::min(libtraci::Person::getMaxSpeed(id),
+                  desired_speeds.of_type(getTypeID(id)) * getSpeedFactor(id));
+}
+double Person::getLength(const std::string& id) {
+  return once(lengths, id, [&] { return libtraci::Person::getLength(id); });
+}
+double Person::getWidth(const std::string& id) {
+  return once(widths, id, [&] { return libtraci::Person::getWidth(id); });
+}
+
+TraCIPosition Vehicle::getPosition(const std::string& id) {
+  return vehicles.get<TraCIPosition>(id, libsumo::VAR_POSITION, kPlace);
+}
+double Vehicle::getAngle(const std::string& id) {
+  return vehicles.get<TraCIDouble>(id, libsumo::VAR_ANGLE, kDriver).value;
+}
+double Vehicle::getSpeed(const std::string& id) {
+  return vehicles.get<TraCIDouble>(id, libsumo::VAR_SPEED, kDriver).value;
+}
+double Vehicle::getAllowedSpeed(const std::string& id) {
+  return vehicles.get<TraCIDouble>(id, libsumo::VAR_ALLOWED_SPEED, kDriver).value;
+}
+double Vehicle::getTimeLoss(const std::string& id) {
+  return vehicles.get<TraCIDouble>(id, libsumo::VAR_TIMELOSS, kDriver).value;
+}
+std::string Vehicle::getLaneID(const std::string& id) {
+  return vehicles.get<TraCIString>(id, libsumo::VAR_LANE_ID, kDriver).value;
+}
+std::string Vehicle::getRouteID(const std::string& id) {
+  return vehicles.get<TraCIString>(id, libsumo::VAR_ROUTE_ID, kDriver).value;
+}
+double Vehicle::getLateralLanePosition(const std::string& id) {
+  return vehicles.get<TraCIDouble>(id, libsumo::VAR_LANEPOSITION_LAT, kDriver).value;
+}
+int Vehicle::getRouteIndex(const std::string& id) {
+  return vehicles.get<TraCIInt>(id, libsumo::VAR_ROUTE_INDEX, kDriver).value;
+}
+int Vehicle::getStopState(const std::string& id) {
+  return vehicles.get<TraCIInt>(id, libsumo::VAR_STOPSTATE, kDriver).value;
+}
+std::string Vehicle::getTypeID(const std::string& id) {
+  return vehicles.get<TraCIString>(id, libsumo::VAR_TYPE, kDriver).value;
+}
+
+std::string VehicleType::getParameter(const std::string& id, const std::string& key) {
+  return once(type_parameters, id + '\n' + key,
+              [&] { return libtraci::VehicleType::getParameter(id, key); });
+}
+
+/// Whatever goes wrong here, SUMO is there no more.
+void Simulation::step() {
+  try {
+    libtraci::Simulation::step();
+  } catch (const std::exception& error) {
+    throw ConnectionLost(error.what());
+  }
+  persons.refresh();
+  vehicles.refresh();
+  counts = libtraci::Simulation::getSubscriptionResults();
+}
+double Simulation::getTime() {
+  (void)count(libsumo::VAR_MIN_EXPECTED_VEHICLES);
+  return dynamic_cast<const TraCIDouble&>(*counts.at(libsumo::VAR_TIME)).value;
+}
+int Simulation::getMinExpectedNumber() { return count(libsumo::VAR_MIN_EXPECTED_VEHICLES); }
+int Simulation::getDepartedPersonNumber() { return count(libsumo::VAR_DEPARTED_PERSONS_NUMBER); }
+int Simulation::getArrivedPersonNumber() { return count(libsumo::VAR_ARRIVED_PERSONS_NUMBER); }
+int Simulation::getStartingTeleportNumber() {
+  return count(libsumo::VAR_TELEPORT_STARTING_VEHICLES_NUMBER);
+}
+int Simulation::getEmergencyStoppingVehiclesNumber() {
+  return count(libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER);
+}
+
+}  // namespace pedzone::remembered

@@ -1,0 +1,107 @@
+#include "sumo/calls/vehicles.hpp"
+
+#include <algorithm>
+
+#include "sumo/calls/api.hpp"
+#include "sumo/calls/both.hpp"
+#include "sumo/files/frames.hpp"
+
+namespace pedzone::PEDZONE_CALLS {
+namespace {
+
+using api::Vehicle;
+
+constexpr double kPersonDecel = 5.0;  // [m/s²] assumed: a walker stops within half a metre
+constexpr int kExactPlace = 2;        // SUMO's keepRoute: anywhere, on a lane or not
+constexpr double kLaneReach = 100.0;  // [m] SUMO's default: so near it looks for a lane
+
+class VehicleCalls final : public SumoVehicles {
+ public:
+  std::vector<std::string> ids() const override { return Vehicle::getIDList(); }
+
+  std::optional<Vec2> front(const std::string& id) const override {
+    const auto position = Vehicle::getPosition(id);
+    if (position.x == libsumo::INVALID_DOUBLE_VALUE) return std::nullopt;
+    return Vec2(position.x, position.y);
+  }
+
+  double heading(const std::string& id) const override {
+    return radians_from_sumo(Vehicle::getAngle(id));
+  }
+  double speed(const std::string& id) const override {
+    return std::max(0.0, Vehicle::getSpeed(id));
+  }
+  double allowed_speed(const std::string& id) const override {
+    return Vehicle::getAllowedSpeed(id);
+  }
+  double time_loss(const std::string& id) const override { return Vehicle::getTimeLoss(id); }
+  std::string edge(const std::string& id) const override { return Vehicle::getRoadID(id); }
+  std::string lane(const std::string& id) const override { return Vehicle::getLaneID(id); }
+  double lateral(const std::string& id) const override {
+    return Vehicle::getLateralLanePosition(id);
+  }
+  std::string route_id(const std::string& id) const override { return Vehicle::getRouteID(id); }
+  std::vector<std::string> route(const std::string& id) const override {
+    return Vehicle::getRoute(id);
+  }
+  int route_index(const std::string& id) const override { return Vehicle::getRouteIndex(id); }
+  bool is_at_stop(const std::string& id) const override {
+    return (Vehicle::getStopState(id) & 1) != 0;
+  }
+  double length(const std::string& id) const override { return Vehicle::getLength(id); }
+
+  void read_body(const std::string& id, VehicleTraits& traits) const override {
+    traits.length = Vehicle::getLength(id);
+    traits.width = Vehicle::getWidth(id);
+    traits.decel = Vehicle::getDecel(id);
+    traits.emergency_decel = std::max(traits.decel, Vehicle::getEmergencyDecel(id));
+    traits.accel = Vehicle::getAccel(id);
+  }
+
+  std::string parameter(const std::string& id, const std::string& key) const override {
+    const std::string own = Vehicle::getParameter(id, key);
+    return own.empty() ? api::VehicleType::getParameter(Vehicle::getTypeID(id), key) : own;
+  }
+
+  void set_braking(const std::string& id, double decel, double emergency_decel) override {
+    Vehicle::setEmergencyDecel(id, emergency_decel);
+    Vehicle::setDecel(id, decel);
+  }
+
+  SafeSpeeds safe_speeds() const override {
+    return {[](const FleetVehicle& vehicle, double gap) {
+              return Vehicle::getStopSpeed(vehicle.id, vehicle.speed, gap);
+            },
+            [](const FleetVehicle& vehicle, double gap, double speed) {
+              return Vehicle::getFollowSpeed(vehicle.id, vehicle.speed, gap, speed, kPersonDecel);
+            }};
+  }
+
+  void send(const std::vector<SpeedOrder>& orders) override {
+    for (const SpeedOrder& order : orders) {
+      if (const auto* mode = std::get_if<SpeedMode>(&order.what)) {
+        Vehicle::setSpeedMode(order.vehicle, static_cast<int>(*mode));
+      } else {
+        Vehicle::setSpeed(order.vehicle, std::get<double>(order.what));
+      }
+    }
+  }
+
+  void send(const std::vector<SteerOrder>& orders) override {
+    for (const SteerOrder& order : orders) {
+      if (order.place) {
+        const auto& [front, heading] = *order.place;
+        Vehicle::moveToXY(order.vehicle, "", -1, front.x(), front.y(), sumo_from_radians(heading),
+                          kExactPlace, kLaneReach);
+      } else {
+        Vehicle::remove(order.vehicle, libsumo::REMOVE_ARRIVED);
+      }
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SumoVehicles> vehicle_calls() { return std::make_unique<VehicleCalls>(); }
+
+}  // namespace pedzone::PEDZONE_CALLS

@@ -1,0 +1,44 @@
+// What is read of vehicles in SUMO, and what they are told: calls, and no decision.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sumo/plan/vehicle_order.hpp"
+#include "sumo/plan/yield_plan.hpp"
+
+namespace pedzone {
+
+class SumoVehicles {
+ public:
+  virtual ~SumoVehicles() = default;
+
+  virtual std::vector<std::string> ids() const = 0;                    ///< of all in SUMO
+  virtual std::optional<Vec2> front(const std::string& id) const = 0;  ///< [m] none: it teleports
+  virtual double heading(const std::string& id) const = 0;             ///< [rad]
+  virtual double speed(const std::string& id) const = 0;               ///< [m/s] ≥ 0
+  virtual double allowed_speed(const std::string& id) const = 0;       ///< [m/s]
+  virtual double time_loss(const std::string& id) const = 0;           ///< [s]
+  virtual std::string edge(const std::string& id) const = 0;
+  virtual std::string lane(const std::string& id) const = 0;
+  virtual double lateral(const std::string& id) const = 0;  ///< [m] beside its lane's middle
+  virtual std::string route_id(const std::string& id) const = 0;
+  virtual std::vector<std::string> route(const std::string& id) const = 0;  ///< edges
+  virtual int route_index(const std::string& id) const = 0;                 ///< its edge's, in that
+  virtual bool is_at_stop(const std::string& id) const = 0;  ///< of its own, parking included
+  virtual double length(const std::string& id) const = 0;    ///< [m]
+  /// Its sizes, decelerations and acceleration; the rest is left as it is.
+  virtual void read_body(const std::string& id, VehicleTraits& traits) const = 0;
+  /// Its own parameter, else that of its type.
+  virtual std::string parameter(const std::string& id, const std::string& key) const = 0;
+
+  /// It brakes with no more than these from now on, whatever it brakes for.
+  virtual void set_braking(const std::string& id, double decel, double emergency_decel) = 0;
+  /// What the vehicle's own car-following model finds safe.
+  virtual SafeSpeeds safe_speeds() const = 0;
+  virtual void send(const std::vector<SpeedOrder>& orders) = 0;
+  virtual void send(const std::vector<SteerOrder>& orders) = 0;
+};
+
+}  // namespace pedzone

@@ -1,0 +1,38 @@
+#!/usr/bin/python3
+"""Another client of a SUMO that pedzone has joined, with SUMO's own traci module.
+
+usage: client.py --port PORT [--order 1] [--steps N] [--then close|hang|die]
+"""
+
+import argparse
+import os
+import signal
+import sys
+import time
+
+sys.path.append(os.path.join(os.environ.get("SUMO_HOME", "/usr/share/sumo"), "tools"))
+import traci  # noqa: E402  (SUMO's tools have to be found first)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--port", type=int, required=True)
+    parser.add_argument("--order", type=int, default=1)
+    parser.add_argument("--steps", type=int, default=10**9)
+    parser.add_argument("--then", choices=["close", "hang", "die"], default="close")
+    options = parser.parse_args()
+    traci.init(options.port, numRetries=20)
+    traci.setOrder(options.order)
+    for _ in range(options.steps):
+        traci.simulationStep()
+    if options.then == "close":
+        traci.close()
+    elif options.then == "hang":
+        print("hangs", flush=True)
+        time.sleep(600)
+    else:
+        os.kill(os.getpid(), signal.SIGKILL)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,200 @@
+#!/usr/bin/python3
+"""What can go wrong between pedzone, a SUMO that it has joined, and SUMO's other clients: real
+processes that are really killed.
+
+usage: test_faults.py PEDZONE_PROGRAM
+"""
+
+import json
+import signal
+import socket
+import subprocess
+import threading
+import time
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import attached
+from attached import AttachedCase, rows, sumo_environment
+
+LONG = 60  # s; nothing here takes that long unless it hangs
+
+
+class Faults(AttachedCase):
+    def summary(self):
+        return json.loads((self.folder / "s.json").read_text())
+
+    def wait_for(self, path, size=100_000):
+        deadline = time.monotonic() + LONG
+        while not (path.exists() and path.stat().st_size > size):
+            self.assertLess(time.monotonic(), deadline, f"{path.name} does not grow")
+            time.sleep(0.05)
+
+    def begun(self):
+        """pedzone and a SUMO that would go on for ever, in the middle."""
+        sumo = self.start_sumo(1, "--end", 10**7, "--fcd-output", "fcd.xml")
+        pedzone = self.attach("--order", 1, "--end", 10**7, "--summary", "s.json",
+                              "--trajectories", "t.csv")
+        self.wait_for(self.folder / "fcd.xml")
+        return sumo, pedzone
+
+    def test_sumo_is_not_there(self):
+        began = time.monotonic()
+        pedzone = self.attach("--patience", 1, "--summary", "s.json")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertIn(f"No SUMO listens at localhost:{self.port} (tried for 1 s)", errors)
+        self.assertIn(f"--remote-port {self.port}", errors)
+        self.assertGreater(time.monotonic() - began, 1.0)
+        self.assertFalse((self.folder / "s.json").exists())
+
+    def test_sumo_comes_later(self):
+        pedzone = self.attach("--order", 1, "--end", 20, "--summary", "s.json")
+        time.sleep(2.0)
+        sumo = self.start_sumo(1)
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 0, errors)
+        sumo.communicate(timeout=LONG)
+        self.assertEqual(sumo.returncode, 0)
+
+    def test_something_else_listens(self):
+        with socket.create_server(("127.0.0.1", self.port)) as server:
+            def answer():
+                connection, _ = server.accept()
+                with connection:
+                    connection.recv(100)
+                    connection.sendall(b"HTTP/1.1 400 Bad Request\r\n\r\n")
+            threading.Thread(target=answer, daemon=True).start()
+            pedzone = self.attach("--patience", 1)
+            _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertIn("does not speak TraCI", errors)
+
+    def test_another_version_of_traci(self):
+        sumo = self.start_sumo(1)
+        time.sleep(1.0)
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            threading.Thread(target=newer_sumo, args=(server, self.port), daemon=True).start()
+            pedzone = self.start(self.pedzone, "attach", self.config, "--port",
+                                 server.getsockname()[1])
+            _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertRegex(errors, "speaks version 99 of TraCI; pedzone is built with version 2[0-9]")
+        sumo.kill()
+
+    def test_sumo_dies(self):
+        sumo, pedzone = self.begun()
+        sumo.send_signal(signal.SIGKILL)
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertRegex(errors, r"SUMO has gone at \d+\.\d+ s")
+        summary = self.summary()
+        self.assertTrue(summary["sumo_gone"])
+        self.assertGreater(summary["persons"]["seen"], 0)
+        self.assertGreater(len(rows(self.folder / "t.csv")), 10)
+        self.assertEqual([], list(self.folder.glob("*.partial")))
+
+    def test_another_client_leaves(self):
+        sumo = self.start_sumo(2)
+        client = self.client("--steps", 20, "--then", "close")
+        pedzone = self.attach("--order", 2, "--end", 60, "--summary", "s.json")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 0, errors)
+        self.assertFalse(self.summary()["sumo_gone"])
+        client.communicate(timeout=LONG)
+        sumo.communicate(timeout=LONG)
+        self.assertEqual(sumo.returncode, 0)
+
+    def test_another_client_is_killed(self):
+        self.start_sumo(2)
+        self.client("--steps", 40, "--then", "die")
+        pedzone = self.attach("--order", 2, "--end", 10**6, "--summary", "s.json")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3, errors)
+        self.assertIn("another client broke off", errors)
+        self.assertTrue(self.summary()["sumo_gone"])
+
+    def test_another_client_stops_stepping(self):
+        self.start_sumo(2)
+        client = self.client("--steps", 40, "--then", "hang")
+        pedzone = self.attach("--order", 2, "--end", 10**6, "--summary", "s.json")
+        self.assertEqual(client.stdout.readline(), "hangs\n")
+        time.sleep(12.0)
+        self.assertIsNone(pedzone.poll(), "it goes on waiting")
+        pedzone.send_signal(signal.SIGINT)
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertIn("Waiting since 10 s for SUMO, which waits for another of its clients", errors)
+        self.assertEqual(pedzone.returncode, 130, errors)
+        self.assertTrue(self.summary()["interrupted"])
+
+    def test_interrupted_it_gives_people_back(self):
+        """SUMO's people, pedzone's for half of the run, arrive as if they had always been SUMO's."""
+        sumo = self.start_sumo(2, "--fcd-output", "fcd.xml", "--tripinfo-output", "trips.xml")
+        client = self.client("--steps", 1900)
+        pedzone = self.attach("--order", 2, "--end", 10**6, "--summary", "s.json")
+        self.wait_for(self.folder / "fcd.xml", 150_000)
+        pedzone.send_signal(signal.SIGTERM)
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 143, errors)
+        summary = self.summary()
+        self.assertTrue(summary["interrupted"])
+        self.assertGreater(summary["persons"]["controlled"], summary["persons"]["arrived"])
+        client.communicate(timeout=LONG)
+        sumo.communicate(timeout=LONG)
+        self.assertEqual(sumo.returncode, 0)
+        departed = [float(trip.get("depart")) for trip in
+                    ElementTree.parse(self.folder / "trips.xml").iter("personinfo")]
+        # 180 m in the 950 s that the client steps: at 0.75 m/s at least.
+        self.assertEqual(len([time for time in departed if time <= 700.0]), 141)
+
+    def test_a_second_pedzone(self):
+        self.start_sumo(2)
+        first = self.attach("--order", 1, "--end", 10**6)
+        second = self.attach("--order", 2, "--end", 10**6)
+        deadline = time.monotonic() + LONG
+        while first.poll() is None and second.poll() is None:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.05)
+        refused, other = (first, second) if first.poll() is not None else (second, first)
+        _, errors = refused.communicate(timeout=LONG)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("another pedzone walks the people of zone", errors)
+        time.sleep(1.0)
+        self.assertIsNone(other.poll(), "the other one goes on")
+
+    def test_the_same_order_twice(self):
+        self.start_sumo(2)
+        self.client("--order", 2)
+        pedzone = self.attach("--order", 2)
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertIn("two clients have the same order", errors)
+
+    def test_another_network(self):
+        self.start("sumo", "-n", self.other_network(), "--remote-port", self.port)
+        pedzone = self.attach("--order", 1)
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 2)
+        self.assertIn("is not the network that SUMO runs", errors)
+
+    def other_network(self):
+        net = self.folder / "other.net.xml"
+        subprocess.run(["netgenerate", "--grid", "-o", net], check=True, capture_output=True,
+                       env=sumo_environment())
+        return net
+
+
+def newer_sumo(server, port):
+    """Hands on what is said, but for the version that SUMO tells."""
+    connection, _ = server.accept()
+    with connection, socket.create_connection(("127.0.0.1", port)) as sumo:
+        sumo.sendall(connection.recv(100))
+        answer = bytearray(sumo.recv(1000))
+        # length (4), status (7), then length (1), command (1), and the version (4)
+        answer[4 + 7 + 2:4 + 7 + 6] = (99).to_bytes(4, "big")
+        connection.sendall(answer)
+        connection.recv(100)
+
+
+if __name__ == "__main__":
+    attached.main(__doc__)
