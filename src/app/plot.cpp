@@ -25,10 +25,11 @@ struct PlotOptions {
   RecordingOptions recording;
   std::string kind = "time", colour = "auto";
   std::string out, title;
-  std::optional<double> every;  ///< [s]
-  std::vector<double> at;       ///< [s] of snapshots; empty: none
-  std::vector<double> area;     ///< [m] left, bottom, right, top
-  int width = 1600;             ///< [pixels]
+  std::optional<double> every;      ///< [s]
+  std::vector<double> at;           ///< [s] of snapshots; empty: none
+  std::vector<std::string> beside;  ///< more recordings
+  std::vector<double> area;         ///< [m] left, bottom, right, top
+  int width = 1600;                 ///< [pixels]
 };
 
 bool is_png(const std::string& out) {
@@ -45,32 +46,13 @@ std::string title_of(const PlotOptions& options) {
   return std::filesystem::path(options.recording.source.file).filename().string();
 }
 
-/// Side by side.
-std::string snapshots(const PlotOptions& options, const Recording& recording, const Place* place,
-                      const std::string& title, const Box& area) {
-  if (options.kind != "time") {
-    throw InputError(
-        "has no snapshots",
-        {.element = "option --kind", .value = options.kind, .allowed = "time, with --at"});
-  }
-  std::vector<NamedPicture> pictures;
-  for (const double at : options.at) {
-    pictures.push_back(
-        {fmt::format("{:g} s", at), time_plot(recording, place, {title, area, std::nullopt, at})});
-  }
-  return svg_row(pictures);
-}
-
-std::string draw(const PlotOptions& options) {
+std::string draw(const PlotOptions& options, const Recording& recording, const Place* place,
+                 std::optional<double> at) {
   const std::string title = title_of(options);
   const Box area = box_of_sides(options.area, "--area");
-  const bool map = options.kind == "time" || options.kind == "path";
-  const std::unique_ptr<Place> place = map ? read_place(options.recording) : nullptr;
-  const Recording recording = read_recording(options.recording);
-  if (!options.at.empty()) return snapshots(options, recording, place.get(), title, area);
-  if (options.kind == "time")
-    return time_plot(recording, place.get(), {title, area, options.every});
+  if (options.kind == "time") return time_plot(recording, place, {title, area, options.every, at});
   if (options.kind == "speed") return speed_chart(recording, title);
+  if (options.kind == "across") return across_chart(recording, title);
   if (options.kind == "clearance") {
     if (recording.vehicles.empty()) {
       throw InputError(
@@ -84,13 +66,43 @@ std::string draw(const PlotOptions& options) {
   if (options.colour == "person") colour = PathColour::kPerson;
   if (options.colour == "group") colour = PathColour::kGroup;
   if (options.colour == "none") colour = PathColour::kNone;
-  return path_plot(recording, place.get(), {title, area, colour});
+  return path_plot(recording, place, {title, area, colour});
+}
+
+/// Each recording's pictures: one, or its snapshots.
+std::vector<NamedPicture> draw_all(PlotOptions options) {
+  if (!options.at.empty() && options.kind != "time") {
+    throw InputError(
+        "has no snapshots",
+        {.element = "option --kind", .value = options.kind, .allowed = "time, with --at"});
+  }
+  const bool map = options.kind == "time" || options.kind == "path";
+  const std::unique_ptr<Place> place = map ? read_place(options.recording) : nullptr;
+  std::vector<std::string> files{options.recording.source.file};
+  files.insert(files.end(), options.beside.begin(), options.beside.end());
+  std::vector<NamedPicture> pictures;
+  for (const std::string& file : files) {
+    options.recording.source.file = file;
+    const Recording recording = read_recording(options.recording);
+    const std::string name = files.size() > 1 ? name_of_file(file) : "";
+    if (options.at.empty()) {
+      pictures.push_back({name, draw(options, recording, place.get(), std::nullopt)});
+    }
+    for (const double at : options.at) {
+      const std::string moment = fmt::format("{:g} s", at);
+      pictures.push_back({name.empty() ? moment : name + ", " + moment,
+                          draw(options, recording, place.get(), at)});
+    }
+    options.recording.source.fcd.clear();  // of the first one alone
+  }
+  return pictures;
 }
 
 void plot(const PlotOptions& options) {
   const bool png = is_png(options.out);
   CompleteFile out(options.out, "--out");
-  const std::string svg = draw(options);
+  const std::vector<NamedPicture> pictures = draw_all(options);
+  const std::string svg = pictures.size() == 1 ? pictures.front().svg : svg_sheet(pictures);
   out.write(png ? png_from_svg(svg, options.width) : svg);
   out.finish();
 }
@@ -109,6 +121,7 @@ constexpr const char* kExamples =
     "  time       where persons and vehicles are at even moments, coloured by time; zones green,\n"
     "             waypoints as stars\n"
     "  path       a line for each person\n"
+    "  across     places with an axis of their own across: small deviations are seen\n"
     "  speed      speed over time\n"
     "  clearance  room between each person and the nearest moving vehicle over time\n"
     "Up to 12 persons have a line and a name each; of more, charts show median and 5 to 95 %.\n"
@@ -125,9 +138,14 @@ void add_plot(CLI::App& app, int& code) {
   command->footer(kExamples);
   add_recording_options(*command, options->recording);
   command->add_option("--kind", options->kind, "What to draw")
-      ->check(one_of({"time", "path", "speed", "clearance"}))
+      ->check(one_of({"time", "path", "across", "speed", "clearance"}))
       ->type_name("KIND")
       ->capture_default_str();
+  command
+      ->add_option("--beside", options->beside,
+                   "More recordings of the same scenario, drawn beside or below the first")
+      ->type_name(kFile)
+      ->expected(1, 11);
   command->add_option("--out", options->out, "Picture to write: .svg or .png")
       ->required()
       ->type_name(kFile);

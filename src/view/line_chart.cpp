@@ -38,7 +38,8 @@ class Picture {
     }
     if (box.isEmpty()) box = Box(Vec2(0.0, 0.0), Vec2(1.0, 1.0));
     x_ = Axis::over(box.min().x(), box.max().x(), 8.0);
-    y_ = Axis::over(std::min(0.0, box.min().y()), std::min(box.max().y(), chart.y_most), 6.0);
+    const double low = chart.y_has_zero ? std::min(0.0, box.min().y()) : box.min().y();
+    y_ = Axis::over(low, std::min(box.max().y(), chart.y_most), 6.0);
   }
 
   std::string draw() {

@@ -118,6 +118,31 @@ std::string speed_chart(const Recording& recording, const std::string& title) {
       false);
 }
 
+std::string across_chart(const Recording& recording, const std::string& title) {
+  Chart chart;
+  chart.title = title;
+  chart.x_label = "x [m]";
+  chart.y_label = "y [m], stretched";
+  chart.y_has_zero = false;
+  const bool few = recording.persons.size() <= kLineLooks;
+  const double gap = line_gap(recording);
+  for (const RecordedPerson& person : recording.persons) {
+    if (few || chart.lines.empty()) {
+      const LineLook look = line_look(chart.lines.size());
+      const std::string name =
+          few ? person.id : fmt::format("{} persons", recording.persons.size());
+      chart.lines.push_back({name, std::string(look.colour), look.dashes.empty() ? "" : "7 4", {}});
+    }
+    for (const TrackPiece& piece : pieces_of(person.moments, recording.times, gap)) {
+      Polyline& line = chart.lines.back().pieces.emplace_back();
+      for (std::size_t i = piece.first; i <= piece.last; ++i) {
+        line.push_back(person.moments[i].position);
+      }
+    }
+  }
+  return line_chart(chart);
+}
+
 std::string clearance_chart(const Recording& recording, const std::string& title) {
   Chart chart;
   chart.title = title;

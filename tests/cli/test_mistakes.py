@@ -14,7 +14,7 @@ from tiny_scenario import TinyScenario
 
 PEDZONE = None  # set from the command line
 
-COMMANDS = ("run, inspect, demand, conflicts, animate, plot, maps, geojson, study, validate, calibrate, "
+COMMANDS = ("run, attach, inspect, demand, conflicts, animate, plot, maps, geojson, study, validate, calibrate, "
             "verify, parameters, profiles, help, completion, man")
 MODELS = ("heuristic, heuristic-original, plain, orca, social-force, gradient-navigation, "
           "optimal-steps, constant-velocity, or the path of a plug-in (*.so)")
