@@ -107,10 +107,11 @@ class TimePlot {
     }
     const double every = options_.every.value_or(round_step(end_ - begin_, kMoments));
     const auto& times = recording_.times;
+    // + 0.0: none is -0.
     for (double k = std::ceil(begin_ / every - kSlack); k * every <= end_ + kSlack; ++k) {
       const auto at = std::ranges::lower_bound(times, k * every - kSlack);
       if (at == times.end() || *at - k * every > 0.5 * every) continue;
-      moments_.push_back({k * every, static_cast<std::uint32_t>(at - times.begin())});
+      moments_.push_back({k * every + 0.0, static_cast<std::uint32_t>(at - times.begin())});
     }
     if (moments_.empty()) {
       const auto at = std::ranges::lower_bound(times, begin_);
