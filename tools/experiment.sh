@@ -74,6 +74,11 @@ case "$experiment" in
     $pedzone plot "$out/5.3.fcd.xml" "${scenario[@]}" --zone $folder/5.3.zone.xml \
       --at 10 15 20 30 --out "$out/5.3-snapshots.svg"
     ;;
-  5.4) $pedzone plot "$out/5.4.fcd.xml" "${scenario[@]}" --kind across --out "$out/5.4-across.svg" ;;
+  5.4)
+    for pair in upper lower; do
+      $pedzone plot "$out/5.4.fcd.xml" "${scenario[@]}" --kind across --out "$out/5.4-across-$pair.svg" \
+        --title "$pair pair" --persons $pair.eastbound $pair.westbound
+    done
+    ;;
 esac
 echo "Results in $(realpath "$out"): $experiment*.svg, .html (animation), .csv, .fcd.xml"

@@ -47,10 +47,11 @@ std::string title_of(const PlotOptions& options) {
 }
 
 std::string draw(const PlotOptions& options, const Recording& recording, const Place* place,
-                 std::optional<double> at) {
+                 std::optional<double> at, bool legend) {
   const std::string title = title_of(options);
   const Box area = box_of_sides(options.area, "--area");
-  if (options.kind == "time") return time_plot(recording, place, {title, area, options.every, at});
+  if (options.kind == "time")
+    return time_plot(recording, place, {title, area, options.every, at, legend});
   if (options.kind == "speed") return speed_chart(recording, title);
   if (options.kind == "across") return across_chart(recording, title);
   if (options.kind == "clearance") {
@@ -69,40 +70,69 @@ std::string draw(const PlotOptions& options, const Recording& recording, const P
   return path_plot(recording, place, {title, area, colour});
 }
 
+void check_kind(const PlotOptions& options) {
+  if (options.at.empty() || options.kind == "time") return;
+  throw InputError(
+      "has no snapshots",
+      {.element = "option --kind", .value = options.kind, .allowed = "time, with --at"});
+}
+
+/// A picture to be drawn.
+struct Wanted {
+  std::size_t recording;
+  std::optional<double> at;  ///< [s] of a snapshot
+  std::string name;
+};
+
 /// Each recording's pictures: one, or its snapshots.
-std::vector<NamedPicture> draw_all(PlotOptions options) {
-  if (!options.at.empty() && options.kind != "time") {
-    throw InputError(
-        "has no snapshots",
-        {.element = "option --kind", .value = options.kind, .allowed = "time, with --at"});
+std::vector<Wanted> wanted_pictures(const PlotOptions& options,
+                                    const std::vector<std::string>& files) {
+  std::vector<Wanted> wanted;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string name = files.size() > 1 ? name_of_file(files[i]) : "";
+    if (options.at.empty()) wanted.push_back({i, std::nullopt, name});
+    for (const double at : options.at) {
+      const std::string moment = fmt::format("{:g} s", at);
+      wanted.push_back({i, at, name.empty() ? moment : name + ", " + moment});
+    }
   }
+  return wanted;
+}
+
+/// One picture, or several side by side, or, where they are wide, below each other: then one legend
+/// is enough.
+std::string draw_all(PlotOptions options) {
+  check_kind(options);
   const bool map = options.kind == "time" || options.kind == "path";
   const std::unique_ptr<Place> place = map ? read_place(options.recording) : nullptr;
   std::vector<std::string> files{options.recording.source.file};
   files.insert(files.end(), options.beside.begin(), options.beside.end());
-  std::vector<NamedPicture> pictures;
+  std::vector<Recording> recordings;
   for (const std::string& file : files) {
     options.recording.source.file = file;
-    const Recording recording = read_recording(options.recording);
-    const std::string name = files.size() > 1 ? name_of_file(file) : "";
-    if (options.at.empty()) {
-      pictures.push_back({name, draw(options, recording, place.get(), std::nullopt)});
-    }
-    for (const double at : options.at) {
-      const std::string moment = fmt::format("{:g} s", at);
-      pictures.push_back({name.empty() ? moment : name + ", " + moment,
-                          draw(options, recording, place.get(), at)});
-    }
+    recordings.push_back(read_recording(options.recording));
     options.recording.source.fcd.clear();  // of the first one alone
   }
-  return pictures;
+  const std::vector<Wanted> wanted = wanted_pictures(options, files);
+  const auto drawn = [&](const Wanted& one, bool legend) {
+    options.recording.source.file = files[one.recording];
+    return draw(options, recordings[one.recording], place.get(), one.at, legend);
+  };
+  const std::string last = drawn(wanted.back(), true);
+  if (wanted.size() == 1) return last;
+  const bool wide = is_wide(last);
+  std::vector<NamedPicture> pictures;
+  for (const Wanted& one : wanted) {
+    const bool is_last = &one == &wanted.back();
+    pictures.push_back({one.name, is_last ? last : drawn(one, !wide)});
+  }
+  return wide ? svg_column(pictures) : svg_row(pictures);
 }
 
 void plot(const PlotOptions& options) {
   const bool png = is_png(options.out);
   CompleteFile out(options.out, "--out");
-  const std::vector<NamedPicture> pictures = draw_all(options);
-  const std::string svg = pictures.size() == 1 ? pictures.front().svg : svg_sheet(pictures);
+  const std::string svg = draw_all(options);
   out.write(png ? png_from_svg(svg, options.width) : svg);
   out.finish();
 }

@@ -11,7 +11,9 @@ namespace pedzone {
 std::string name_of_file(const std::string& file) {
   std::filesystem::path path = std::filesystem::path(file).filename();
   if (path.extension() == ".gz") path = path.stem();
-  return path.stem().string();
+  path = path.stem();
+  if (path.extension() == ".fcd") path = path.stem();
+  return path.string();
 }
 
 void add_recording_options(CLI::App& command, RecordingOptions& options) {

@@ -10,8 +10,9 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The program `sumo`, and the schemas by which it reads files; what pictures become PNG with.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "sumo, sumo-tools")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin")
-# For programs that are built with the layers: find_package(pedzone).
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libeigen3-dev, libboost-dev, libtbb-dev, libsumo-dev")
+# For films; for programs that are built with the layers: find_package(pedzone).
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "chromium, ffmpeg, cmake, libeigen3-dev, libboost-dev, libtbb-dev, libsumo-dev")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Inside shared-space zones pedzone takes over the persons of the traffic\n\
 simulation Eclipse SUMO and walks them among each other and vehicles. It\n\

@@ -14,7 +14,7 @@ struct Place {
   Network network;
   std::vector<Zone> zones;
   std::vector<WaypointPath> paths;
-  std::unordered_map<std::string, std::string> street_names;  ///< by edge; pictures show them
+  std::unordered_map<std::string, std::string> street_names = {};  ///< by edge; pictures show them
 };
 
 }  // namespace pedzone

@@ -62,10 +62,6 @@ std::string svg_column(const std::vector<NamedPicture>& pictures) {
   return sheet(width, top - kGap, body);
 }
 
-std::string svg_sheet(const std::vector<NamedPicture>& pictures) {
-  const std::string& first = pictures.front().svg;
-  const bool wide = length_of(first, "width") > length_of(first, "height");
-  return wide ? svg_column(pictures) : svg_row(pictures);
-}
+bool is_wide(const std::string& svg) { return length_of(svg, "width") > length_of(svg, "height"); }
 
 }  // namespace pedzone

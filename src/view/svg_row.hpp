@@ -17,7 +17,7 @@ std::string svg_row(const std::vector<NamedPicture>& pictures);
 /// The same one above the other, all as wide as the first.
 std::string svg_column(const std::vector<NamedPicture>& pictures);
 
-/// The one that is nearer to a square.
-std::string svg_sheet(const std::vector<NamedPicture>& pictures);
+/// Whether pictures like this one had better be in a column than in a row.
+bool is_wide(const std::string& svg);
 
 }  // namespace pedzone

@@ -36,7 +36,7 @@ class TimePlot {
         options_(options),
         box_(shown_box(recording, place, options.area)),
         panel_(box_.sizes(), legend(), kHead),
-        page_(box_, panel_.height()),
+        page_(box_, options.legend ? panel_.height() : 0.0),
         gap_(line_gap(recording)),
         unit_(panel_.unit()) {
     find_span();
@@ -51,8 +51,10 @@ class TimePlot {
     draw_lines();
     draw_discs();
     draw_texts();
-    panel_.draw(page_);
-    draw_colour_bar();
+    if (options_.legend) {
+      panel_.draw(page_);
+      draw_colour_bar();
+    }
     return page_.finish(options_.title);
   }
 
