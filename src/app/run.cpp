@@ -124,6 +124,7 @@ std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progres
   std::string lost;
   JamWarnings jams;
   StuckWarning stuck;
+  OutsideNotes outside;
   progress.start(simulation.time(), simulation.end_time());
   note_interrupts();
   while (!simulation.finished() && noted_interrupt() == 0) {
@@ -139,6 +140,7 @@ std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progres
     outputs.step(time, simulation);
     jams.step(simulation, progress);
     stuck.step(simulation, progress);
+    outside.step(simulation, progress);
     progress.update(simulation.time(), simulation.guests().size());
   }
   progress.finish();

@@ -39,6 +39,26 @@ void JamWarnings::finish(const Simulation& simulation, Progress& progress) const
     progress.print(fmt::format("{} {} more were stuck.", warning_label(), all - kNamed));
 }
 
+void OutsideNotes::step(const Simulation& simulation, Progress& progress) {
+  const std::vector<OutsideRecord>& vehicles = simulation.outside_vehicles();
+  for (; vehicles_ < vehicles.size(); ++vehicles_) {
+    const OutsideRecord& found = vehicles[vehicles_];
+    progress.print(
+        fmt::format("Another program drives vehicle '{}' (noticed at {:.1f} s): pedzone does not "
+                    "slow it. Its parameter pedzone.external=\"true\" says so from the start.",
+                    found.id, found.time));
+  }
+  const std::vector<OutsideRecord>& persons = simulation.outside_persons();
+  for (; persons_ < persons.size(); ++persons_) {
+    const OutsideRecord& found = persons[persons_];
+    if (!told_.insert(found.id).second) continue;
+    progress.print(
+        fmt::format("Another program walks person '{}' (from {:.1f} s on): pedzone lets "
+                    "it, and the others see it.",
+                    found.id, found.time));
+  }
+}
+
 void StuckWarning::step(const Simulation& simulation, Progress& progress) {
   const std::vector<Standstill>& stuck = simulation.stuck_persons().all();
   if (told_ || stuck.size() <= kMany) return;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
+#include <string>
 
 #include "app/progress.hpp"
 #include "sumo/simulation.hpp"
@@ -16,6 +18,16 @@ class JamWarnings {
 
  private:
   std::size_t told_ = 0;
+};
+
+/// Tells whom another program moves, each once.
+class OutsideNotes {
+ public:
+  void step(const Simulation& simulation, Progress& progress);
+
+ private:
+  std::size_t vehicles_ = 0, persons_ = 0;
+  std::set<std::string> told_;
 };
 
 /// Tells once that many people have stood for long, and where most of them do.

@@ -149,6 +149,7 @@ struct Simulation::Parts {
   void with_time_of_errors(const Work& work);
   std::size_t people_in_sumo();
   void read(double dt);
+  void send(const std::vector<SpeedOrder>& orders);
   void walk_and_yield(double dt);
 
   Clock::time_point started = Clock::now();
@@ -162,6 +163,7 @@ struct Simulation::Parts {
   VehicleReader vehicles;
   Fleet fleet;
   SafeSpeeds safe_speeds = session->vehicles().safe_speeds();
+  OutsideDrivers drivers;
   Yielding yielding;
   Insertions insertions;
   StandOffs stand_offs;
@@ -207,7 +209,9 @@ std::size_t Simulation::Parts::people_in_sumo() {
 
 /// Takes in SUMO's present state and shows it.
 void Simulation::Parts::read(double dt) {
-  fleet.update(vehicles.read(fleet), dt);
+  std::vector<VehicleSeen> seen = vehicles.read(fleet);
+  drivers.mark(seen, steering.steered(), session->time(), dt);
+  fleet.update(std::move(seen), dt);
   steering.foresee(fleet, session->time(), dt);
   takeover.read(session->time(), fleet);
   totals.observe(fleet, takeover);
@@ -216,14 +220,20 @@ void Simulation::Parts::read(double dt) {
   if (observer && stepped) observer(scene.read(session->time() - dt));
 }
 
+void Simulation::Parts::send(const std::vector<SpeedOrder>& orders) {
+  drivers.note(orders);
+  session->vehicles().send(orders);
+}
+
 /// From SUMO's present state to what it is told for its next step.
 void Simulation::Parts::walk_and_yield(double dt) {
   SumoVehicles& sumo = session->vehicles();
   read(dt);
   takeover.people(people);
-  sumo.send(yielding.plan(fleet.vehicles(), people, safe_speeds, session->time(), dt));
+  takeover.add_outsiders(people);
+  send(yielding.plan(fleet.vehicles(), people, safe_speeds, session->time(), dt));
   takeover.add_bystanders(people);
-  sumo.send(stand_offs.plan(fleet.vehicles(), people, dt));
+  send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);
   insertions.add_claims(session->time(), fleet, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
@@ -304,6 +314,12 @@ const std::vector<WaypointPath>& Simulation::paths() const { return parts_->path
 const std::vector<Guest>& Simulation::guests() const { return parts_->takeover.guests(); }
 
 const std::vector<JamRecord>& Simulation::jams() const { return parts_->takeover.jams(); }
+const std::vector<OutsideRecord>& Simulation::outside_vehicles() const {
+  return parts_->drivers.found();
+}
+const std::vector<OutsideRecord>& Simulation::outside_persons() const {
+  return parts_->takeover.outsiders();
+}
 const std::vector<RunIntoRecord>& Simulation::run_into() const { return parts_->pushes.run_into(); }
 
 PersonView Simulation::view(const Guest& guest) const {

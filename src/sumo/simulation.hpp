@@ -74,6 +74,9 @@ class Simulation {
   const std::vector<JamRecord>& jams() const;
   /// Whom vehicles have run into so far, in time.
   const std::vector<RunIntoRecord>& run_into() const;
+  /// Vehicles and persons that another program was found to move, in time.
+  const std::vector<OutsideRecord>& outside_vehicles() const;
+  const std::vector<OutsideRecord>& outside_persons() const;
   /// What the guests are about to do, in their order; slow.
   std::vector<Insight> insights();
   /// Who has not moved for long, looked for every few seconds.

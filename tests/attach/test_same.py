@@ -39,7 +39,7 @@ class Same(AttachedCase):
         self.check("groups/plaza.sumocfg", 150, seed=7)
 
     def test_street(self):
-        self.check("street-zone/street-zone-high.sumocfg", 100)
+        self.check("street-zone/street-zone-high.sumocfg", 150)
 
     def test_bad_hersfeld_with_a_shuttle(self):
         self.check("bad-hersfeld/centre-shuttle.sumocfg", 200)

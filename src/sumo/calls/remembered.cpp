@@ -23,11 +23,17 @@ const Variables kPlace{libsumo::VAR_POSITION};
 const Variables kStages{libsumo::VAR_STAGES_REMAINING};
 const Variables kWalker{libsumo::VAR_ANGLE, libsumo::VAR_SPEED, libsumo::VAR_ROAD_ID,
                         libsumo::VAR_VEHICLE};
-const Variables kDriver{libsumo::VAR_ANGLE,     libsumo::VAR_SPEED,
-                        libsumo::VAR_TIMELOSS,  libsumo::VAR_ALLOWED_SPEED,
-                        libsumo::VAR_LANE_ID,   libsumo::VAR_LANEPOSITION_LAT,
-                        libsumo::VAR_ROUTE_ID,  libsumo::VAR_ROUTE_INDEX,
-                        libsumo::VAR_STOPSTATE, libsumo::VAR_TYPE};
+const Variables kDriver{libsumo::VAR_SPEED_WITHOUT_TRACI,
+                        libsumo::VAR_ANGLE,
+                        libsumo::VAR_SPEED,
+                        libsumo::VAR_TIMELOSS,
+                        libsumo::VAR_ALLOWED_SPEED,
+                        libsumo::VAR_LANE_ID,
+                        libsumo::VAR_LANEPOSITION_LAT,
+                        libsumo::VAR_ROUTE_ID,
+                        libsumo::VAR_ROUTE_INDEX,
+                        libsumo::VAR_STOPSTATE,
+                        libsumo::VAR_TYPE};
 const Variables kCounts{libsumo::VAR_TIME,
                         libsumo::VAR_MIN_EXPECTED_VEHICLES,
                         libsumo::VAR_DEPARTED_PERSONS_NUMBER,
@@ -125,6 +131,9 @@ double Vehicle::getAngle(const std::string& id) {
 double Vehicle::getSpeed(const std::string& id) {
   return vehicles.get<TraCIDouble>(id, libsumo::VAR_SPEED, kDriver).value;
 }
+double Vehicle::getSpeedWithoutTraCI(const std::string& id) {
+  return vehicles.get<TraCIDouble>(id, libsumo::VAR_SPEED_WITHOUT_TRACI, kDriver).value;
+}
 double Vehicle::getAllowedSpeed(const std::string& id) {
   return vehicles.get<TraCIDouble>(id, libsumo::VAR_ALLOWED_SPEED, kDriver).value;
 }
@@ -155,10 +164,12 @@ std::string VehicleType::getParameter(const std::string& id, const std::string& 
               [&] { return libtraci::VehicleType::getParameter(id, key); });
 }
 
-/// Whatever goes wrong here, SUMO is there no more.
+/// SUMO tells with the step that it cannot tell of a vehicle that another client has removed: the
+/// rest is then asked for anew. Whatever else goes wrong here, SUMO is there no more.
 void Simulation::step() {
   try {
     libtraci::Simulation::step();
+  } catch (const libsumo::TraCIException&) {
   } catch (const std::exception& error) {
     throw ConnectionLost(error.what());
   }

@@ -34,6 +34,7 @@ struct Vehicle : libtraci::Vehicle {
   static libsumo::TraCIPosition getPosition(const std::string& id);
   static double getAngle(const std::string& id);
   static double getSpeed(const std::string& id);
+  static double getSpeedWithoutTraCI(const std::string& id);
   static double getAllowedSpeed(const std::string& id);
   static double getTimeLoss(const std::string& id);
   static std::string getLaneID(const std::string& id);

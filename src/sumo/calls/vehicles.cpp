@@ -31,6 +31,9 @@ class VehicleCalls final : public SumoVehicles {
   double speed(const std::string& id) const override {
     return std::max(0.0, Vehicle::getSpeed(id));
   }
+  double own_speed(const std::string& id) const override {
+    return std::max(0.0, Vehicle::getSpeedWithoutTraCI(id));
+  }
   double allowed_speed(const std::string& id) const override {
     return Vehicle::getAllowedSpeed(id);
   }

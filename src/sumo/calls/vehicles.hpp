@@ -18,8 +18,10 @@ class SumoVehicles {
   virtual std::optional<Vec2> front(const std::string& id) const = 0;  ///< [m] none: it teleports
   virtual double heading(const std::string& id) const = 0;             ///< [rad]
   virtual double speed(const std::string& id) const = 0;               ///< [m/s] ≥ 0
-  virtual double allowed_speed(const std::string& id) const = 0;       ///< [m/s]
-  virtual double time_loss(const std::string& id) const = 0;           ///< [s]
+  /// [m/s] ≥ 0 if no client had told it anything
+  virtual double own_speed(const std::string& id) const = 0;
+  virtual double allowed_speed(const std::string& id) const = 0;  ///< [m/s]
+  virtual double time_loss(const std::string& id) const = 0;      ///< [s]
   virtual std::string edge(const std::string& id) const = 0;
   virtual std::string lane(const std::string& id) const = 0;
   virtual double lateral(const std::string& id) const = 0;  ///< [m] beside its lane's middle

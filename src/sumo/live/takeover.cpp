@@ -8,6 +8,8 @@ namespace pedzone {
 namespace {
 
 constexpr double kPlanInterval = 0.5;  // [s] numerical
+constexpr double kMoved = 0.01;        // [m] numerical: SUMO gives back what it is told, exactly
+constexpr double kLetGo = 3.0;  // [s] assumed: who is walked from outside seldom stands so still
 
 }  // namespace
 
@@ -30,14 +32,66 @@ void Takeover::read(double time, const Fleet& fleet) {
   for (const std::string& id : bystanders_.gone()) guests_[guest_index_.at(id)].gone = true;
   drop_gone();
   check_guests(time, fleet);
+  take_new(time, fleet);
+  show_bystanders(fleet);
+}
+
+void Takeover::take_new(double time, const Fleet& fleet) {
   for (Bystander& person : bystanders_.all()) {
     if (!person.near || person.guest) continue;
+    const bool was_moved = person.external;
+    if (was_moved && !comes_back(person, time)) continue;
     const std::string edge = sumo_.edge(person.id);
-    if (edge == person.barred_edge) continue;
-    const bool may_be_ours = consider(person.id, edge, nullptr, fleet);
+    if (edge == person.barred_edge && !was_moved) continue;
+    if (!was_moved && zone_of(edge) >= 0 && is_declared(person.id)) {
+      leave_to_others(person.id, true, time);
+      continue;
+    }
+    const std::string id = person.id;
+    const Vec2 position = person.position;
+    const bool may_be_ours = consider(person.id, edge, was_moved ? &position : nullptr, fleet);
     person.barred_edge = may_be_ours ? "" : edge;
+    if (was_moved && guest(id) == nullptr) put_back(person);
   }
-  show_bystanders(fleet);
+}
+
+/// Where it stands nobody can take it over, and SUMO would have it stand there for ever.
+void Takeover::put_back(const Bystander& person) {
+  if (!sumo_.walks(person.id)) return;
+  const std::vector<int> route = edge_indices(network_, sumo_.edges(person.id));
+  const auto plan = plan_let_go(network_, route, static_cast<int>(route.size()) - 1,
+                                person.position, person.radius, sumo_.lane(person.id));
+  if (plan) sumo_.release(person.id, *plan);
+}
+
+/// Where SUMO does not have a person where it was put, another program has put it there.
+bool Takeover::is_moved(const Guest& guest) const {
+  return (sumo_.position(guest.id) - guest.position).norm() > kMoved;
+}
+
+bool Takeover::is_declared(const std::string& id) const {
+  return sumo_.parameter(id, "pedzone.external") == "true";
+}
+
+void Takeover::leave_to_others(const std::string& id, bool declared, double time) {
+  outsiders_.push_back({time, id});
+  Bystander* person = bystanders_.find(id);
+  if (person == nullptr) return;
+  if (person->radius == 0.0) measure(*person, sumo_.size(id));
+  person->external = true;
+  person->declared = declared;
+  person->ask_at = time + kLetGo;
+}
+
+/// Who was declared is ours again when that is taken back; who was noticed, when it has stood for a
+/// while at the very place where it was put last.
+bool Takeover::comes_back(Bystander& person, double time) const {
+  if (!person.declared && person.velocity != Vec2::Zero()) person.ask_at = time + kLetGo;
+  if (time < person.ask_at) return false;
+  person.ask_at = time + kPlanInterval;
+  if (is_declared(person.id)) return false;
+  person.external = false;
+  return true;
 }
 
 void Takeover::look_at_bystanders(double time) {
@@ -80,16 +134,23 @@ bool Takeover::has_plan(const Guest& guest) const {
 /// is read twice a second and before it is acted upon, and when the number of stages has changed.
 void Takeover::check_guests(double time, const Fleet& fleet) {
   std::vector<std::pair<std::string, Vec2>> replanned;
+  std::vector<std::string> moved;
   for (Guest& guest : guests_) {
     const int left = sumo_.stages_left(guest.id);
     if (time < guest.check_at && left == guest.stages_left) continue;
     guest.check_at = time + kPlanInterval;
     guest.stages_left = left;
+    if (is_moved(guest)) {
+      guest.gone = true;
+      moved.push_back(guest.id);
+      continue;
+    }
     if (has_plan(guest)) continue;
     guest.gone = true;
     replanned.emplace_back(guest.id, guest.position);
   }
   drop_gone();
+  for (const std::string& id : moved) leave_to_others(id, false, time);
   for (const auto& [id, position] : replanned) {
     PersonPast& past = past_[id];
     const bool given_back = past.was_given_back;
@@ -100,17 +161,21 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
   }
 }
 
+/// -1: SUMO's, or not in the network.
+int Takeover::zone_of(const std::string& edge) const {
+  const auto found = network_.edge_index.find(edge);
+  return found == network_.edge_index.end() ? -1 : zone_of_edge_[found->second];
+}
+
 /// False where it need not be asked again for as long as the person is on this edge.
 bool Takeover::consider(const std::string& id, const std::string& edge_id,
                         const Vec2* known_position, const Fleet& fleet) {
-  const auto found = network_.edge_index.find(edge_id);
-  if (found == network_.edge_index.end()) return false;
-  const int edge = found->second;
-  const int zone = zone_of_edge_[edge];
+  const int zone = zone_of(edge_id);
   if (zone < 0) {  // whoever comes back is looked at again
     if (const auto past = past_.find(id); past != past_.end()) past->second.refused_edge = -1;
     return false;
   }
+  const int edge = network_.edge_index.at(edge_id);
   PersonPast& past = past_[id];
   if (past.refused_edge == edge) return false;
   auto walker = sumo_.walker(id);
@@ -259,6 +324,14 @@ void Takeover::people(std::vector<PersonAhead>& out) const {
   for (const Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     out.push_back({view.position, view.velocity, guest.radius});
+  }
+}
+
+void Takeover::add_outsiders(std::vector<PersonAhead>& out) {
+  for (const Bystander& person : bystanders_.all()) {
+    if (person.external && person.near) {
+      out.push_back({person.position, person.velocity, person.radius});
+    }
   }
 }
 

@@ -18,6 +18,7 @@
 #include "sumo/calls/persons.hpp"
 #include "sumo/live/person_colour.hpp"
 #include "sumo/plan/bystanders.hpp"
+#include "sumo/plan/outside_drivers.hpp"
 #include "sumo/plan/release_plan.hpp"
 #include "sumo/plan/takeover_plan.hpp"
 #include "sumo/plan/yield_plan.hpp"
@@ -89,6 +90,10 @@ class Takeover {
   Bystanders& bystanders() { return bystanders_; }
   /// The guests as vehicles see them.
   void people(std::vector<PersonAhead>& out) const;
+  /// Adds those near a zone whom another program walks, of whom SUMO's vehicles may know nothing.
+  void add_outsiders(std::vector<PersonAhead>& out);
+  /// Who was found to be walked by another program, each time.
+  const std::vector<OutsideRecord>& outsiders() const { return outsiders_; }
   /// Adds those near a zone whom SUMO walks.
   void add_bystanders(std::vector<PersonAhead>& out) const;
 
@@ -97,6 +102,13 @@ class Takeover {
   void check_guests(double time, const Fleet& fleet);
   void look_at_bystanders(double time);
   void show_bystanders(const Fleet& fleet);
+  bool is_moved(const Guest& guest) const;
+  bool is_declared(const std::string& id) const;
+  int zone_of(const std::string& edge) const;
+  void leave_to_others(const std::string& id, bool declared, double time);
+  bool comes_back(Bystander& person, double time) const;
+  void put_back(const Bystander& person);
+  void take_new(double time, const Fleet& fleet);
   bool consider(const std::string& id, const std::string& edge, const Vec2* known_position,
                 const Fleet& fleet);
   bool add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan, const Fleet& fleet);
@@ -123,6 +135,7 @@ class Takeover {
   std::vector<std::vector<SeenPerson>> seen_;  ///< per zone
   WalkTotals totals_;
   std::vector<JamRecord> jams_;
+  std::vector<OutsideRecord> outsiders_;
 };
 
 }  // namespace pedzone

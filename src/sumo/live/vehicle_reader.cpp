@@ -44,6 +44,7 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet) {
     vehicle.front = *front;
     vehicle.heading = sumo_.heading(id);
     vehicle.speed = sumo_.speed(id);
+    vehicle.own_speed = sumo_.own_speed(id);
     vehicle.allowed_speed = sumo_.allowed_speed(id);
     vehicle.time_loss = sumo_.time_loss(id);
     vehicle.horn = is_true(sumo_.parameter(id, "pedzone.horn"));

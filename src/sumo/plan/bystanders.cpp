@@ -76,11 +76,16 @@ void Bystanders::look(Bystander& person, double time, const Vec2& position) cons
   person.look_at = person.near ? time : time + beyond / kFastest;
 }
 
-void Bystanders::set_guest(const std::string& id, bool guest) {
+Bystander* Bystanders::find(const std::string& id) {
   const auto found = std::lower_bound(
       all_.begin(), all_.end(), id,
       [](const Bystander& person, const std::string& key) { return person.id < key; });
-  if (found == all_.end() || found->id != id) return;
+  return found == all_.end() || found->id != id ? nullptr : &*found;
+}
+
+void Bystanders::set_guest(const std::string& id, bool guest) {
+  Bystander* found = find(id);
+  if (found == nullptr) return;
   found->guest = guest;
   found->look_at = -1.0;
   found->barred_edge.clear();

@@ -17,6 +17,9 @@ namespace pedzone {
 struct Bystander {
   std::string id;
   bool guest = false;            ///< pedzone walks it
+  bool external = false;         ///< another program moves it
+  bool declared = false;         ///< and its parameter pedzone.external says so
+  double ask_at = 0.0;           ///< [s] when it is looked at again whether it still does
   bool near = false;             ///< within sight of a zone's walkable area
   double look_at = -1.0;         ///< [s] not looked at before
   double radius = 0.0;           ///< [m] 0: not measured yet
@@ -51,6 +54,8 @@ class Bystanders {
   std::vector<Bystander>& all() { return all_; }
   const std::vector<std::string>& gone() const { return gone_; }  ///< guests that SUMO lost
   void set_guest(const std::string& id, bool guest);
+  /// nullptr: it is not in SUMO.
+  Bystander* find(const std::string& id);
 
   /// Those near a zone and within sight of one of `eyes` [m] at least, riders included: reading
   /// all of them is dear, and most have nobody near.

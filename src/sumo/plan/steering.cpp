@@ -1,6 +1,7 @@
 #include "sumo/plan/steering.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "core/error.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "sumo/plan/fleet.hpp"
@@ -19,6 +19,8 @@ class Steering {
   explicit Steering(std::vector<VehiclePath> paths) : paths_(std::move(paths)) {}
 
   bool over() const { return paths_.empty(); }
+  /// Ids of those on their way.
+  const std::unordered_set<std::string>& steered() const { return steered_; }
 
   /// Where they are at `time` [s], by which SUMO's outputs name the next step. `present`: ids of
   /// all vehicles in SUMO. `length_of`: a vehicle's [m]. Throws InputError where one has not
@@ -32,7 +34,7 @@ class Steering {
 
  private:
   std::vector<VehiclePath> paths_;  ///< that are not over
-  std::set<std::string> steered_;   ///< ids of those on their way
+  std::unordered_set<std::string> steered_;
 };
 
 }  // namespace pedzone

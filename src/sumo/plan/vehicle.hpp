@@ -15,7 +15,7 @@ struct VehicleTraits {
   double length = 5.0, width = 1.8;                        ///< [m]
   double decel = 4.5, emergency_decel = 9.0, accel = 2.6;  ///< [m/s²] > 0
   bool yields = true;     ///< vType or vehicle parameter pedzone.yield
-  bool external = false;  ///< parameter pedzone.external: perceived, never touched
+  bool external = false;  ///< another program drives it: perceived, never touched
   bool electric = false;  ///< parameter pedzone.electric: no engine is heard
 };
 
@@ -26,6 +26,7 @@ struct VehicleSeen {
   Vec2 front = Vec2::Zero();   ///< [m] middle of the front bumper
   double heading = 0.0;        ///< [rad]
   double speed = 0.0;          ///< [m/s] ≥ 0
+  double own_speed = 0.0;      ///< [m/s] ≥ 0 if no client of SUMO's had told it anything
   double allowed_speed = 0.0;  ///< [m/s] what it may drive here
   double time_loss = 0.0;      ///< [s] SUMO's timeLoss so far
   bool stopped = false;        ///< at a stop of its own (also parking)

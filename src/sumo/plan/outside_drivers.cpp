@@ -1,0 +1,56 @@
+#include "sumo/plan/outside_drivers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pedzone {
+namespace {
+
+constexpr double kSame = 0.05;   // [m/s] numerical
+constexpr int kSure = 2;         // numerical: steps; a stop or an insertion is odd for one
+constexpr double kLetGo = 2.0;   // [s] assumed: a controller is not equal to SUMO for so long
+constexpr double kMoving = 0.1;  // [m/s] numerical: two that stand are the same
+
+}  // namespace
+
+void OutsideDrivers::note(std::span<const SpeedOrder> orders) {
+  for (const SpeedOrder& order : orders) {
+    const double* speed = std::get_if<double>(&order.what);
+    if (speed == nullptr) continue;
+    if (*speed < 0.0) {
+      told_.erase(order.vehicle);
+    } else {
+      told_[order.vehicle] = *speed;
+    }
+  }
+}
+
+/// One that pedzone has told a speed drives no faster, but for what it cannot brake.
+bool OutsideDrivers::is_odd(const VehicleSeen& vehicle, const Suspect& suspect, double dt) const {
+  const auto told = told_.find(vehicle.id);
+  if (told == told_.end()) return std::abs(vehicle.speed - vehicle.own_speed) > kSame;
+  if (suspect.last_speed < 0.0) return false;
+  const double slowest = suspect.last_speed - vehicle.traits.emergency_decel * dt;
+  return vehicle.speed > std::max(told->second, slowest) + kSame;
+}
+
+void OutsideDrivers::mark(std::vector<VehicleSeen>& seen,
+                          const std::unordered_set<std::string>& steered, double time, double dt) {
+  for (VehicleSeen& vehicle : seen) {
+    if (vehicle.traits.external || steered.contains(vehicle.id)) continue;
+    Suspect& suspect = suspects_[vehicle.id];
+    const bool odd = !vehicle.stopped && is_odd(vehicle, suspect, dt);
+    suspect.last_speed = vehicle.speed;
+    suspect.odd_steps = odd ? suspect.odd_steps + 1 : 0;
+    if (odd) suspect.as_sumo = 0.0;
+    if (!odd && vehicle.speed > kMoving) suspect.as_sumo += dt;
+    if (suspect.odd_steps >= kSure) suspect.driven = true;
+    if (suspect.as_sumo >= kLetGo) suspect.driven = false;
+    vehicle.traits.external = suspect.driven;
+    if (!suspect.driven || suspect.told_of) continue;
+    suspect.told_of = true;
+    found_.push_back({time, vehicle.id});
+  }
+}
+
+}  // namespace pedzone

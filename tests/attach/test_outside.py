@@ -1,0 +1,202 @@
+#!/usr/bin/python3
+"""Vehicles and persons that another client of SUMO moves, adds, reroutes and removes while pedzone
+walks the people: real SUMO, SUMO's own traci.
+
+usage: test_outside.py PEDZONE_PROGRAM
+"""
+
+import subprocess
+import sys
+import textwrap
+
+import attached
+from attached import AttachedCase, rows, sumo_environment
+
+WALKERS = """<routes>
+  <vType id="car"/>
+  <vType id="own" vClass="passenger"><param key="pedzone.external" value="true"/></vType>
+  <vType id="visitor" vClass="pedestrian"/>
+  <route id="through" edges="west shared east"/>
+  <personFlow id="f" begin="0" end="300" period="1">
+    <walk edges="west shared east" departPosLat="random"/></personFlow>
+  <person id="visitor" type="visitor" depart="1">
+    <walk edges="shared east" departPos="20"/></person>
+  <vehicle id="v" type="{type}" route="through" depart="60"/>
+</routes>"""
+
+
+class Outside(AttachedCase):
+    routes = WALKERS.format(type="car")
+
+    def together(self, program, end=120, order=1, routes=None):
+        """pedzone beside a client that runs `program` before each of its steps (t: time)."""
+        if routes is not None:
+            self.tiny.write("tiny.rou.xml", routes)
+        script = self.folder / "other.py"
+        script.write_text(textwrap.dedent(f"""
+            import sys
+            sys.path.append("/usr/share/sumo/tools")
+            import traci
+            traci.init({self.port}, numRetries=20)
+            traci.setOrder({order})
+            t, seen = 0.0, []
+            while t < {end}:
+                vehicles, persons = traci.vehicle.getIDList(), traci.person.getIDList()
+            """) + textwrap.indent(textwrap.dedent(program), "    ") + textwrap.dedent("""
+                traci.simulationStep()
+                t = traci.simulation.getTime()
+            traci.close()
+            """))
+        sumo = self.start_sumo(2, "--fcd-output", "fcd.xml", "--tripinfo-output", "trips.xml",
+                               "--collision.check-junctions")
+        client = self.start(sys.executable, script)
+        pedzone = self.attach("--order", 3 - order, "--end", end, "--trajectories", "t.csv",
+                              "--summary", "s.json")
+        output, errors = pedzone.communicate(timeout=120)
+        _, complaint = client.communicate(timeout=60)
+        self.assertEqual(client.returncode, 0, complaint)
+        self.assertEqual(pedzone.returncode, 0, errors)
+        sumo.communicate(timeout=60)
+        self.assertEqual(sumo.returncode, 0)
+        return errors
+
+    def speeds(self, vehicle="v"):
+        import xml.etree.ElementTree as ElementTree
+        found = {}
+        for step in ElementTree.parse(self.folder / "fcd.xml").iter("timestep"):
+            for one in step.iter("vehicle"):
+                if one.get("id") == vehicle:
+                    found[float(step.get("time"))] = (float(one.get("speed")),
+                                                      float(one.get("x")))
+        return found
+
+    def test_a_vehicle_of_a_set_speed_is_never_slowed(self):
+        errors = self.together("""
+            if "v" in vehicles:
+                traci.vehicle.setSpeedMode("v", 0)
+                traci.vehicle.setSpeed("v", 4.0)
+            """)
+        self.assertEqual(errors.count("Another program drives vehicle 'v'"), 1, errors)
+        inside = [speed for speed, x in self.speeds().values() if 50.0 < x < 110.0]
+        self.assertGreater(len(inside), 10)
+        self.assertEqual(set(inside), {4.0})
+
+    def test_the_same_vehicle_of_sumo_is_slowed(self):
+        """The check above can fail: nobody drives it, and people are in its way."""
+        errors = self.together("pass")
+        self.assertNotIn("Another program", errors)
+        inside = [speed for speed, x in self.speeds().values() if 60.0 < x < 110.0]
+        self.assertLess(min(inside), 2.0)
+
+    def test_a_declared_vehicle_is_not_told_of(self):
+        errors = self.together("""
+            if "v" in vehicles:
+                traci.vehicle.setSpeedMode("v", 0)
+                traci.vehicle.setSpeed("v", 3.0)
+            """, routes=WALKERS.format(type="own"))
+        self.assertNotIn("Another program", errors)
+        self.assertEqual({speed for speed, x in self.speeds().values() if 60.0 < x < 110.0}, {3.0})
+
+    def test_slow_down(self):
+        errors = self.together("""
+            if "v" in vehicles and 62 <= t < 62.4:
+                traci.vehicle.slowDown("v", 1.0, 8)
+            """)
+        self.assertIn("Another program drives vehicle 'v'", errors)
+
+    def test_a_vehicle_put_from_place_to_place(self):
+        errors = self.together("""
+            if "v" in vehicles:
+                seen.append(t)
+                x = 30 + 1.5 * (t - seen[0])
+                traci.vehicle.moveToXY("v", "", -1, x, -2.5, 90, 2)
+            """, routes=WALKERS.format(type="car"))
+        self.assertEqual(errors.count("Another program drives vehicle 'v'"), 1, errors)
+        inside = [speed for speed, x in self.speeds().values() if 62.0 < x < 110.0]
+        self.assertGreater(len(inside), 40)
+        # SUMO has another speed for one step where it finds another lane.
+        self.assertEqual(sorted(inside)[len(inside) // 2], 1.5)
+        self.assertGreater(min(inside), 1.49)
+
+    def places(self, person="visitor"):
+        return {float(row["time"]): (float(row["x"]), float(row["y"]))
+                for row in rows(self.folder / "t.csv") if row["id"] == person}
+
+    WALK = """
+        if "visitor" in persons and 10 <= t < 40:
+            traci.person.moveToXY("visitor", "", 70 + 0.2 * (t - 10), -4.0, 90, 2, -1)
+        """
+
+    def test_a_person_walked_from_outside_is_noticed_and_comes_back(self):
+        errors = self.together(self.WALK, order=2)
+        self.assertEqual(errors.count("Another program walks person 'visitor'"), 1, errors)
+        ours = self.places()
+        self.assertTrue([t for t in ours if t < 10], "ours before")
+        self.assertFalse([t for t in ours if 11.0 < t < 42.0], "left to the other program")
+        after = [t for t in ours if t > 42.0]
+        self.assertTrue(after, "ours again")
+        self.assertLess(abs(ours[after[0]][0] - 76.0), 1.0, "from where it was let go")
+
+    def test_a_declared_person_is_left_to_the_first_client(self):
+        declared = WALKERS.format(type="car").replace(
+            '<vType id="visitor" vClass="pedestrian"/>',
+            '<vType id="visitor" vClass="pedestrian"><param key="pedzone.external" value="true"/>'
+            '</vType>')
+        self.together(self.WALK, order=1, routes=declared)
+        self.assertEqual(self.places(), {})
+
+    def test_others_make_way_for_a_person_walked_from_outside(self):
+        """It walks towards them along the middle; without being seen they would run into it."""
+        self.together("""
+            if "visitor" in persons and t >= 30:
+                traci.person.moveToXY("visitor", "", max(62.0, 118 - 1.0 * (t - 30)), -2.5, 270, 2, -1)
+            """, order=2)
+        visitor = {round(t, 2): 118 - (t - 30.0) for t in [30 + 0.5 * k for k in range(100)]}
+        nearest = 100.0
+        for row in rows(self.folder / "t.csv"):
+            t = round(float(row["time"]) + 0.5, 2)
+            if row["id"] == "visitor" or t not in visitor or visitor[t] < 66 or t < 34:
+                continue
+            nearest = min(nearest, ((float(row["x"]) - visitor[t]) ** 2 +
+                                    (float(row["y"]) + 2.5) ** 2) ** 0.5)
+        self.assertLess(nearest, 3.0, "they meet")
+        self.assertGreater(nearest, 0.3)
+
+    def test_persons_and_vehicles_added_rerouted_and_removed(self):
+        errors = self.together("""
+            k = round(t / 0.5)
+            if k % 9 == 0:
+                traci.person.add(f"p{k}", "shared", 10 + k % 30)
+                traci.person.appendWalkingStage(f"p{k}", ["shared", "east"], 30)
+            if k % 30 == 0:
+                traci.vehicle.add(f"v{k}", "through", typeID="car")
+            for person in persons:
+                if person.startswith("p") and (int(person[1:]) + 40) == k:
+                    traci.person.removeStages(person)
+                    continue
+                if person.startswith("p") and (int(person[1:]) + 20) == k and k % 2:
+                    traci.person.removeStages(person)
+                    traci.person.appendWalkingStage(person, ["shared"], 10)
+            for vehicle in vehicles:
+                if vehicle.startswith("v") and vehicle != "v" and int(vehicle[1:]) + 50 == k:
+                    traci.vehicle.remove(vehicle)
+            """)
+        self.assertNotIn("Traceback", errors)
+        added = {row["id"] for row in rows(self.folder / "t.csv") if row["id"].startswith("p")}
+        self.assertGreater(len(added), 10)
+
+    def test_horn_and_after_you(self):
+        """Parameters that a client sets while it runs are read in each step."""
+        def crossing_time(program):
+            self.together(program, end=150)
+            return max(t for t, (_, x) in self.speeds().items() if x < 118)
+        patient = crossing_time("pass")
+        insistent = crossing_time("""
+            if "v" in vehicles:
+                traci.vehicle.setParameter("v", "pedzone.horn", "true")
+            """)
+        self.assertNotEqual(patient, insistent)
+
+
+if __name__ == "__main__":
+    attached.main(__doc__)
