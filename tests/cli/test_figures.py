@@ -77,7 +77,7 @@ class Figures(RefusalChecks, unittest.TestCase):
 
     def test_recordings_beside_each_other(self):
         self.write("other.xml", FCD.format(person="q"))
-        done = self.plot("fcd.xml", "--beside", "other.xml")
+        done = self.plot("fcd.xml", "--area", "0", "-5", "40", "5", "--beside", "other.xml")
         self.assertEqual(done.returncode, 0, done.stderr)
         root = ET.parse(self.folder / "out/plot.svg").getroot()
         self.assertEqual(len(root.findall(f".//{SVG}svg")), 2)
