@@ -68,6 +68,8 @@ SimulationOptions prepare(const RunOptions& options) {
   }
   prepared.needs_zone = options.strict || options.attach || !file.panels.empty();
   prepared.attach = options.attach;
+  if (options.own_process()) prepared.own = options.own;
+  if (options.own.clients > 0 && options.own.port == 0) prepared.own->port = TraciAddress{}.port;
   if (options.model) set_model(*options.model, file.zones);
   prepared.zones = std::move(file.zones);
   prepared.profiles = std::move(file.profiles);
@@ -157,7 +159,7 @@ int simulate(RunOptions& options) {
   }
   OutputFiles outputs(options);
   Progress progress(!is_quiet() && !has_step_log(prepared.scenario));
-  StepWatch watch(options.attach.has_value());
+  StepWatch watch(options.attach || options.own.clients > 0);
   watch.begin("for SUMO to be there with all its clients (--remote-port, --num-clients)");
   Simulation simulation(prepared);
   watch.end();
@@ -169,7 +171,7 @@ int simulate(RunOptions& options) {
   RunSummary totals = simulation.summary();
   totals.interrupted_by = noted_interrupt();
   totals.sumo_gone = !lost.empty();
-  const bool warns = !options.attach && simulation.warns();
+  const bool warns = !options.attach && !options.own_process() && simulation.warns();
   simulation.close();
   if (warns) totals.sumo.warnings = progress.warnings();
   outputs.finish(simulation, totals);
@@ -228,6 +230,7 @@ void add_run(CLI::App& app, int& code) {
   command->footer(kFooter);
   add_walking_options(*command, *options);
   add_strict_flag(*command, *options);
+  add_process_options(*command, *options);
   add_output_options(*command, *options);
   command
       ->add_option("--animate", options->animation,

@@ -36,6 +36,31 @@ void add_walking_options(CLI::App& command, RunOptions& options) {
   add_threads(command, options.threads)->group(group);
 }
 
+void add_process_options(CLI::App& command, RunOptions& options) {
+  const char* group = "SUMO as a process of its own";
+  auto* gui = command.add_flag("--gui", options.own.gui, "Show the run in sumo-gui")->group(group);
+  command.add_option("--delay", options.own.delay, "Milliseconds between steps in sumo-gui")
+      ->check(number_in(0, 10000))
+      ->type_name("MILLISECONDS")
+      ->capture_default_str()
+      ->group(group)
+      ->needs(gui);
+  auto* clients =
+      command
+          .add_option("--clients", options.own.clients,
+                      "TraCI clients of yours for whom SUMO waits: they take the orders 1, 2, ...")
+          ->check(whole_number_in(0, 100))
+          ->type_name(kNumber)
+          ->capture_default_str()
+          ->group(group);
+  command.add_option("--port", options.own.port, "At which SUMO listens for them")
+      ->check(whole_number_in(1, 65535))
+      ->type_name(kNumber)
+      ->default_str("8813")
+      ->group(group)
+      ->needs(clients);
+}
+
 void add_strict_flag(CLI::App& command, RunOptions& options) {
   command
       .add_flag("--strict", options.strict,

@@ -8,7 +8,7 @@
 
 #include "app/conflict_options.hpp"
 #include "app/panel_options.hpp"
-#include "sumo/calls/session.hpp"
+#include "sumo/calls/own_sumo.hpp"
 
 namespace pedzone {
 
@@ -32,11 +32,15 @@ struct RunOptions {
   ConflictOptions conflicts;
   PanelOptions panel;
   std::vector<std::string> sumo_options;  ///< what stands after `--`
-  std::optional<TraciAddress> attach;     ///< a SUMO that runs; unset: one in this process
+  std::optional<TraciAddress> attach;     ///< a SUMO that runs; unset: one of our own
+  OwnSumo own;                            ///< how that is, where it is another process
+  bool own_process() const { return own.gui || own.clients > 0; }
 };
 
 /// How people are walked: the scenario, --zone, --model, --seed, --end, --threads.
 void add_walking_options(CLI::App& command, RunOptions& options);
+/// --gui, --clients and what belongs to them.
+void add_process_options(CLI::App& command, RunOptions& options);
 void add_strict_flag(CLI::App& command, RunOptions& options);
 /// The files to be written but those of conflicts.
 void add_output_options(CLI::App& command, RunOptions& options);

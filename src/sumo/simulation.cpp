@@ -88,6 +88,10 @@ DesiredSpeeds desired_speeds(const Scenario& scenario) {
 
 std::unique_ptr<Session> open_session(const SimulationOptions& options, const Scenario& scenario) {
   if (options.attach) return join_over_traci(*options.attach, desired_speeds(scenario));
+  if (options.own) {
+    return start_own(*options.own, scenario.config,
+                     words_for_sumo(scenario, options.seed, options.end), desired_speeds(scenario));
+  }
   return start_in_process(scenario.config, words_for_sumo(scenario, options.seed, options.end));
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sumo/calls/own_sumo.hpp"
 #include "sumo/calls/session.hpp"
 #include "sumo/live/run_totals.hpp"
 #include "sumo/live/scene.hpp"
@@ -24,7 +25,8 @@ struct SimulationOptions {
   std::vector<VehiclePath> vehicle_paths;  ///< at most one of a vehicle
   std::optional<std::uint64_t> seed;       ///< of SUMO and of pedzone; unset: SUMO's
   std::optional<double> end;               ///< [s] overrides the scenario's
-  std::optional<TraciAddress> attach;      ///< a SUMO that runs; unset: one in this process
+  std::optional<TraciAddress> attach;      ///< a SUMO that runs
+  std::optional<OwnSumo> own;              ///< one to start; neither: in this process
 };
 
 /// A person on foot whom SUMO walks, or who waits as SUMO says.

@@ -52,7 +52,8 @@ Try try_once(const TraciAddress& address) {
   }
 }
 
-std::pair<int, std::string> reach(const TraciAddress& address) {
+std::pair<int, std::string> reach(const TraciAddress& address,
+                                  const std::function<bool()>& may_come) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + std::chrono::duration<double>(address.patience);
   while (true) {
@@ -62,6 +63,7 @@ std::pair<int, std::string> reach(const TraciAddress& address) {
       throw SumoError("What listens at " + name_of(address) +
                       " does not speak TraCI, or it is a SUMO that ended while it was loading.");
     }
+    if (!may_come()) throw SumoError("SUMO ended while it was starting. What it said is above.");
     if (Clock::now() >= until) break;
     std::this_thread::sleep_for(kTryAgain);
   }
@@ -78,11 +80,12 @@ void hang_up() {
   if (wire >= 0) shutdown(wire, SHUT_RDWR);
 }
 
-std::unique_ptr<Session> join_over_traci(const TraciAddress& address, const DesiredSpeeds& speeds) {
+std::unique_ptr<Session> join_over_traci(const TraciAddress& address, const DesiredSpeeds& speeds,
+                                         const std::function<bool()>& may_come) {
   // libtraci writes to a socket that SUMO has closed; that is an error to be told, no reason to
   // die.
   std::signal(SIGPIPE, SIG_IGN);
-  const auto [api, program] = reach(address);
+  const auto [api, program] = reach(address, may_come);
   if (api != libsumo::TRACI_VERSION) {
     throw SumoError(program + " at " + name_of(address) + " speaks version " + std::to_string(api) +
                     " of TraCI; pedzone is built with version " +

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,9 +72,12 @@ struct TraciAddress {
   double patience = 30;  ///< [s] for SUMO to be there
 };
 
-/// Becomes a client of a running SUMO. `speeds`: of its scenario. Throws SumoError where it is not
+/// Becomes a client of a running SUMO. `speeds`: of its scenario; `may_come`:
+/// whether it is worth while to wait on. Throws SumoError where it is not
 /// there in time, speaks another version of TraCI, or has such a client already.
-std::unique_ptr<Session> join_over_traci(const TraciAddress& address, const DesiredSpeeds& speeds);
+std::unique_ptr<Session> join_over_traci(
+    const TraciAddress& address, const DesiredSpeeds& speeds,
+    const std::function<bool()>& may_come = [] { return true; });
 
 /// Ends the connection from another thread: a call that waits for SUMO then throws.
 void hang_up();
