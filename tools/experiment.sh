@@ -10,7 +10,8 @@ usage: tools/experiment.sh EXPERIMENT [--model M] [--seed N] [--out FOLDER]
 EXPERIMENT: 5.1, 5.2a, 5.2b, 5.3, 5.4 (scenarios/experiments/README.md says what they show).
 Results are in FOLDER, out/experiments/EXPERIMENT where none is given: a time-plot, charts of speed
 and clearance, an animation (5.1: one each for the vehicle steered straight, half and fully),
-trajectories and SUMO's floating-car data.
+trajectories and SUMO's floating-car data; for 5.1 all three in one picture, for 5.3 four snapshots,
+for 5.4 the ways stretched across.
 TEXT
 }
 
@@ -62,4 +63,22 @@ for variant in "${variants[@]}"; do
   echo "$name, seed $seed:"
   /usr/bin/python3 tests/scenario/experiments.py --fcd "$fcd" "$experiment" --variant "${variant#-}"
 done
+# The paper's figures.
+scenario=(--scenario "$folder/$experiment.sumocfg")
+case "$experiment" in
+  5.1)
+    $pedzone plot "$out/5.1-straight.fcd.xml" --beside "$out"/5.1-{half,full}.fcd.xml \
+      "${scenario[@]}" --zone $folder/5.1-full.zone.xml --out "$out/5.1-all.svg"
+    ;;
+  5.3)
+    $pedzone plot "$out/5.3.fcd.xml" "${scenario[@]}" --zone $folder/5.3.zone.xml \
+      --at 10 15 20 30 --out "$out/5.3-snapshots.svg"
+    ;;
+  5.4)
+    for pair in upper lower; do
+      $pedzone plot "$out/5.4.fcd.xml" "${scenario[@]}" --kind across --out "$out/5.4-across-$pair.svg" \
+        --title "$pair pair" --persons $pair.eastbound $pair.westbound
+    done
+    ;;
+esac
 echo "Results in $(realpath "$out"): $experiment*.svg, .html (animation), .csv, .fcd.xml"

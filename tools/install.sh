@@ -30,7 +30,8 @@ packages=(
   libxml2-utils                     # the second opinion on the schema of study files
   zsh groff-base                    # tests of completion and of the manual page
   librsvg2-bin                      # the picture as PNG
-  chromium chromium-driver          # tests of pages
+  chromium chromium-driver          # tests of pages; frames of videos
+  ffmpeg                            # tests of videos
   poppler-utils                     # tests of pages on paper
   slurmctld slurmd slurm-client munge  # tests of studies on a cluster, which they start themselves
 )

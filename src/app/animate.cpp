@@ -11,6 +11,7 @@
 #include "app/command_line/values.hpp"
 #include "app/guarded.hpp"
 #include "app/recording_options.hpp"
+#include "app/video/video.hpp"
 #include "core/error.hpp"
 #include "results/complete_file.hpp"
 #include "view/animation.hpp"
@@ -23,14 +24,12 @@ struct AnimateOptions {
   std::string name;                             ///< of the run; empty: its file's
   std::string beside, beside_fcd, beside_name;  ///< the second run; empty: none
   std::string out;
+  VideoOptions video;
   AnimationOptions page;
 };
 
 std::string name_of(const std::string& given, const std::string& file) {
-  if (!given.empty()) return given;
-  std::filesystem::path path = std::filesystem::path(file).filename();
-  if (path.extension() == ".gz") path = path.stem();
-  return path.stem().string();
+  return given.empty() ? name_of_file(file) : given;
 }
 
 /// Ids of persons of one run that the other does not have.
@@ -53,8 +52,27 @@ void warn_of_different_people(const std::vector<AnimatedRun>& runs) {
       runs[1].recording->persons.size(), runs[1].name));
 }
 
-void animate(AnimateOptions options) {
-  CompleteFile file(options.out, "--out");
+/// Throws InputError where nothing is asked for, or what cannot be made.
+void check_outputs(const AnimateOptions& options) {
+  if (!options.video.file.empty()) return require_video_programs(options.video);
+  if (options.out.empty()) {
+    throw InputError("is missing", {.element = "option --out", .allowed = "--out or --video"});
+  }
+}
+
+void write_page(const std::string& out, const std::string& page) {
+  CompleteFile file(out, "--out");
+  file.write(page);
+  file.finish();
+  print_result(fmt::format("{}: {:.1f} MB\n", out,
+                           static_cast<double>(std::filesystem::file_size(out)) / 1e6));
+}
+
+/// Its exit code.
+int animate(AnimateOptions options) {
+  check_outputs(options);
+  // Told before the recording is read: it may be long.
+  if (!options.out.empty()) CompleteFile(options.out, "--out");
   const std::unique_ptr<Place> place = read_place(options.recording);
   const Recording recording = read_recording(options.recording);
   std::vector<AnimatedRun> runs{{name_of(options.name, options.recording.source.file), &recording}};
@@ -72,26 +90,57 @@ void animate(AnimateOptions options) {
                              ? runs.front().name
                              : name_of("", options.recording.scenario);
   }
-  file.write(animation_page(runs, place.get(), options.page));
-  file.finish();
-  print_result(fmt::format("{}: {:.1f} MB\n", options.out,
-                           static_cast<double>(std::filesystem::file_size(options.out)) / 1e6));
+  const std::string page = animation_page(runs, place.get(), options.page);
+  if (!options.out.empty()) write_page(options.out, page);
+  return options.video.file.empty() ? 0 : make_video(page, options.video);
+}
+
+void add_video_options(CLI::App& command, VideoOptions& options) {
+  const char* group = "A film";
+  auto* video = command
+                    .add_option("--video", options.file,
+                                "Film to write: .mp4, .webm or .gif. ffmpeg and Chromium make it")
+                    ->type_name(kFile)
+                    ->group(group);
+  command
+      .add_option("--video-speed", options.speed,
+                  "Seconds of the run in a second of the film; --begin and --end say of which")
+      ->check(number_in(0.01, 1000.0))
+      ->type_name(kNumber)
+      ->capture_default_str()
+      ->needs(video)
+      ->group(group);
+  command.add_option("--video-fps", options.rate, "Frames a second")
+      ->check(number_in(1.0, 120.0))
+      ->type_name(kNumber)
+      ->capture_default_str()
+      ->needs(video)
+      ->group(group);
+  command.add_option("--video-width", options.width, "Width of the film; its height is 9/16 of it")
+      ->check(whole_number_in(320, 3840))
+      ->type_name("PIXELS")
+      ->capture_default_str()
+      ->needs(video)
+      ->group(group);
 }
 
 constexpr const char* kFooter =
     "Examples:\n"
+    "  pedzone run town.sumocfg --animate town.html       # in one step\n"
     "  pedzone run town.sumocfg --trajectories t.csv -- --fcd-output fcd.xml\n"
     "  pedzone animate t.csv --fcd fcd.xml --scenario town.sumocfg --out town.html\n"
     "  sumo -c town.sumocfg --fcd-output striping.xml     # the same people, walked by SUMO\n"
     "  pedzone animate t.csv --fcd fcd.xml --name pedzone --beside striping.xml \\\n"
-    "                  --beside-name striping --scenario town.sumocfg --out both.html\n\n"
+    "                  --beside-name striping --scenario town.sumocfg --out both.html\n"
+    "  pedzone animate t.csv --fcd fcd.xml --scenario town.sumocfg --begin 60 --end 180 \\\n"
+    "                  --video town.mp4 --video-speed 4      # two minutes in half a one\n\n"
     "The file plays in any browser of 2023 or later and needs nothing else, no network either.\n"
     "Space plays and pauses, the arrow keys step, F shows everything, D is for dark; drag, wheel "
     "or\n"
     "two fingers move the map; a click on somebody shows its numbers. Between the steps that are\n"
     "kept (--rate) everybody moves evenly. What people do beside walking is in --trajectories\n"
     "only; from fcd-output alone, who is slower than 0.1 m/s stands.\n"
-    "Exit codes: 0 done, 2 input at fault.";
+    "Exit codes: 0 done, 2 input at fault, 128 + signal: interrupted.";
 
 }  // namespace
 
@@ -121,8 +170,9 @@ void add_animate(CLI::App& app, int& code) {
       ->check(number_in(0.01, 100.0))
       ->type_name(kNumber)
       ->capture_default_str();
-  command->add_option("--out", options->out, "HTML file to write")->required()->type_name(kFile);
-  command->callback([options, &code] { code = guarded([&] { animate(*options); }); });
+  command->add_option("--out", options->out, "HTML file to write")->type_name(kFile);
+  add_video_options(*command, options->video);
+  command->callback([options, &code] { code = guarded_code([&] { return animate(*options); }); });
 }
 
 }  // namespace pedzone

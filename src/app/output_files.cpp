@@ -25,6 +25,7 @@ std::vector<NamedOutput> named_outputs(const RunOptions& options) {
         {"--trajectories", TrajectoryWriter::side_file(options.trajectories)},
         {"--edge-data", options.edge_data},
         {"--paths-svg", options.picture},
+        {"--animate", options.animation},
         {"--debug-shapes", options.debug_shapes},
         {conflicts.xml_option, conflicts.xml},
         {conflicts.csv_option, conflicts.csv}}) {
@@ -68,9 +69,9 @@ std::vector<std::string> outputs_of(const RunOptions& options) {
 
 void keep_standard_output_clean(RunOptions& options) {
   std::string clean;
-  for (std::string* path :
-       {&options.summary, &options.trajectories, &options.edge_data, &options.picture,
-        &options.debug_shapes, &options.conflicts.xml, &options.conflicts.csv}) {
+  for (std::string* path : {&options.summary, &options.trajectories, &options.edge_data,
+                            &options.picture, &options.animation, &options.debug_shapes,
+                            &options.conflicts.xml, &options.conflicts.csv}) {
     if (!CompleteFile::is_standard_output(*path)) continue;
     if (clean.empty()) {
       clean = "/dev/fd/" + std::to_string(dup(STDOUT_FILENO));
@@ -96,6 +97,7 @@ OutputFiles::OutputFiles(const RunOptions& options) {
   if (!options.picture.empty()) {
     picture_ = std::make_unique<CompleteFile>(options.picture, "--paths-svg");
   }
+  if (!options.animation.empty()) animation_ = std::make_unique<RunAnimation>(options);
   if (!options.debug_shapes.empty()) {
     shapes_ = std::make_unique<CompleteFile>(options.debug_shapes, "--debug-shapes");
     shapes_time_ = options.debug_time.value_or(shapes_time_);
@@ -143,6 +145,11 @@ void OutputFiles::step(double time, Simulation& simulation) {
   if (tracker_) write_conflicts();
   if (picture_) paths_.observe(simulation);
   if (trajectories_) write_places(time, simulation);
+  if (animation_) {
+    for (const Guest& guest : simulation.guests()) {
+      animation_->row(time, guest.id, simulation.view(guest));
+    }
+  }
   if (edge_data_) write_edges(time, simulation);
 }
 
@@ -175,6 +182,7 @@ void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
   if (shapes_) shapes_->write(shapes_text_);
   if (summary_) summary_->write(summary_json(totals));
   if (picture_) picture_->write(paths_.picture(simulation));
+  if (animation_) animation_->write(simulation);
   if (tracker_) {
     tracker_->finish(over_);
     write_conflicts();
@@ -183,6 +191,7 @@ void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
   if (trajectories_) trajectories_->finish();
   if (edge_data_) edge_data_->finish();
   if (picture_) picture_->finish();
+  if (animation_) animation_->finish();
   if (shapes_) shapes_->finish();
   if (summary_) summary_->finish();
 }

@@ -8,6 +8,7 @@
 
 #include "app/path_recorder.hpp"
 #include "app/run.hpp"
+#include "app/run_animation.hpp"
 #include "conflict/tracker.hpp"
 #include "results/complete_file.hpp"
 #include "results/edge_data.hpp"
@@ -48,6 +49,7 @@ class OutputFiles {
   std::unique_ptr<EdgeDataWriter> edge_data_;
   std::unique_ptr<CompleteFile> picture_;
   PathRecorder paths_;
+  std::unique_ptr<RunAnimation> animation_;
   std::unique_ptr<CompleteFile> shapes_;
   double shapes_time_ = std::numeric_limits<double>::infinity();  ///< [s]
   std::string shapes_text_;  ///< empty: it is not yet that time

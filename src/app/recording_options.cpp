@@ -1,10 +1,20 @@
 #include "app/recording_options.hpp"
 
+#include <filesystem>
+
 #include "app/command_line/values.hpp"
 #include "app/share_bar.hpp"
 #include "sumo/files/place_reader.hpp"
 
 namespace pedzone {
+
+std::string name_of_file(const std::string& file) {
+  std::filesystem::path path = std::filesystem::path(file).filename();
+  if (path.extension() == ".gz") path = path.stem();
+  path = path.stem();
+  if (path.extension() == ".fcd") path = path.stem();
+  return path.string();
+}
 
 void add_recording_options(CLI::App& command, RecordingOptions& options) {
   RecordingSource& source = options.source;
@@ -47,13 +57,13 @@ void add_recording_filter(CLI::App& command, RecordingOptions& options) {
 std::unique_ptr<Place> read_place(const RecordingOptions& options) {
   if (options.scenario.empty()) return nullptr;
   return std::make_unique<Place>(
-      read_place(read_any_scenario(options.scenario, {}), options.zone_file));
+      read_place(read_any_scenario(options.scenario, options.sumo_options), options.zone_file));
 }
 
 Recording read_recording(const RecordingOptions& options) {
   RecordingCast cast;
   if (!options.scenario.empty()) {
-    const Scenario scenario = read_any_scenario(options.scenario, {});
+    const Scenario scenario = read_any_scenario(options.scenario, options.sumo_options);
     for (const std::string& file : scenario.additional_files) cast.read(file);
     for (const std::string& file : scenario.route_files) cast.read(file);
   }

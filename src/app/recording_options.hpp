@@ -13,10 +13,14 @@ namespace pedzone {
 
 struct RecordingOptions {
   RecordingSource source;
-  std::string scenario;            ///< SUMO configuration; empty: not given
-  std::string zone_file;           ///< empty: zones are found by themselves
-  std::vector<std::string> types;  ///< more route or additional files
+  std::string scenario;                   ///< SUMO configuration; empty: not given
+  std::vector<std::string> sumo_options;  ///< that win over it
+  std::string zone_file;                  ///< empty: zones are found by themselves
+  std::vector<std::string> types;         ///< more route or additional files
 };
+
+/// A file's name without folder and endings: what is shown is called so where nothing else is said.
+std::string name_of_file(const std::string& file);
 
 /// Adds the positional file and the options.
 void add_recording_options(CLI::App& command, RecordingOptions& options);

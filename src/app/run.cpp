@@ -16,6 +16,7 @@
 #include "app/step_watch.hpp"
 #include "app/summary.hpp"
 #include "app/supervise.hpp"
+#include "app/temporary_folder.hpp"
 #include "app/thread_limit.hpp"
 #include "app/warnings.hpp"
 #include "core/error.hpp"
@@ -164,9 +165,12 @@ std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progres
 }
 
 /// Its exit code: 0, or 128 + the signal that ended it early.
-int simulate(const RunOptions& options) {
+int simulate(RunOptions& options) {
   const ThreadLimit limit(options.threads);
-  const SimulationOptions prepared = prepare(options);
+  SimulationOptions prepared = prepare(options);
+  if (!options.animation.empty()) {
+    options.recorded = record_everybody(prepared.scenario, options.scratch);
+  }
   OutputFiles outputs(options);
   Progress progress(!is_quiet() && !has_step_log(prepared.scenario));
   StepWatch watch(options.attach || options.own.clients > 0);
@@ -196,6 +200,7 @@ int simulate(const RunOptions& options) {
 constexpr const char* kFooter =
     "Examples:\n"
     "  pedzone run town.sumocfg\n"
+    "  pedzone run town.sumocfg --animate town.html          # to be opened in a browser\n"
     "  pedzone run town.sumocfg --seed 7 --end 900 --summary out/summary.json \\\n"
     "              --trajectories out/trajectories.csv -- --tripinfo-output out/trips.xml\n"
     "  pedzone run town.sumocfg --pedestrians 200            # 200 people more, of all kinds\n"
@@ -211,14 +216,25 @@ constexpr const char* kFooter =
     "Outputs: - is standard output, NAME.gz is compressed.\n"
     "Exit codes: 0 done, 2 input at fault, 3 SUMO failed, 128 + signal: interrupted.";
 
-}  // namespace
-
-int run(const RunOptions& options) {
+/// The parent makes the folder and removes it, however the child ends.
+int run_in_child(const RunOptions& options) {
   const auto work = [options = options]() mutable {
     keep_standard_output_clean(options);
     return guarded_code([&] { return simulate(options); });
   };
   return supervise(work, outputs_of(options));
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  if (options.animation.empty()) return run_in_child(options);
+  return guarded_code([&] {
+    const TemporaryFolder scratch;
+    RunOptions with_scratch = options;
+    with_scratch.scratch = scratch.path();
+    return run_in_child(with_scratch);
+  });
 }
 
 void add_run(CLI::App& app, int& code) {
@@ -230,6 +246,11 @@ void add_run(CLI::App& app, int& code) {
   add_strict_flag(*command, *options);
   add_process_options(*command, *options);
   add_output_options(*command, *options);
+  command
+      ->add_option("--animate", options->animation,
+                   "Make an animation: one HTML file that plays offline, as `pedzone animate` does")
+      ->type_name(kFile)
+      ->group("Outputs");
   add_conflict_options(*command, options->conflicts);
   add_panel_options(*command, options->panel);
   add_sumo_words(*command, options->sumo_options);

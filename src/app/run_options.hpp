@@ -21,11 +21,14 @@ struct RunOptions {
   int threads = 0;            ///< 0: all cores
   bool strict = false;        ///< where there is nobody or nowhere to walk, that is an error
   std::string summary, trajectories, picture;  ///< files to write; empty: not
-  std::string trajectories_of = "zones";       ///< or "all": those, too, whom SUMO walks
-  std::string edge_data;                       ///< file to write; empty: not
-  std::optional<double> edge_data_period;      ///< [s] of an interval; unset: the whole run
-  std::string debug_shapes;                    ///< file to write; empty: not
-  std::optional<double> debug_time;            ///< [s] of the shapes; unset: the end
+  std::string animation;                       ///< page to write; empty: not
+  std::string scratch;   ///< folder for what only the animation is made of; empty: none
+  std::string recorded;  ///< the fcd-output that the animation is made of
+  std::string trajectories_of = "zones";   ///< or "all": those, too, whom SUMO walks
+  std::string edge_data;                   ///< file to write; empty: not
+  std::optional<double> edge_data_period;  ///< [s] of an interval; unset: the whole run
+  std::string debug_shapes;                ///< file to write; empty: not
+  std::optional<double> debug_time;        ///< [s] of the shapes; unset: the end
   ConflictOptions conflicts;
   PanelOptions panel;
   std::vector<std::string> sumo_options;  ///< what stands after `--`

@@ -17,8 +17,10 @@ if(TARGET pedzone_python)
          ", python3 (>= 3.${python_minor}~), python3 (<< 3.${next_minor}), python3-numpy")
 endif()
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin")
-# For programs that are built with the layers: find_package(pedzone). For the plots of an example.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libeigen3-dev, libboost-dev, libtbb-dev, libsumo-dev, python3-matplotlib")
+# For films; for the plots of an example; for programs that are built with the layers:
+# find_package(pedzone).
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "chromium, ffmpeg, python3-matplotlib, cmake, libeigen3-dev, libboost-dev, libtbb-dev, libsumo-dev")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Inside shared-space zones pedzone takes over the persons of the traffic\n\
 simulation Eclipse SUMO and walks them among each other and vehicles. It\n\

@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "pages/palette.hpp"
 #include "view/animation_parts.hpp"
+#include "view/level_of_service.hpp"
 
 namespace pedzone {
 
@@ -57,15 +58,29 @@ Box extent(const std::vector<AnimatedRun>& runs, const Place* place) {
 
 }  // namespace animation
 
+namespace {
+
+/// What the density is coloured by.
+std::string levels() {
+  std::string text;
+  for (std::size_t i = 0; i < kServiceLevels.size(); ++i) {
+    text += fmt::format(R"({}{{"least":{:.4f},"colour":"{}","text":"{}"}})", i == 0 ? "" : ",",
+                        kServiceLevels[i].least, service_colour(i), service_text(i));
+  }
+  return '[' + text + ']';
+}
+
+}  // namespace
+
 std::string animation_page(const std::vector<AnimatedRun>& runs, const Place* place,
                            const AnimationOptions& options) {
   const Box box = options.area.isEmpty() ? animation::extent(runs, place) : options.area;
-  std::string data =
-      fmt::format(R"({{"title":{},"selected":{},"box":[{:.2f},{:.2f},{:.2f},{:.2f}],"step":{:.6g},)"
-                  R"("scenery":{},"runs":[)",
-                  json_string(options.title), json_string(options.selected), box.min().x(),
-                  box.min().y(), box.max().x(), box.max().y(),
-                  animation::least_step(runs, options.rate), animation::scenery(place, box));
+  std::string data = fmt::format(
+      R"({{"title":{},"selected":{},"box":[{:.2f},{:.2f},{:.2f},{:.2f}],"step":{:.6g},)"
+      R"("levels":{},"scenery":{},"runs":[)",
+      json_string(options.title), json_string(options.selected), box.min().x(), box.min().y(),
+      box.max().x(), box.max().y(), animation::least_step(runs, options.rate), levels(),
+      animation::scenery(place, box));
   for (const AnimatedRun& run : runs) {
     if (&run != &runs.front()) data += ',';
     data += animation::run(run, options.rate);

@@ -4,8 +4,10 @@
 #include <set>
 #include <unordered_set>
 
+#include "core/text.hpp"
 #include "view/animation_parts.hpp"
 #include "view/road_look.hpp"
+#include "view/street_names.hpp"
 
 namespace pedzone::animation {
 namespace {
@@ -93,7 +95,7 @@ std::string waypoints(const std::vector<WaypointPath>& paths) {
 
 std::string scenery(const Place* place, const Box& box) {
   Roads roads;
-  List zone, obstacles;
+  List zone, obstacles, streets;
   std::string stops = "[]";
   if (place != nullptr) {
     const Box seen = grown(box, kSurroundings);
@@ -103,12 +105,15 @@ std::string scenery(const Place* place, const Box& box) {
       add_region(obstacles, one.obstacles, seen);
     }
     stops = waypoints(place->paths);
+    for (const NamedStreet& street : named_streets(*place, seen)) {
+      streets.add(R"({{"name":{},"points":{}}})", json_string(street.name), points(street.line));
+    }
   }
   return fmt::format(
       R"({{"junctions":{},"roads":{},"footways":{},"footareas":{},"zone":{},"obstacles":{},)"
-      R"("waypoints":{}}})",
+      R"("waypoints":{},"streets":{}}})",
       roads.junctions.text(), roads.roads.text(), roads.footways.text(), roads.footareas.text(),
-      zone.text(), obstacles.text(), stops);
+      zone.text(), obstacles.text(), stops, streets.text());
 }
 
 }  // namespace pedzone::animation

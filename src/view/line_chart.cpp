@@ -38,7 +38,8 @@ class Picture {
     }
     if (box.isEmpty()) box = Box(Vec2(0.0, 0.0), Vec2(1.0, 1.0));
     x_ = Axis::over(box.min().x(), box.max().x(), 8.0);
-    y_ = Axis::over(std::min(0.0, box.min().y()), std::min(box.max().y(), chart.y_most), 6.0);
+    const double low = chart.y_has_zero ? std::min(0.0, box.min().y()) : box.min().y();
+    y_ = Axis::over(low, std::min(box.max().y(), chart.y_most), 6.0);
   }
 
   std::string draw() {
@@ -80,6 +81,11 @@ class Picture {
     const double middle = kHeight - 0.5 * (kTop + kBottom);
     page_.text({24.0, kHeight - middle}, kTitle, chart_.y_label,
                fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 24 {})\"", middle));
+    if (!chart_.note.empty()) {
+      page_.text({kRight - 8.0, kTop - 22.0}, 0.9 * kText, chart_.note,
+                 "class=\"note\" text-anchor=\"end\" font-style=\"italic\" stroke=\"#ffffff\" "
+                 "stroke-width=\"4\" paint-order=\"stroke\"");
+    }
     page_.text({kLeft, kTop + 20.0}, kTitle, chart_.title, "font-weight=\"bold\"");
   }
 

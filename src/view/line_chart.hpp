@@ -30,9 +30,12 @@ struct Chart {
   std::vector<ChartBand> bands;
   std::vector<ChartLine> lines;
   double y_most = std::numeric_limits<double>::infinity();  ///< larger values are cut off
+  bool y_has_zero = true;
+  std::string note = {};  ///< written into the chart, above
 };
 
-/// The chart as an SVG file. The y axis has 0. Nothing to draw: axes from 0 to 1.
+/// The chart as an SVG file. The y axis has 0 unless told otherwise. Nothing to draw: axes from 0
+/// to 1.
 std::string line_chart(const Chart& chart);
 
 }  // namespace pedzone

@@ -80,19 +80,24 @@ std::vector<LegendEntry> legend(const Recording& recording, const Place* place, 
   for (std::size_t i = 0; i < sets.size() && sets.size() <= kLineLooks; ++i) {
     entries.push_back(line_entry(sets[i].name, look_of(i, width, 1.0)));
   }
+  if (any_by_sumo(recording, box)) {
+    entries.push_back(line_entry("paler: walked by SUMO", look_of(0, width, kPale)));
+  }
   for (LegendEntry& entry : vehicle_legend(recording)) entries.push_back(std::move(entry));
   return entries;
 }
 
 void draw_person(SvgPage& page, const Recording& recording, const RecordedPerson& person,
                  double gap, double unit) {
-  for (const TrackPiece& piece : pieces_of(person.moments, recording.times, gap)) {
+  for (const TrackPiece& piece : pieces_by_walker(person, recording.times, gap)) {
     Polyline line;
     for (std::size_t i = piece.first; i <= piece.last; ++i) {
       line.push_back(person.moments[i].position);
     }
     if (!page.box().intersects(box_of(line))) continue;
-    page.line(simplified(line, kThinning * unit), "", person.id);
+    page.line(simplified(line, kThinning * unit),
+              person.moments[piece.first].by_sumo ? fmt::format("opacity=\"{}\"", kPale) : "",
+              person.id);
   }
 }
 

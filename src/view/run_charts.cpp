@@ -1,5 +1,7 @@
 #include "view/run_charts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -46,6 +48,22 @@ std::vector<ChartLine> lines_of_persons(const Recording& recording, const Value&
   return lines;
 }
 
+/// A line that is not to be seen would be taken for one that is not there.
+void tell_of_cut(const ChartLine& line, Chart& chart) {
+  std::size_t all = 0, cut = 0;
+  for (const Polyline& piece : line.pieces) {
+    all += piece.size();
+    cut += static_cast<std::size_t>(
+        std::ranges::count_if(piece, [&](const Vec2& point) { return point.y() > chart.y_most; }));
+  }
+  if (cut == 0) return;
+  chart.note = fmt::format(
+      "{}: above {:g} m {}, off the axis", line.name, chart.y_most,
+      cut == all ? "throughout"
+                 : fmt::format("for {:.0f} % of the time",
+                               100.0 * static_cast<double>(cut) / static_cast<double>(all)));
+}
+
 /// Median, band and, where asked for, the least of everybody at each step.
 void add_summary(const Recording& recording, const Value& value, bool with_least, Chart& chart) {
   std::vector<std::vector<double>> values(recording.times.size());
@@ -70,6 +88,7 @@ void add_summary(const Recording& recording, const Value& value, bool with_least
     add_point(band.pieces, {time, quantile(values[step], kLow), quantile(values[step], kHigh)},
               joined);
   }
+  tell_of_cut(median, chart);
   chart.bands.push_back(std::move(band));
   if (with_least) chart.lines.push_back(std::move(least));
   chart.lines.push_back(std::move(median));
@@ -97,6 +116,31 @@ std::string speed_chart(const Recording& recording, const std::string& title) {
         return std::optional<double>(moment.speed);
       },
       false);
+}
+
+std::string across_chart(const Recording& recording, const std::string& title) {
+  Chart chart;
+  chart.title = title;
+  chart.x_label = "x [m]";
+  chart.y_label = "y [m], stretched";
+  chart.y_has_zero = false;
+  const bool few = recording.persons.size() <= kLineLooks;
+  const double gap = line_gap(recording);
+  for (const RecordedPerson& person : recording.persons) {
+    if (few || chart.lines.empty()) {
+      const LineLook look = line_look(chart.lines.size());
+      const std::string name =
+          few ? person.id : fmt::format("{} persons", recording.persons.size());
+      chart.lines.push_back({name, std::string(look.colour), look.dashes.empty() ? "" : "7 4", {}});
+    }
+    for (const TrackPiece& piece : pieces_of(person.moments, recording.times, gap)) {
+      Polyline& line = chart.lines.back().pieces.emplace_back();
+      for (std::size_t i = piece.first; i <= piece.last; ++i) {
+        line.push_back(person.moments[i].position);
+      }
+    }
+  }
+  return line_chart(chart);
 }
 
 std::string clearance_chart(const Recording& recording, const std::string& title) {

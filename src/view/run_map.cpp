@@ -88,6 +88,28 @@ double line_gap(const Recording& recording) {
   return std::max(kLeastGap, kUsualGap * *middle);
 }
 
+std::vector<TrackPiece> pieces_by_walker(const RecordedPerson& person,
+                                         const std::vector<double>& times, double gap) {
+  std::vector<TrackPiece> pieces;
+  for (const TrackPiece& piece : pieces_of(person.moments, times, gap)) {
+    pieces.push_back({piece.first, piece.first});
+    for (std::size_t i = piece.first + 1; i <= piece.last; ++i) {
+      pieces.back().last = i;
+      const bool changes = person.moments[i].by_sumo != person.moments[i - 1].by_sumo;
+      if (changes && i < piece.last) pieces.push_back({i, i});
+    }
+  }
+  return pieces;
+}
+
+bool any_by_sumo(const Recording& recording, const Box& box) {
+  return std::ranges::any_of(recording.persons, [&](const RecordedPerson& person) {
+    return std::ranges::any_of(person.moments, [&](const PersonMoment& moment) {
+      return moment.by_sumo && box.contains(moment.position);
+    });
+  });
+}
+
 Ring outline(const RecordedVehicle& vehicle, const VehicleMoment& moment) {
   const Vec2 axis = unit(moment.heading);
   const Vec2 front = 0.5 * vehicle.length * axis, left = 0.5 * vehicle.width * left_of(axis);

@@ -35,6 +35,16 @@ std::vector<TrackPiece> pieces_of(const std::vector<Moment>& moments,
   return pieces;
 }
 
+/// The same, cut where SUMO begins or ceases to walk a person: pictures show that paler. A piece
+/// begins where the one before it ends.
+std::vector<TrackPiece> pieces_by_walker(const RecordedPerson& person,
+                                         const std::vector<double>& times, double gap);
+
+/// How much of its colour a person has whom SUMO walks, in a run of pedzone's.
+inline constexpr double kPale = 0.4;
+/// Whether there is one in the box.
+bool any_by_sumo(const Recording& recording, const Box& box);
+
 /// Where somebody is at a step: its moment there, or the one before it where the track goes on;
 /// null in a gap and outside.
 template <class Moment>

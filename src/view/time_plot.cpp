@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/palette.hpp"
 #include "view/axis.hpp"
 #include "view/colours.hpp"
 #include "view/label_places.hpp"
@@ -21,9 +22,11 @@ constexpr std::size_t kNamedPersons = 12;  // more are not named in the map
 constexpr double kHead = 5.5;              // [units] of the panel, for the colour bar
 constexpr double kBarLeft = 2.0, kBarWidth = 44.0, kBarTop = 1.2, kBarHeight = 1.3;  // [units]
 constexpr int kBarPieces = 100;
-constexpr double kLeastDisc = 0.28;  // [units] radius: smaller ones would not be seen
-constexpr double kThinning = 0.02;   // [units] corners of lines are left out so far
-constexpr double kLetter = 0.62;     // width of a letter over its height
+constexpr double kLeastDisc = 0.28;         // [units] radius: smaller ones would not be seen
+constexpr double kThinning = 0.02;          // [units] corners of lines are left out so far
+constexpr double kLetter = 0.62;            // width of a letter over its height
+constexpr double kSlack = 1e-6;             // [s] numerical
+constexpr std::size_t kMarkedVehicles = 3;  // of more, starts and goals are not marked
 
 class TimePlot {
  public:
@@ -33,7 +36,7 @@ class TimePlot {
         options_(options),
         box_(shown_box(recording, place, options.area)),
         panel_(box_.sizes(), legend(), kHead),
-        page_(box_, panel_.height()),
+        page_(box_, options.legend ? panel_.height() : 0.0),
         gap_(line_gap(recording)),
         unit_(panel_.unit()) {
     find_span();
@@ -47,9 +50,11 @@ class TimePlot {
     draw_outlines();
     draw_lines();
     draw_discs();
-    draw_names();
-    panel_.draw(page_);
-    draw_colour_bar();
+    draw_texts();
+    if (options_.legend) {
+      panel_.draw(page_);
+      draw_colour_bar();
+    }
     return page_.finish(options_.title);
   }
 
@@ -67,6 +72,13 @@ class TimePlot {
                          page.circle(at.center(), 0.4 * at.sizes().y(),
                                      fmt::format("fill=\"{}\"", colour));
                        }});
+    if (any_by_sumo(recording_, box_)) {
+      entries.push_back({"the same, walked by SUMO", [colour](SvgPage& page, const Box& at) {
+                           page.circle(
+                               at.center(), 0.4 * at.sizes().y(),
+                               fmt::format("fill=\"{}\" fill-opacity=\"{}\"", colour, kPale));
+                         }});
+    }
     if (recording_.vehicles.empty()) return entries;
     entries.push_back(area_entry("vehicle at the same times",
                                  "fill=\"none\" " + stroke(colour, 0.0015 * box_.sizes().x())));
@@ -88,13 +100,20 @@ class TimePlot {
   }
 
   void find_moments() {
+    if (options_.at) {
+      const auto at = std::ranges::lower_bound(recording_.times, *options_.at - kSlack);
+      const bool over = at == recording_.times.end();
+      moments_.push_back({*options_.at, static_cast<std::uint32_t>(at - recording_.times.begin() -
+                                                                   (over ? 1 : 0))});
+      return;
+    }
     const double every = options_.every.value_or(round_step(end_ - begin_, kMoments));
     const auto& times = recording_.times;
-    constexpr double kSlack = 1e-6;  // [s] numerical
+    // + 0.0: none is -0.
     for (double k = std::ceil(begin_ / every - kSlack); k * every <= end_ + kSlack; ++k) {
       const auto at = std::ranges::lower_bound(times, k * every - kSlack);
       if (at == times.end() || *at - k * every > 0.5 * every) continue;
-      moments_.push_back({k * every, static_cast<std::uint32_t>(at - times.begin())});
+      moments_.push_back({k * every + 0.0, static_cast<std::uint32_t>(at - times.begin())});
     }
     if (moments_.empty()) {
       const auto at = std::ranges::lower_bound(times, begin_);
@@ -134,7 +153,7 @@ class TimePlot {
         "id=\"ways\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"{:.3f}\"",
         0.14 * unit_));
     for (const RecordedPerson& person : recording_.persons) {
-      for (const TrackPiece& piece : pieces_of(person.moments, recording_.times, gap_)) {
+      for (const TrackPiece& piece : pieces_by_walker(person, recording_.times, gap_)) {
         draw_piece(person, piece);
       }
     }
@@ -142,17 +161,20 @@ class TimePlot {
   }
 
   void draw_piece(const RecordedPerson& person, const TrackPiece& piece) {
+    const std::string pale =
+        person.moments[piece.first].by_sumo ? fmt::format(" stroke-opacity=\"{}\"", kPale) : "";
     Polyline line;
     double since = time_of(person.moments[piece.first]);
     auto next = std::ranges::upper_bound(moments_, since, {}, &Moment::time);
     for (std::size_t i = piece.first; i <= piece.last; ++i) {
       line.push_back(person.moments[i].position);
       const double now = time_of(person.moments[i]);
+      if (options_.at && now > *options_.at + kSlack) return;
       const bool over = next != moments_.end() && now >= next->time;
       if (!over && i < piece.last) continue;
       if (box_.intersects(box_of(line))) {
         page_.line(simplified(line, kThinning * unit_),
-                   fmt::format("stroke=\"{}\"", colour(0.5 * (since + now))));
+                   fmt::format("stroke=\"{}\"{}", colour(0.5 * (since + now)), pale));
       }
       line = {person.moments[i].position};
       since = now;
@@ -165,39 +187,93 @@ class TimePlot {
         fmt::format("id=\"persons\" stroke=\"#ffffff\" stroke-width=\"{:.3f}\"", 0.05 * unit_));
     for (const Moment& moment : moments_) {
       const std::string fill = fmt::format("fill=\"{}\"", colour(moment.time));
+      const std::string pale = fmt::format(" fill-opacity=\"{}\"", kPale);
       for (const RecordedPerson& person : recording_.persons) {
         const PersonMoment* at = there_at(person.moments, moment.step, recording_.times, gap_);
         if (at == nullptr || !box_.contains(at->position)) continue;
-        page_.circle(at->position, std::max(person.radius, kLeastDisc * unit_), fill,
+        page_.circle(at->position, std::max(person.radius, kLeastDisc * unit_),
+                     at->by_sumo ? fill + pale : fill,
                      fmt::format("{} at {:g} s", person.id, moment.time));
       }
     }
     page_.end_group();
   }
 
-  /// Of a few, at the first place of theirs in the map.
-  void draw_names() {
-    if (recording_.persons.size() > kNamedPersons) return;
-    const double size = 1.2 * unit_;
+  /// Names, times, and where vehicles begin and end: of a few, or they would cover the map.
+  void draw_texts() {
     LabelPlaces places(box_);
+    if (recording_.vehicles.size() <= kMarkedVehicles) mark_ends(places);
+    if (recording_.persons.size() > kNamedPersons) return;
     for (const RecordedPerson& person : recording_.persons) {
       for (const PersonMoment& moment : person.moments) {
         places.keep_free(grown(Box(moment.position, moment.position), 0.1 * unit_));
       }
     }
+    draw_names(places);
+    draw_times(places);
+  }
+
+  void label(LabelPlaces& places, const Vec2& at, double distance, double size,
+             const std::string& text, const std::string& attributes) {
+    const Vec2 room(kLetter * size * static_cast<double>(text.size()), size);
+    const auto place = places.take(at, distance, room);
+    if (!place) return;
+    page_.text(*place - Vec2(0.0, 0.35 * size), size, text,
+               fmt::format("{} text-anchor=\"middle\" stroke=\"#ffffff\" stroke-width=\"{:.3f}\" "
+                           "paint-order=\"stroke\"",
+                           attributes, 0.2 * unit_));
+  }
+
+  /// A ring where a vehicle's way begins in the map, a square where it ends.
+  void mark_ends(LabelPlaces& places) {
+    for (const RecordedVehicle& vehicle : recording_.vehicles) {
+      const auto inside = [&](const VehicleMoment& one) { return box_.contains(one.centre); };
+      const auto first = std::ranges::find_if(vehicle.moments, inside);
+      if (first == vehicle.moments.end()) continue;
+      const auto last = std::find_if(vehicle.moments.rbegin(), vehicle.moments.rend(), inside);
+      const std::string look = "fill=\"#ffffff\" " + stroke("#222222", 0.25 * unit_);
+      const Vec2 half = Vec2::Constant(0.6 * unit_), other(half.x(), -half.y());
+      page_.circle(first->centre, 0.6 * unit_, "class=\"start\" " + look);
+      page_.region(
+          {{{last->centre - half, last->centre + other, last->centre + half, last->centre - other},
+            {}}},
+          "class=\"goal\" " + look);
+      label(places, first->centre, 0.9 * unit_, 1.2 * unit_, "start", "fill=\"#222222\"");
+      label(places, last->centre, 0.9 * unit_, 1.2 * unit_, "goal", "fill=\"#222222\"");
+    }
+  }
+
+  /// Beside whoever has room: each moment once at a person, and once at each vehicle.
+  void draw_times(LabelPlaces& places) {
+    const double size = 1.1 * unit_;
+    for (const Moment& moment : moments_) {
+      const std::string text = fmt::format("{:g} s", moment.time);
+      const std::string look = fmt::format("class=\"time\" fill=\"{}\"",
+                                           mixed_colour(colour(moment.time), "#000000", 0.35));
+      for (const RecordedPerson& person : recording_.persons) {
+        const PersonMoment* at = there_at(person.moments, moment.step, recording_.times, gap_);
+        if (at == nullptr || !box_.contains(at->position)) continue;
+        label(places, at->position, person.radius + 0.3 * unit_, size, text, look);
+        break;
+      }
+      for (const RecordedVehicle& vehicle : recording_.vehicles) {
+        const VehicleMoment* at = there_at(vehicle.moments, moment.step, recording_.times, gap_);
+        if (at == nullptr || !box_.contains(at->centre)) continue;
+        label(places, at->centre, 0.5 * vehicle.width + 0.3 * unit_, size, text, look);
+      }
+    }
+  }
+
+  /// At the first place of theirs in the map.
+  void draw_names(LabelPlaces& places) {
+    const double size = 1.2 * unit_;
     for (const RecordedPerson& person : recording_.persons) {
       const auto first = std::ranges::find_if(person.moments, [&](const PersonMoment& moment) {
         return box_.contains(moment.position);
       });
       if (first == person.moments.end()) continue;
       const std::string name = shortened(person.id, 24);
-      const Vec2 room(kLetter * size * static_cast<double>(name.size()), size);
-      const auto place = places.take(first->position, 0.6 * unit_, room);
-      if (!place) continue;
-      page_.text(*place - Vec2(0.0, 0.35 * size), size, name,
-                 fmt::format("text-anchor=\"middle\" fill=\"#222222\" stroke=\"#ffffff\" "
-                             "stroke-width=\"{:.3f}\" paint-order=\"stroke\"",
-                             0.2 * unit_));
+      label(places, first->position, 0.6 * unit_, size, name, "fill=\"#222222\"");
     }
   }
 

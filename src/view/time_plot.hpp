@@ -13,8 +13,10 @@ namespace pedzone {
 
 struct TimePlotOptions {
   std::string title;
-  Box area;                     ///< [m] to show; empty: where the persons are
-  std::optional<double> every;  ///< [s] > 0 between two moments; unset: a round step, for 8 to 20
+  Box area;                       ///< [m] to show; empty: where the persons are
+  std::optional<double> every;    ///< [s] > 0 between two moments; unset: a round step, for 8 to 20
+  std::optional<double> at = {};  ///< [s] a snapshot of this moment, with the ways until then
+  bool legend = true;             ///< below the map, with the colours of time
 };
 
 /// The picture as an SVG file: persons as discs, vehicles as outlines in the colours of the

@@ -6,8 +6,6 @@ usage: test_animation.py PEDZONE_PROGRAM SCENARIOS_FOLDER
 
 import csv
 import math
-import os
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -16,6 +14,7 @@ from pathlib import Path
 
 from browser import Browser
 from recorded import Recorded
+from recorded_page import SET_TIME, SETTLED, STATE, call, enter, open_page
 
 PEDZONE = SCENARIOS = None  # set from the command line
 
@@ -24,10 +23,6 @@ ROUNDING = 0.0051  # [m] the page keeps places to the centimetre
 HOSTILE = """</script><script>window.injected = 1</script><img src=x onerror="window.injected=2">
 '&amp;"""  # a line end, quotes and an entity, too
 
-SETTLED = "await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));"
-STATE = SETTLED + "return pedzone.state();"
-SET_TIME = ("const slider = document.getElementById('time'); slider.value = arguments[0];"
-            "slider.dispatchEvent(new Event('input'));" + STATE)
 # Where on the window a person or vehicle is drawn.
 ON_SCREEN = SETTLED + """
 const [kind, id, number] = arguments, panel = pedzone.panels[number];
@@ -43,12 +38,6 @@ return [...document.querySelectorAll('button, input, select, output, summary, h1
     return {id: one.id || one.tagName, left, right, top: Math.max(top, window.top),
             bottom: Math.min(bottom, window.bottom)};
   }).filter(({top, bottom}) => top < bottom);"""
-
-
-def call(*words, folder):
-    environment = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
-    subprocess.run(list(map(str, words)), cwd=folder, check=True, capture_output=True, timeout=600,
-                   env=environment, stdin=subprocess.DEVNULL)
 
 
 class Animation(unittest.TestCase):
@@ -75,24 +64,15 @@ class Animation(unittest.TestCase):
         cls.animate("walked.xml", "one.html")
         cls.animate("walked.csv", "both.html", "--fcd", "walked.xml", "--beside", "striping.xml")
         cls.animate("hostile.xml", "hostile.html", "--title", HOSTILE, "--name", HOSTILE)
-        cls.browser = cls.enterClassContext(Browser())
+        cls.browser = enter(cls, Browser())
 
     @classmethod
     def animate(cls, recording, page, *words):
         call(PEDZONE, "animate", recording, "--scenario", cls.scenario, "--rate", RATE,
              "--out", page, *words, folder=cls.folder)
 
-    @classmethod
-    def enterClassContext(cls, context):  # unittest has it from Python 3.12 on
-        entered = context.__enter__()
-        cls.addClassCleanup(context.__exit__, None, None, None)
-        return entered
-
     def open(self, page, width=1280, height=800, mobile=False):
-        self.browser.resize(width, height, mobile)
-        self.browser.open(self.folder / page)
-        return self.browser.run(
-            "while (!window.pedzone) await new Promise((done) => setTimeout(done, 20));" + STATE)
+        return open_page(self.browser, self.folder / page, width, height, mobile)
 
     def tearDown(self):
         self.assertEqual(self.browser.messages(), [], "the console stays empty")

@@ -241,6 +241,33 @@ class Report(unittest.TestCase):
             self.assertEqual(ground < ink, dark)
             self.assertGreater(abs(ground - ink), 0.6)
 
+    def test_the_axis_of_differences_stays_in_sight_on_a_phone(self):
+        self.open(390, 844, True)
+        axis, zero, forest = self.ask("""(() => {
+            const table = document.querySelector(".forests");
+            const row = [...table.tBodies[0].rows].at(-1);
+            row.scrollIntoView({block: "center"});
+            const box = (one) => {
+              const {left, right, top, bottom} = one.getBoundingClientRect();
+              return {left, right, top, bottom};
+            };
+            return [box(table.querySelector("th.axis")),
+                    box(table.querySelectorAll("th.axis span")[1]), box(row.querySelector("svg"))];
+        })()""")
+        self.assertGreaterEqual(axis["top"], 0)
+        self.assertLess(axis["bottom"], forest["top"])
+        self.assertAlmostEqual((zero["left"] + zero["right"]) / 2,
+                               (forest["left"] + forest["right"]) / 2, delta=4)
+
+    def test_the_screen_is_as_it_was_after_printing(self):
+        self.open()
+        shape = """[...document.querySelectorAll("main details")].map(
+            (one) => [one.open, one.parentElement.id, one.querySelector("summary").textContent])"""
+        before = self.ask(shape)
+        self.browser.print_page(self.folder / "again.pdf")
+        self.assertEqual(self.ask(shape), before)
+        self.assertIsNone(self.ask("document.getElementById('appendix')"))
+
     def test_on_paper(self):
         self.open()
         paper = self.folder / "report.pdf"
@@ -250,6 +277,12 @@ class Report(unittest.TestCase):
         self.assertGreater(len(pages), 2)
         self.assertIn("What the study found", pages[0])
         self.assertIn("pedzone study run", text)
+        for number, page in enumerate(pages, 1):
+            self.assertIn(f"{number} / {len(pages)}", page)
+        # The second condition is folded on the screen.
+        appendix = text[text.index("Appendix\n"):]
+        self.assertIn("Speed of people in the zone", appendix)
+        self.assertIn("Density of people", appendix)
         call("pdftoppm", "-r", "40", "-gray", paper, "page", folder=self.folder)
         pictures = sorted(self.folder.glob("page-*.pgm"))
         self.assertEqual(len(pictures), len(pages))

@@ -57,6 +57,13 @@ class Picture:
             found[who, float(time)] = (*at, circle.get("fill"))
         return found
 
+    def pale(self):
+        """(id, time) of a time-plot's persons that are drawn paler."""
+        circles = self.group("persons").findall(SVG + "circle[@fill-opacity]")
+        titles = [circle.find(SVG + "title").text for circle in circles]
+        found = [re.fullmatch(r"(.*) at (\S+) s", title, re.DOTALL).groups() for title in titles]
+        return {(who, float(time)) for who, time in found}
+
     def outlines(self):
         """(id, time) -> (corners, colour) of a time-plot's vehicles."""
         found = {}

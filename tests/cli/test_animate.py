@@ -16,7 +16,7 @@ import zlib
 from pathlib import Path
 
 from refusal import RefusalChecks
-from tiny_scenario import TinyScenario, sumo_environment
+from tiny_scenario import EDGES, TinyScenario, sumo_environment
 
 PEDZONE = None  # set from the command line
 
@@ -160,6 +160,79 @@ class Animate(RefusalChecks, unittest.TestCase):
         (walkable,) = data["scenery"]["zone"]
         self.assertGreater(max(walkable[0][::2]) - min(walkable[0][::2]), 5000, "60 m of street")
         self.assertTrue(data["scenery"]["roads"])
+
+    def test_names_of_streets(self):
+        edges = EDGES.replace('id="shared"', 'id="shared" name="Long &lt;b&gt; Lane"')
+        edges = edges.replace('id="west"', 'id="west" name="West Street"')
+        edges = edges.replace('id="east"', 'id="east" name="West Street"')
+        config = TinyScenario(self.folder, edges, ("--output.street-names", "true")).config()
+        done = self.call("sumo", "-c", config, "--fcd-output", "fcd.xml", "--end", "60")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        streets = self.data("--scenario", config)["scenery"]["streets"]
+        names = sorted(street["name"] for street in streets)
+        # West Street's two parts do not meet: a line each.
+        self.assertEqual(names, ["Long <b> Lane", "West Street", "West Street"])
+        self.assertGreater(max(streets[0]["points"][::2]) - min(streets[0]["points"][::2]), 4000)
+
+    # In one step
+
+    def in_two_steps(self, config, *words, zone=()):
+        done = self.call(PEDZONE, "run", config, *zone, "--trajectories", "two/t.csv", *words, "--",
+                         "--fcd-output", self.folder / "two.fcd.xml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.call(PEDZONE, "animate", "two/t.csv", "--fcd", "two.fcd.xml", "--scenario",
+                         config, *zone, "--name", "pedzone", "--out", "two.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return (self.folder / "two.html").read_bytes()
+
+    def in_one_step(self, config, *words):
+        scratch = self.folder / "scratch"
+        scratch.mkdir(exist_ok=True)
+        done = subprocess.run([PEDZONE, "run", str(config), "--animate", "one.html", *words],
+                              cwd=self.folder, text=True, timeout=120, capture_output=True,
+                              env={**sumo_environment(), "TMPDIR": str(scratch)},
+                              stdin=subprocess.DEVNULL)
+        self.assertEqual(list(scratch.iterdir()), [], "no file is left over")
+        return done
+
+    def test_run_animates_as_animate_does(self):
+        config = TinyScenario(self.folder).config()
+        done = self.in_one_step(config)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        one = (self.folder / "one.html").read_bytes()
+        self.assertEqual(one, self.in_two_steps(config))
+        self.assertIn(b'"id":"p1"', one)
+
+    def test_run_animates_beside_other_outputs(self):
+        config = TinyScenario(self.folder).config()
+        done = self.in_one_step(config, "--trajectories", "t.csv", "--", "--fcd-output", "own.xml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ("t.csv", "own.xml", "one.html"):
+            self.assertTrue((self.folder / name).exists(), name)
+        self.assertEqual((self.folder / "one.html").read_bytes(), self.in_two_steps(config))
+
+    def test_run_without_anybody(self):
+        tiny = TinyScenario(self.folder)
+        tiny.write("tiny.rou.xml", "<routes/>")
+        done = self.in_one_step(tiny.config())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("one.html is not written", done.stderr)
+        self.assertFalse((self.folder / "one.html").exists())
+
+    def test_run_refuses_floating_car_data_that_it_could_not_read(self):
+        config = TinyScenario(self.folder).config()
+        for words in (("--fcd-output", "stdout"), ("--fcd-output", "localhost:99"),
+                      ("--fcd-output", "a.xml", "--output-prefix", "b")):
+            done = self.in_one_step(config, "--", *words)
+            self.check_refused(done, "fcd-output", words[1], "--animate")
+            self.assertFalse((self.folder / "one.html").exists())
+
+    def test_run_that_cannot_write_the_page(self):
+        config = TinyScenario(self.folder).config()
+        self.write("out", "a file, not a folder")
+        done = self.call(PEDZONE, "run", config, "--animate", "out/a.html")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--animate", done.stderr)
 
     def test_hostile_ids(self):
         hostile = '</script><img src=x onerror="alert(1)">\n\'&\\<!--'

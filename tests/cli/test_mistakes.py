@@ -14,7 +14,7 @@ from tiny_scenario import TinyScenario
 
 PEDZONE = None  # set from the command line
 
-COMMANDS = ("run, inspect, demand, conflicts, animate, plot, geojson, study, validate, calibrate, "
+COMMANDS = ("run, attach, inspect, demand, conflicts, animate, plot, maps, geojson, study, validate, calibrate, "
             "verify, parameters, profiles, help, completion, man")
 MODELS = ("heuristic, heuristic-original, plain, orca, social-force, gradient-navigation, "
           "optimal-steps, constant-velocity, or the path of a plug-in (*.so)")
@@ -72,7 +72,7 @@ MISTAKES = [
     # What is missing, or too much
     ("run", "SCENARIO: is missing; allowed: SUMO configuration (.sumocfg)"),
     ("run --end 5", "SCENARIO: is missing; allowed: SUMO configuration (.sumocfg)"),
-    ("animate run.csv", "option --out: is missing; allowed: HTML file to write"),
+    ("animate run.csv", "option --out: is missing; allowed: --out or --video"),
     ("conflicts fcd.xml",
      "option --conflict-output, --conflict-csv or --json: is missing; allowed: one of them or "
      "more"),
@@ -106,8 +106,8 @@ MISTAKES = [
     ("run tiny.sumocfg --pedestrians -5",
      "option --pedestrians: '-5' is out of range; allowed: 1 to 1000000"),
     ("plot run.csv --kind tme --out out/a.svg",
-     "option --kind: 'tme' is unknown; allowed: time, path, speed, clearance. "
-     "Did you mean 'time'?"),
+     "option --kind: 'tme' is unknown; allowed: time, path, across, speed, "
+     "clearance. Did you mean 'time'?"),
     ("completion fish", "SHELL: 'fish' is unknown; allowed: bash, zsh"),
     # Models, parameters, tests
     ("run tiny.sumocfg --model hueristic",

@@ -8,6 +8,7 @@ usage: test_plot.py PEDZONE_PROGRAM SCENARIOS_FOLDER
 import csv
 import gzip
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -127,6 +128,28 @@ class Runs(unittest.TestCase):
             self.assertAlmostEqual(y, float(row["y"]), delta=ROUNDED)
         self.assertGreater(walked_by_sumo, 0)
         self.assertGreater(len(picture.outlines()), 3)
+        self.assertEqual(picture.pale(), {key for key in discs if key not in rows})
+
+    def test_ways_of_people_whom_sumo_walks_are_paler(self):
+        self.plot("run.csv", "--fcd", "run.fcd.xml.gz", *SHOWN, "--kind", "path")
+        with_everybody = (self.folder / "out.svg").read_text()
+        self.plot("run.csv", *SHOWN, "--kind", "path")
+        self.assertIn('opacity="0.4"', with_everybody)
+        self.assertIn("walked by SUMO", with_everybody)
+        self.assertNotIn("walked by SUMO", (self.folder / "out.svg").read_text())
+
+    def test_snapshots(self):
+        done = call(self.folder, PEDZONE, "plot", "run.fcd.xml.gz", "--scenario", self.config,
+                    "--zone", self.zone, "--at", "70", "90", "--out", "out.svg")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        root = ET.parse(self.folder / "out.svg").getroot()
+        pictures = root.findall(".//{http://www.w3.org/2000/svg}svg")
+        self.assertEqual(len(pictures), 2)
+        for picture, time in zip(pictures, ("70", "90")):
+            titles = [one.text for one in picture.iter("{http://www.w3.org/2000/svg}title")]
+            persons = [one for one in titles if one and re.search(r" at \S+ s$", one)]
+            self.assertGreater(len(persons), 3)
+            self.assertTrue(all(one.endswith(f" at {time} s") for one in persons), persons[:3])
 
     def test_colours_get_lighter_with_time_for_persons_and_vehicles_alike(self):
         picture = self.plot("run.fcd.xml.gz", *SHOWN)

@@ -14,6 +14,7 @@
 #include "app/geojson.hpp"
 #include "app/guarded.hpp"
 #include "app/inspect.hpp"
+#include "app/maps.hpp"
 #include "app/plot.hpp"
 #include "app/run.hpp"
 #include "app/study.hpp"
@@ -41,7 +42,7 @@ struct CommandGroup {
 const std::vector<CommandGroup>& command_groups() {
   static const std::vector<CommandGroup> groups = {
       {"To walk people", {add_run, add_attach, add_inspect, add_demand}},
-      {"To look at what they did", {add_conflicts, add_animate, add_plot, add_geojson}},
+      {"To look at what they did", {add_conflicts, add_animate, add_plot, add_maps, add_geojson}},
       {"To compare and to judge", {add_study, add_validate, add_calibrate, add_verify}},
       {kLookUpGroup, {add_parameters, add_profiles, add_help, add_completion, add_man}}};
   return groups;

@@ -14,11 +14,12 @@ constexpr double kApart = 0.05;  // assumed: shares arrived that differ by more 
 struct CutTime {
   std::string_view measure, arrived;
 };
-constexpr CutTime kTimes[] = {{"person.travelTime", "person.arrived"},
-                              {"person.delay", "person.arrived"},
-                              {"person.waiting", "person.arrived"},
-                              {"vehicle.travelTime", "vehicle.arrived"},
-                              {"vehicle.delay", "vehicle.arrived"}};
+constexpr CutTime kTimes[] = {
+    {"person.travelTime", "person.arrived"},   {"person.travelTime85", "person.arrived"},
+    {"person.travelTime95", "person.arrived"}, {"person.delay85", "person.arrived"},
+    {"person.delay95", "person.arrived"},      {"person.delay", "person.arrived"},
+    {"person.waiting", "person.arrived"},      {"vehicle.travelTime", "vehicle.arrived"},
+    {"vehicle.delay", "vehicle.arrived"}};
 
 const Comparison* find(std::span<const Comparison> of_model, std::string_view measure) {
   const auto found = std::ranges::find(of_model, measure, &Comparison::measure);

@@ -25,6 +25,13 @@ constexpr Measure kMeasures[] = {
      "Distance walked in the zone over the shortest, all people together. Below 1: through "
      "obstacles, as SUMO's own models do.",
      "People", true},
+    {"person.travelTime85", "Travel time, 85th percentile", "s",
+     "So long or less for 85 of 100 persons.", "People", false},
+    {"person.travelTime95", "Travel time, 95th percentile", "s", "For 95 of 100.", "People", false},
+    {"person.delay85", "Delay in the zone, 85th percentile", "s",
+     "So much or less for 85 of 100 persons who walk there.", "People", false},
+    {"person.delay95", "Delay in the zone, 95th percentile", "s", "For 95 of 100.", "People",
+     false},
     {"person.walked", "Walked in the zone", "m",
      "Mean distance walked in the zone, from place to place; a jump counts, too.", "People", false},
     {"person.jams", "Jams", "",

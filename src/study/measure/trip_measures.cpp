@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/statistics.hpp"
+
 namespace pedzone::study {
 namespace {
 
@@ -37,16 +39,25 @@ void measure_all(const std::vector<Trip>& trips, double end, const std::string& 
   const auto count = static_cast<double>(trips.size());
   values[who + ".count"] = count;
   if (trips.empty()) return;
-  double time = 0.0, arrived = 0.0;
+  double arrived = 0.0;
+  std::vector<double> times;
   for (const Trip& trip : trips) {
-    time += trip.arrival.value_or(end) - trip.due;
+    times.push_back(trip.arrival.value_or(end) - trip.due);
     if (trip.arrival) arrived += 1.0;
   }
-  values[who + ".travelTime"] = time / count;
+  values[who + ".travelTime"] = mean(times);
+  if (who == "person") add_percentiles("person.travelTime", times, values);
   values[who + ".arrived"] = arrived / count;
 }
 
 }  // namespace
+
+void add_percentiles(const std::string& key, const std::vector<double>& sample,
+                     std::map<std::string, double>& values) {
+  if (sample.empty()) return;
+  values[key + "85"] = quantile(sample, 0.85);
+  values[key + "95"] = quantile(sample, 0.95);
+}
 
 void measure_trips(const Trips& trips, double end, std::map<std::string, double>& values) {
   measure_all(trips.persons, end, "person", values);

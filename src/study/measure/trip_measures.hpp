@@ -8,13 +8,18 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "study/measure/tripinfo_reader.hpp"
 
 namespace pedzone::study {
 
-/// Appends person.travelTime, person.arrived, person.count, vehicle.travelTime, vehicle.delay,
-/// vehicle.arrived, vehicle.count. `trips`: settled at the end of the run [s] `end`.
+/// The 85th and 95th percentile of a sample as KEY85 and KEY95; nothing of an empty one.
+void add_percentiles(const std::string& key, const std::vector<double>& sample,
+                     std::map<std::string, double>& values);
+
+/// Appends person.travelTime, its percentiles, person.arrived, person.count, vehicle.travelTime,
+/// vehicle.delay, vehicle.arrived, vehicle.count. `trips`: settled at the end of the run [s] `end`.
 void measure_trips(const Trips& trips, double end, std::map<std::string, double>& values);
 
 }  // namespace pedzone::study

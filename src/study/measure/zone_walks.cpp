@@ -4,6 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "core/statistics.hpp"
+#include "study/measure/trip_measures.hpp"
+
 namespace pedzone::study {
 namespace {
 
@@ -85,15 +88,15 @@ void ZoneWalks::close(Person& person) {
 
 void ZoneWalks::finish(std::map<std::string, double>& values) {
   Amount total;
-  double visitors = 0.0, with_way = 0.0, delay = 0.0, walked = 0.0, shortest = 0.0;
+  double visitors = 0.0, walked = 0.0, shortest = 0.0;
+  std::vector<double> delays;
   for (Person& person : persons_) {
     close(person);
     if (!person.visitor) continue;
     visitors += 1.0;
     total.add(person.total);
     if (!person.delay) continue;
-    with_way += 1.0;
-    delay += *person.delay;
+    delays.push_back(*person.delay);
     walked += person.walked;
     shortest += person.shortest;
   }
@@ -103,7 +106,8 @@ void ZoneWalks::finish(std::map<std::string, double>& values) {
     values["person.walked"] = total.walked / visitors;
   }
   if (total.time > 0.0) values["person.speed"] = total.covered / total.time;
-  if (with_way > 0.0) values["person.delay"] = delay / with_way;
+  if (!delays.empty()) values["person.delay"] = mean(delays);
+  add_percentiles("person.delay", delays, values);
   if (shortest > 0.0) values["person.detour"] = walked / shortest;
 }
 

@@ -17,7 +17,10 @@ for (const details of document.querySelectorAll("details.condition")) {
 }
 scenes.prepare(JSON.parse(document.getElementById("scene-pages").textContent));
 
-addEventListener("beforeprint", () => lines.redraw(true));
+addEventListener("beforeprint", () => { // after the appendix is made: what it shows is drawn
+  draw_lines();
+  lines.redraw(true);
+});
 addEventListener("afterprint", () => lines.redraw(false));
 let waiting = null;
 addEventListener("resize", () => {

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -43,6 +44,10 @@ std::vector<std::string> command_of(const OwnSumo& own, int port, const std::str
   if (own.gui) {
     command.insert(command.end(),
                    {"--start", "--quit-on-end", "--delay", std::to_string(own.delay)});
+    const std::string size = "--window-size";  // SUMO takes an option once
+    if (std::ranges::find(words, size) == words.end()) {
+      command.insert(command.end(), {size, "1400,900"});
+    }
   }
   return command;
 }

@@ -152,7 +152,7 @@ void require_persons(const Recording& recording, const RecordingSource& source) 
                         "ids of persons who are on foot there between --begin and --end"});
     }
   }
-  if (recording.persons.empty()) {
+  if (recording.persons.empty() && source.needs_person) {
     throw InputError("has no person in the time shown",
                      {.file = source.file, .allowed = "a recording of persons on foot"});
   }
@@ -204,6 +204,8 @@ void take_others(Recording& recording, Recording&& other) {
 }
 
 }  // namespace
+
+bool is_trajectory_table(const std::string& file) { return kind_of(file) == Kind::kTrajectories; }
 
 Recording read_recording(const RecordingSource& source, const RecordingCast& cast,
                          const ReadProgress& progress) {

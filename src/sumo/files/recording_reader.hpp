@@ -19,6 +19,7 @@ struct RecordingSource {
   double begin = -std::numeric_limits<double>::infinity();  ///< [s] what lies outside is left out
   double end = std::numeric_limits<double>::infinity();     ///< [s]
   std::vector<std::string> persons = {};                    ///< ids; empty: all
+  bool needs_person = true;                                 ///< else a recording of nobody is one
 };
 
 /// What a scenario's files say of those who are recorded.
@@ -30,6 +31,10 @@ struct RecordingCast {
     traits.read(file);
   }
 };
+
+/// Whether a file is pedzone's trajectories, not fcd-output. Throws InputError where it cannot be
+/// read.
+bool is_trajectory_table(const std::string& file);
 
 /// Reads a recording. Those who ride in a vehicle are left out while they do. Throws InputError
 /// where a file is missing, empty, cut off or neither of the two, where its numbers are none, a

@@ -3,7 +3,9 @@
 // does beside walking, filled or hollow whether it walks, its ring and the lines to others its
 // group.
 
-const kLeastRadius = 3.2;   // [pixels] nobody is drawn smaller
+const kLeastRadius = 3.2;   // [pixels] nobody is drawn smaller ...
+const kFarRadius = 2;       // [pixels] ... but from afar: symbols would cover the map
+const kNearScale = 1.5;     // [pixels/m] nearer is not afar
 const kLetterRadius = 7;    // [pixels] from here on letters are drawn ...
 const kMarkRadius = 4.5;    // [pixels] ... and what else would only clutter a small figure
 const kMostLink = 8;        // [m] members farther from their group's middle are not linked
@@ -51,11 +53,16 @@ function shape_of(profile, own_profiles) {
   return kShapes[known || kOtherShapes[own_profiles.indexOf(profile) % kOtherShapes.length]];
 }
 
+// [pixels] the least radius of a body for a camera's scale [pixels/m].
+function least_radius(scale) {
+  return kFarRadius + (kLeastRadius - kFarRadius) * Math.min(1, scale / kNearScale);
+}
+
 // Half the length and width of a body in pixels, never too small to be seen.
 function extent(track, shape, scale) {
   const length = shape.stretch ? track.length / 2 : track.radius;
   const width = shape.stretch ? track.width / 2 : track.radius;
-  const grown = Math.max(1, kLeastRadius / (Math.min(length, width) * scale));
+  const grown = Math.max(1, least_radius(scale) / (Math.min(length, width) * scale));
   return [length * scale * grown, width * scale * grown];
 }
 
@@ -127,6 +134,19 @@ function draw_nose(context, theme, {x, y, heading, along, across, shape}) {
   context.fill();
 }
 
+// Behind those who stand for long: a jam catches the eye from afar. Unlike a group's ring it is
+// wide and lets the ground through.
+function draw_halo(context, theme, {x, y, along, across, standing}) {
+  const {colour, halo} = kStanding[standing];
+  const radius = Math.sqrt(along * across) + halo;
+  context.globalAlpha = 0.55;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fillStyle = theme.colour(colour);
+  context.fill();
+  context.globalAlpha = 1;
+}
+
 // The letter of what a person does, where there is room for it.
 function draw_letter(context, theme, {x, y, along, across, colour, hollow, letter}) {
   if (!letter || Math.max(along, across) < kLetterRadius) return;
@@ -158,8 +178,9 @@ function draw_links(context, theme, members_by_group) {
 }
 
 // A vehicle's rectangle with a windscreen and bevelled front, (x, y) its middle in pixels.
-function draw_vehicle(context, theme, x, y, heading, length, width) {
-  const grown = Math.max(1, 2 * kLeastRadius / width);
+// `scale`: the camera's [pixels/m].
+function draw_vehicle(context, theme, x, y, heading, length, width, scale) {
+  const grown = Math.max(1, 2 * least_radius(scale) / width);
   const a = length / 2 * grown, b = width / 2 * grown, bevel = Math.min(0.35 * b, 0.25 * a);
   const part = (points) => {
     context.beginPath();

@@ -10,6 +10,7 @@ class Looks {
         profiles.add(person.profile);
         if (!bodies.has(person.profile)) bodies.set(person.profile, person);
         if (person.group) groups.add(person.group);
+        this.stands ||= recording.stands_long(person);
         for (const [, motion, activity] of person.changes) {
           motions.add(recording.motions[motion]);
           activities.add(recording.activities[activity]);
@@ -33,9 +34,9 @@ class Looks {
 const kSwatch = {width: 40, height: 26, scale: 26}; // [pixels], [pixels/m]
 
 class Legend {
-  constructor(place, theme, looks, scenery, has_vehicles) {
+  constructor(place, theme, looks, scenery, has_vehicles, levels) {
     Object.assign(this, {place, theme, looks, swatches: []});
-    const person = {heading: 0, shape: kShapes.circle, along: 7, across: 7, colour: "walker",
+    const person = {heading: 0, standing: -1, shape: kShapes.circle, along: 7, across: 7, colour: "walker",
                     ring: -1, hollow: false, waiting: false, letter: ""};
     this.section("Who", looks.profiles.length < 2 && !looks.profiles[0] ? [] : looks.profiles.map(
       (profile) => {
@@ -52,9 +53,11 @@ class Legend {
       ...looks.activities.map((name) => [
         name, {...person, ...activity_look(name), along: 9, across: 9}]),
     ]);
+    this.section("Stands", looks.stands ? kStanding.map(
+      ({text}, standing) => [text, {...person, standing, along: 5, across: 5}]) : []);
     this.section("Where", [
       ...(looks.rings.size ? [["group", {...person, ring: 0, along: 6, across: 6}]] : []),
-      ...(has_vehicles ? [["vehicle", (context) => draw_vehicle(context, theme, 20, 13, 0, 32, 15)]]
+      ...(has_vehicles ? [["vehicle", (context) => draw_vehicle(context, theme, 20, 13, 0, 32, 15, kSwatch.scale)]]
         : []),
       ...(scenery.zone.length ? [["shared space",
         (context) => this.box(context, "zone", "zone-edge")]] : []),
@@ -63,7 +66,18 @@ class Legend {
       ...(scenery.roads.length ? [["road", (context) => this.box(context, "road", "road")]] : []),
       ...(scenery.waypoints.length ? [["waypoint", (context) => this.star(context)]] : []),
     ]);
+    this.density = this.section("Persons per m²", levels.map(({text, colour}) => [
+      text, (context) => {
+        context.fillStyle = colour;
+        context.globalAlpha = kDensityAlpha;
+        context.fillRect(5, 5, 30, 16);
+      }]));
+    this.show_density(false);
     this.draw();
+  }
+
+  show_density(on) {
+    for (const part of this.density) part.hidden = !on;
   }
 
   section(title, entries) {
@@ -80,6 +94,7 @@ class Legend {
       this.swatches.push([canvas, drawn]);
     }
     this.place.append(heading, list);
+    return [heading, list];
   }
 
   draw() {
@@ -96,6 +111,7 @@ class Legend {
   }
 
   person(context, figure) {
+    if (figure.standing >= 0) draw_halo(context, this.theme, figure);
     context.globalAlpha = figure.pale ? kPale : 1;
     draw_person(context, this.theme, figure);
     context.globalAlpha = 1;

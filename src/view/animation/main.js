@@ -13,12 +13,15 @@ class Animation {
     this.camera = new Camera(data.box);
     this.looks = new Looks(recordings);
     const scenery = new Scenery(data.scenery);
+    this.layers = {names: true, trails: false, density: false};
+    const density = new Density(data.levels);
     const stage = find("stage");
     stage.dataset.panels = recordings.length;
     const [west, south, east, north] = data.box;
     stage.classList.toggle("stacked", east - west > kWide * (north - south));
     this.panels = recordings.map((recording) => new Panel(stage, recording, {
-      scenery, camera: this.camera, theme: this.theme, looks: this.looks}));
+      scenery, camera: this.camera, theme: this.theme, looks: this.looks,
+      layers: this.layers, density}));
     for (const panel of this.panels) {
       new Gestures(panel.canvas, this.camera, {
         changed: redraw, clicked: (place) => this.select(panel.pick(place))});
@@ -27,10 +30,11 @@ class Animation {
                            Math.max(...recordings.map((one) => one.end)), data.step);
     this.clock.set(Math.min(...recordings.map((one) => one.first_person())));
     this.legend = new Legend(find("legend"), this.theme, this.looks, data.scenery,
-                             recordings.some((one) => one.vehicles.length));
+                             recordings.some((one) => one.vehicles.length), data.levels);
     this.details = new Details(this.panels);
     this.selected = null;
     if (data.selected) this.select({kind: "person", id: data.selected});
+    this.show_layers(data.scenery.streets.length > 0);
     find("title").textContent = document.title = data.title;
     this.controls();
     this.keys();
@@ -59,6 +63,20 @@ class Animation {
     find("ids").append(...[...ids].map((id) => new Option("", id)));
   }
 
+  // Boxes that switch layers on and off.
+  show_layers(has_names) {
+    this.find("names-box").hidden = !has_names;
+    for (const name of Object.keys(this.layers)) {
+      const box = this.find("show-" + name);
+      box.checked = this.layers[name];
+      box.addEventListener("change", () => {
+        this.layers[name] = box.checked;
+        this.legend.show_density(this.layers.density);
+        this.redraw();
+      });
+    }
+  }
+
   keys() {
     const actions = {
       " ": () => this.play(!this.clock.playing), ArrowLeft: () => this.move(-1),
@@ -69,7 +87,7 @@ class Animation {
       const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
       // Buttons and boxes keep the keys that are theirs.
       const own = event.target.closest("input[type=search], select, summary")
-        || (event.key === " " && event.target.closest("button"));
+        || (event.key === " " && event.target.closest("button, input[type=checkbox]"));
       if (!action || own || event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
       action();
@@ -183,6 +201,20 @@ class Animation {
     play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
   }
 
+  // For films: only title, clock and panels are shown, at times that are asked for. Returns which
+  // there are [s].
+  film() {
+    document.documentElement.dataset.film = "";
+    this.find("title").after(this.find("clock"));
+    return {begin: this.clock.time, end: this.clock.end};
+  }
+
+  async frame(time) {
+    this.clock.set(time);
+    this.picture(0);
+    await new Promise(requestAnimationFrame);
+  }
+
   // What is shown, for programs that look at the page.
   state() {
     const pose = ({track, x, y, heading, speed}) => ({id: track.id, x, y, heading, speed});
@@ -212,4 +244,4 @@ async function begin() {
   }
 }
 
-begin();
+const pedzone_begun = begin();

@@ -8,7 +8,7 @@ const kPale = 0.4;
 
 class Panel {
   constructor(stage, recording, context) {
-    Object.assign(this, {recording, ...context}); // scenery, camera, theme, looks
+    Object.assign(this, {recording, ...context}); // scenery, camera, theme, looks, layers, density
     this.figure = document.createElement("figure");
     this.caption = document.createElement("figcaption");
     this.name = document.createElement("b");
@@ -44,20 +44,27 @@ class Panel {
   draw(time, selected) {
     const begin = performance.now();
     const recording = this.recording, context = this.scene;
+    this.time = time;
     this.persons = recording.poses(recording.persons, time);
     this.vehicles = recording.poses(recording.vehicles, time);
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.drawImage(this.scenery.picture(this.camera, this.theme, this.canvas.width,
-                                           this.canvas.height, this.ratio), 0, 0);
+                                           this.canvas.height, this.ratio,
+                                           this.layers.names), 0, 0);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.lineJoin = context.lineCap = "round";
+    if (this.layers.density) this.density.draw(this);
+    if (this.layers.trails) draw_trails(this);
     this.draw_way(selected);
     const figures = this.figures();
     draw_links(context, this.theme, this.groups(figures));
     for (const pose of this.vehicles) {
       const [x, y] = this.to_screen(pose.x, pose.y);
       draw_vehicle(context, this.theme, x, y, pose.heading, pose.track.length * this.camera.scale,
-                   pose.track.width * this.camera.scale);
+                   pose.track.width * this.camera.scale, this.camera.scale);
+    }
+    for (const figure of figures) {
+      if (figure.standing >= 0) draw_halo(context, this.theme, figure);
     }
     for (const figure of figures) {
       context.globalAlpha = figure.pale ? kPale : 1;
@@ -67,7 +74,7 @@ class Panel {
     for (const figure of figures) draw_letter(context, this.theme, figure);
     this.draw_selection(selected);
     this.draw_scale_bar();
-    this.tell();
+    this.tell(figures);
     this.draw_times.push(performance.now() - begin);
     if (this.draw_times.length > kDrawTimes) this.draw_times.shift();
   }
@@ -86,10 +93,16 @@ class Panel {
       figures.push({x, y, heading: pose.heading, along, across, shape, colour: look.colour,
                     hollow: motion !== "walking" && motion !== kBySumo,
                     waiting: motion === "waiting", pale: motion === kBySumo,
-                    ring: this.looks.ring(pose.track.group), group: pose.track.group,
+                    standing: this.standing(pose), ring: this.looks.ring(pose.track.group), group: pose.track.group,
                     letter: look.letter});
     }
     return figures;
+  }
+
+  // Number of the halo of one who has stood for long; -1: none.
+  standing(pose) {
+    const stood = this.recording.stood(pose, this.time);
+    return kStanding.findLastIndex(({least}) => stood >= least);
   }
 
   groups(figures) {
@@ -103,10 +116,12 @@ class Panel {
       {ring: all[0].ring, members: all, reach: kMostLink * this.camera.scale}));
   }
 
-  tell() {
+  tell(figures) {
     const persons = `${this.persons.length} person${this.persons.length === 1 ? "" : "s"}`;
     const vehicles = `${this.vehicles.length} vehicle${this.vehicles.length === 1 ? "" : "s"}`;
-    const text = `${persons}, ${vehicles}`;
+    const long = figures.filter(({standing}) => standing >= kStanding.indexOf(kCounted)).length;
+    const stand = long ? `, ${long} stood ${kCounted.least} s` : "";
+    const text = `${persons}, ${vehicles}${stand}`;
     if (this.count.textContent === text) return;
     this.count.textContent = text;
     this.canvas.setAttribute("aria-label", `${this.recording.name}: ${text}`);

@@ -4,6 +4,7 @@
 const kPerMetre = 100;   // lengths are in cm, speeds in cm/s
 const kPerTurn = 720;    // headings are in half degrees counter-clockwise from east
 const kPerSecond = 1000; // times are in ms from the first one
+const kStillReach = 0.5; // [m] who keeps within it stands: people in a jam shuffle
 
 // One person or vehicle: runs of consecutive frames, each a run of consecutive samples.
 class Track {
@@ -35,6 +36,21 @@ class Track {
   }
 }
 
+// For each sample the first one since which it has kept within reach.
+function still_since(x, y, persons) {
+  const since = new Int32Array(x.length), reach = kStillReach * kPerMetre;
+  for (const {spans} of persons) {
+    for (const {sample, count} of spans) {
+      let first = sample;
+      for (let i = sample; i < sample + count; ++i) {
+        while (Math.hypot(x[i] - x[first], y[i] - y[first]) > reach) ++first;
+        since[i] = first;
+      }
+    }
+  }
+  return since;
+}
+
 class Recording {
   static async read(data) {
     const recording = new Recording();
@@ -62,6 +78,7 @@ class Recording {
     };
     recording.persons = data.persons.map(track("person"));
     recording.vehicles = data.vehicles.map(track("vehicle"));
+    recording.since = still_since(x, y, recording.persons);
     recording.by_id = new Map();
     for (const one of [...recording.vehicles, ...recording.persons]) {
       recording.by_id.set(one.kind + " " + one.id, one);
@@ -95,6 +112,7 @@ class Recording {
   pose(track, {frame, share, over}) {
     const i = over ? -1 : track.sample(frame);
     if (i < 0) return null;
+    const begin = track.spans[track.at].sample;
     const j = share > 0 ? track.sample(frame + 1) : i;
     if (j < 0) return null;
     const mix = (column) => column[i] + share * (column[j] - column[i]);
@@ -102,7 +120,7 @@ class Recording {
     if (turn > kPerTurn / 2) turn -= kPerTurn;
     if (turn < -kPerTurn / 2) turn += kPerTurn;
     return {
-      track, sample: i,
+      track, sample: i, frame, begin,
       x: mix(this.x) / kPerMetre, y: mix(this.y) / kPerMetre,
       heading: 2 * Math.PI * (this.heading[i] + share * turn) / kPerTurn,
       speed: mix(this.speed) / kPerMetre,
@@ -117,6 +135,26 @@ class Recording {
       if (pose) found.push(pose);
     }
     return found;
+  }
+
+  // [s] how long a person has stood at that pose. Who sits, chats or looks does so on purpose.
+  stood(pose, time) {
+    if (kStandsOnPurpose.has(this.doing(pose).activity)) return 0;
+    const first = pose.frame - (pose.sample - this.since[pose.sample]);
+    return Math.max(0, time - this.time_of(first));
+  }
+
+  // Whether somebody ever stands so long that it is shown.
+  stands_long(track) {
+    return track.spans.some(({first, sample, count}) => {
+      for (let i = sample; i < sample + count; ++i) {
+        const from = first + this.since[i] - sample, to = first + i - sample;
+        if (this.time_of(to) - this.time_of(from) < kStanding[0].least) continue;
+        const [, , activity] = track.doing(i);
+        if (!kStandsOnPurpose.has(this.activities[activity])) return true;
+      }
+      return false;
+    });
   }
 
   // Names of what a person does at that pose.

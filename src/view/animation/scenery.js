@@ -26,6 +26,7 @@ class Scenery {
     this.zone = area_path(data.zone);
     this.obstacles = area_path(data.obstacles);
     this.waypoints = data.waypoints;
+    this.streets = new Streets(data.streets);
     this.canvas = document.createElement("canvas");
     this.drawn = "";
   }
@@ -41,8 +42,8 @@ class Scenery {
   }
 
   // The picture for a camera and size [device pixels], with `ratio` device pixels a pixel.
-  picture(camera, theme, width, height, ratio) {
-    const wanted = [camera.version, theme.dark, width, height, ratio].join();
+  picture(camera, theme, width, height, ratio, names) {
+    const wanted = [camera.version, theme.dark, width, height, ratio, names].join();
     if (wanted === this.drawn) return this.canvas;
     this.drawn = wanted;
     this.canvas.width = width;
@@ -54,7 +55,15 @@ class Scenery {
     context.setTransform(scale, 0, 0, -scale, width / 2 - camera.x * scale,
                          height / 2 + camera.y * scale);
     this.draw(context, theme, 1 / camera.scale);
+    if (names) this.draw_names(context, theme, camera, width / ratio, height / ratio, ratio);
     return this.canvas;
+  }
+
+  draw_names(context, theme, camera, width, height, ratio) {
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const to_screen = (x, y) => [width / 2 + (x - camera.x) * camera.scale,
+                                 height / 2 - (y - camera.y) * camera.scale];
+    this.streets.draw(context, theme, camera, to_screen, width, height);
   }
 
   // `pixel`: [m]
@@ -100,7 +109,7 @@ class Scenery {
     context.strokeStyle = theme.colour("waypoint");
     context.stroke();
     context.setLineDash([]);
-    draw_star(context, x, y, 7 * pixel);
+    draw_star(context, x, y, 2.2 * least_radius(1 / pixel) * pixel);
     context.fillStyle = theme.colour("waypoint");
     context.fill();
   }

@@ -38,6 +38,16 @@ const kActivities = {
   sitting: {colour: "sitting", letter: "S"},
 };
 
+const kStandsOnPurpose = new Set(["sitting", "chatting", "looking"]);
+
+// Halos of those who have stood for so long, the longest last. Size tells them apart, too.
+const kStanding = [
+  {least: 10, colour: "stands-10", halo: 4, text: "for 10 s"},
+  {least: 30, colour: "stands-30", halo: 6, text: "for 30 s"},
+  {least: 60, colour: "stands-60", halo: 8, text: "for 1 min or longer"},
+];
+const kCounted = kStanding[1]; // of whom the caption tells
+
 const kGroupColours = 6;
 
 function activity_look(activity) { return kActivities[activity] || kActivities.none; }

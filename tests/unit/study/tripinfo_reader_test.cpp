@@ -72,6 +72,9 @@ TEST(Tripinfo, who_was_due_before_the_end_counts_departed_or_not) {
   EXPECT_EQ(values["person.count"], 3.0);
   EXPECT_DOUBLE_EQ(values["person.arrived"], 2.0 / 3);
   EXPECT_DOUBLE_EQ(values["person.travelTime"], ((40.0 - 0.467) + (39.8 - 3.0) + (30 - 5)) / 3);
+  // Of 25, 36.8 and 39.533 s: the 85th percentile is 0.7 of the way between the last two.
+  EXPECT_NEAR(values["person.travelTime85"], 36.8 + 0.7 * (39.533 - 36.8), 1e-9);
+  EXPECT_NEAR(values["person.travelTime95"], 36.8 + 0.9 * (39.533 - 36.8), 1e-9);
   EXPECT_EQ(values["vehicle.count"], 3.0);
   EXPECT_DOUBLE_EQ(values["vehicle.arrived"], 1.0 / 3);
   EXPECT_DOUBLE_EQ(values["vehicle.travelTime"], ((25 - 5) + (40 - 6) + (40 - 7)) / 3.0);

@@ -63,6 +63,7 @@ TEST(ZoneWalks, only_the_part_within_the_zone_counts) {
   EXPECT_DOUBLE_EQ(values["person.speed"], 8.0 / 11.0);
   // 11 s for 8 m that take 4 s at 2 m/s; who dawdles 10 % on average needs more by itself.
   EXPECT_NEAR(values["person.delay"], 11.0 - 8.0 / 2.0, 1e-6);
+  EXPECT_EQ(values["person.delay95"], values["person.delay"]) << "of one";
   EXPECT_NEAR(walk(trips, zones, places, 0.9)["person.delay"], 11.0 - 8.0 / 1.8, 1e-6);
   EXPECT_NEAR(values["person.detour"], 1.0, 1e-6);
 }

@@ -1,0 +1,69 @@
+#include "app/recorded_conflicts.hpp"
+
+#include <unordered_set>
+
+#include "conflict/tracker.hpp"
+#include "study/measure/conflict_measures.hpp"
+#include "sumo/files/fcd_reader.hpp"
+#include "sumo/files/scenario.hpp"
+#include "sumo/files/walked_by_pedzone.hpp"
+
+namespace pedzone {
+namespace {
+
+BodySizes read_sizes(const RecordingOptions& options) {
+  BodySizes sizes;
+  if (!options.scenario.empty()) {
+    const Scenario scenario = read_any_scenario(options.scenario, options.sumo_options);
+    for (const std::string& file : scenario.additional_files) sizes.read(file);
+    for (const std::string& file : scenario.route_files) sizes.read(file);
+  }
+  for (const std::string& file : options.types) sizes.read(file);
+  return sizes;
+}
+
+bool is_told(const Conflict& conflict) {
+  return conflict.by_pedzone.value_or(true) && study::with_moving_vehicle(conflict) &&
+         !study::is_insertion(conflict);
+}
+
+}  // namespace
+
+std::optional<std::vector<Conflict>> recorded_conflicts(const RecordingOptions& options) {
+  const RecordingSource& source = options.source;
+  const bool table = is_trajectory_table(source.file);
+  if (table && source.fcd.empty()) return std::nullopt;
+  const std::optional<WalkedByPedzone> walked = read_walked(table ? source.file : "");
+  const std::unordered_set<std::string> wanted(source.persons.begin(), source.persons.end());
+  ConflictTracker tracker(ConflictLimits{});
+  std::vector<Conflict> over, told;
+  const auto take = [&] {
+    for (Conflict& conflict : over) {
+      if (is_told(conflict)) told.push_back(std::move(conflict));
+    }
+    over.clear();
+  };
+  std::vector<PersonSample> shown;
+  const BodySizes sizes = read_sizes(options);
+  const std::unordered_set<std::string> none;
+  FcdReader(sizes, none)
+      .read(table ? source.fcd : source.file,
+            [&](double time, std::span<const PersonSample> persons,
+                std::span<const VehicleSample> vehicles) {
+              if (time < source.begin || time > source.end) return;
+              shown.clear();
+              for (PersonSample one : persons) {
+                if (!wanted.empty() && !wanted.contains(std::string(one.id))) continue;
+                if (walked) one.by_pedzone = walked->at(one.id, time);
+                shown.push_back(one);
+              }
+              tracker.step(time, shown, vehicles, {}, over);
+              take();
+            },
+            {});
+  tracker.finish(over);
+  take();
+  return told;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,110 @@
+#include "view/run_grids.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "view/run_map.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kMinute = 60.0;  // [s]
+
+/// What a cell has seen.
+struct Visits {
+  std::vector<double> seconds;  ///< [s] of people, by minute
+  double all = 0.0;             ///< [s] of people
+  double way = 0.0;             ///< [m]
+};
+
+/// [s] for how long each step stands: until the next one. Where the recording pauses, nobody was
+/// there.
+std::vector<double> durations(const Recording& recording) {
+  const double gap = line_gap(recording);
+  const auto& times = recording.times;
+  std::vector<double> steps(times.size(), gap);
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    steps[i] = std::min(gap, times[i + 1] - times[i]);
+  }
+  if (steps.size() > 1) steps.back() = steps[steps.size() - 2];
+  return steps;
+}
+
+class Collector {
+ public:
+  Collector(const Recording& recording, const Box& box, double cell)
+      : recording_(recording), box_(box), steps_(durations(recording)), grids_(cell) {
+    grids_.begin = recording.times.front();
+    grids_.end = recording.times.back() + steps_.back();
+    const double minutes = std::floor((grids_.end - grids_.begin) / kMinute + 1e-9);
+    length_ = minutes < 1.0 ? grids_.end - grids_.begin : kMinute;
+    people_.resize(static_cast<std::size_t>(std::max(1.0, minutes)));
+  }
+
+  RunGrids collect() {
+    for (const RecordedPerson& person : recording_.persons) {
+      for (const PersonMoment& moment : person.moments) {
+        if (box_.contains(moment.position)) add(moment);
+      }
+    }
+    const auto peak = static_cast<std::size_t>(std::ranges::max_element(people_) - people_.begin());
+    grids_.minute_begin = minute_begin(peak);
+    grids_.minute_end = grids_.minute_begin + length_;
+    for (const auto& [cell, visits] : visits_) finish(cell, visits, peak);
+    if (!visits_.empty()) grids_.mean_where_people /= static_cast<double>(visits_.size());
+    return grids_;
+  }
+
+ private:
+  double minute_begin(std::size_t minute) const {
+    return grids_.begin + length_ * static_cast<double>(minute);
+  }
+
+  void add(const PersonMoment& moment) {
+    const double seconds = steps_[moment.step];
+    Visits& visits = visits_[grids_.mean.cell_at(moment.position)];
+    visits.all += seconds;
+    visits.way += seconds * moment.speed;
+    const double since = recording_.times[moment.step] - grids_.begin;
+    const auto minute = static_cast<std::size_t>(since / length_ + 1e-9);
+    if (minute >= people_.size()) return;
+    people_[minute] += seconds;
+    visits.seconds.resize(people_.size());
+    visits.seconds[minute] += seconds;
+  }
+
+  void finish(const ValueGrid::Cell& cell, const Visits& visits, std::size_t peak) {
+    const double size = grids_.mean.size, area = size * size;
+    const double density = visits.all / (grids_.end - grids_.begin) / area;
+    grids_.mean.cells[cell] = density;
+    grids_.mean_where_people += density;
+    if (visits.all > 0.0) grids_.speed.cells[cell] = visits.way / visits.all;
+    for (std::size_t minute = 0; minute < visits.seconds.size(); ++minute) {
+      const double then = visits.seconds[minute] / length_ / area;
+      if (minute == peak && then > 0.0) {
+        grids_.minute.cells[cell] = then;
+        grids_.area[service_level(then)] += area;
+      }
+      if (then <= grids_.most) continue;
+      grids_.most = then;
+      grids_.most_begin = minute_begin(minute);
+      grids_.most_at = size * Vec2(cell.first + 0.5, cell.second + 0.5);
+    }
+  }
+
+  const Recording& recording_;
+  Box box_;
+  std::vector<double> steps_;   ///< [s]
+  double length_ = kMinute;     ///< [s] of a minute; less where the run is shorter
+  std::vector<double> people_;  ///< [s] of all people in the box, by minute
+  std::map<ValueGrid::Cell, Visits> visits_;
+  RunGrids grids_;
+};
+
+}  // namespace
+
+RunGrids run_grids(const Recording& recording, const Box& box, double cell) {
+  return Collector(recording, box, cell).collect();
+}
+
+}  // namespace pedzone
