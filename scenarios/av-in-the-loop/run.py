@@ -23,14 +23,17 @@ def free_port():
         return probe.getsockname()[1]
 
 
-def run(pedzone, out, seed, sensor_range, words=()):
+def run(pedzone, out, seed, sensor_range, gui=False):
     """One run; its files are in the folder `out`."""
     port = free_port()
+    words = ["--gui"] if gui else []
+    view = ["--gui-settings-file", str(HERE / "view.xml")] if gui else []
     walking = subprocess.Popen(
         [str(pedzone), "run", str(HERE / "plaza.sumocfg"), "--clients", "1", "--port", str(port),
          "--seed", str(seed), "--summary", str(out / "summary.json"),
          "--trajectories", str(out / "people.csv"), "--conflict-csv", str(out / "conflicts.csv"),
-         "--quiet", *words, "--", "--fcd-output", str(out / "fcd.xml"), "--no-warnings"],
+         "--quiet", *words, "--", "--fcd-output", str(out / "fcd.xml"), "--no-warnings",
+         *view],
         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     driving = subprocess.Popen(
         [sys.executable, str(HERE / "shuttle.py"), "--port", str(port), "--sensor-range",
@@ -84,8 +87,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         out = Path(options.out or folder)
         out.mkdir(parents=True, exist_ok=True)
-        run(options.pedzone, out, options.seed, options.sensor_range,
-            ["--gui"] if options.gui else [])
+        run(options.pedzone, out, options.seed, options.sensor_range, options.gui)
         for name, value in measures(out).items():
             print(f"{name:24}", "-" if value is None else f"{value:.2f}".rstrip("0").rstrip("."))
 

@@ -11,7 +11,7 @@ constexpr int kHighestPort = 65535;
 constexpr int kHighestOrder = 1000;  // SUMO's MAX_ORDER
 
 constexpr const char* kFooter =
-    "SUMO is started first, with a port and the number of its clients:\n"
+    "Examples:\n"
     "  sumo-gui -c town.sumocfg --remote-port 8813 --num-clients 2\n"
     "  python3 my_shuttle.py --port 8813                   # order 1: your controller\n"
     "  pedzone attach town.sumocfg --port 8813 --order 2\n\n"

@@ -148,5 +148,40 @@ TEST_F(MayRelease, not_beside_one_that_waits_for_something_else) {
   EXPECT_TRUE(ask()) << "farther than half a metre from the body";
 }
 
+class LetGoTest : public testing::Test, protected test::FourEdges {
+ protected:
+  std::optional<ReleasePlan> let_go(const Vec2& position, const std::string& present,
+                                    const std::vector<int>& route) const {
+    return plan_let_go(network, route, static_cast<int>(route.size()) - 1, position, 0.25, present);
+  }
+  std::optional<ReleasePlan> let_go(const Vec2& position, const std::string& present) const {
+    return let_go(position, present, {e0, e1, e2, e3});
+  }
+};
+
+TEST_F(LetGoTest, goes_on_from_where_it_stands) {
+  EXPECT_THAT(let_go({70.0, 0.5}, "e0_0")->moves, ElementsAre(LaneMove{"e1_0", 20.0, 0.5}));
+  EXPECT_THAT(let_go({70.0, 9.0}, "e0_0")->moves, ElementsAre(LaneMove{"e1_0", 20.0, 1.75}));
+}
+
+TEST_F(LetGoTest, hops_over_a_neighbour_where_sumo_has_it_on_that_very_lane) {
+  EXPECT_THAT(let_go({70.0, 0.5}, "e1_0")->moves,
+              ElementsAre(LaneMove{"e0_0", 25.0, {}}, LaneMove{"e1_0", 20.0, 0.5}));
+  EXPECT_THAT(let_go({20.0, 0.5}, "e0_0")->moves,
+              ElementsAre(LaneMove{"e1_0", 25.0, {}}, LaneMove{"e0_0", 20.0, 0.5}));
+}
+
+TEST_F(LetGoTest, never_to_a_place_that_the_route_comes_by_a_second_time) {
+  EXPECT_THAT(let_go({70.0, 0.5}, "e3_0", {e0, e2, e0, e1})->moves,
+              ElementsAre(LaneMove{"e1_0", 20.0, 0.5}));
+  EXPECT_THAT(let_go({20.0, 0.5}, "e3_0", {e1, e2, e1})->moves,
+              ElementsAre(LaneMove{"e1_0", 0.0, 0.5}));
+}
+
+TEST_F(LetGoTest, a_route_of_one_edge_with_one_lane_has_nothing_to_hop_over) {
+  EXPECT_FALSE(let_go({70.0, 0.5}, "e1_0", {e1}));
+  EXPECT_TRUE(let_go({70.0, 0.5}, "", {e1}));
+}
+
 }  // namespace
 }  // namespace pedzone

@@ -1,0 +1,27 @@
+#!/usr/bin/python3
+"""The worked example of an automated shuttle, as its reader runs it, many times.
+
+usage: test_example.py PEDZONE_PROGRAM SCENARIOS_FOLDER [RUNS]
+"""
+
+import re
+import subprocess
+import sys
+
+PEDZONE, SCENARIOS = sys.argv[1:3]
+RUNS = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+LONG = 300  # s; a run takes a tenth of that
+
+for k in range(RUNS):
+    done = subprocess.run([f"{SCENARIOS}/av-in-the-loop/run.py", "--pedzone", PEDZONE, "--seed",
+                           str(k + 1)], capture_output=True, text=True, timeout=LONG)
+    assert done.returncode == 0, done.stderr
+    figures = dict(re.findall(r"^(.+?)  +(\S+)$", done.stdout, re.MULTILINE))
+    print(k + 1, figures)
+    assert int(figures["trips"]) >= 1, done.stdout
+    assert int(figures["conflicts"]) >= 1, done.stdout
+    assert float(figures["least clearance [m]"]) > 0.0, "it touches nobody"
+    assert 0.0 < float(figures["hardest braking [m/s2]"]) <= 6.0, done.stdout
+    assert int(figures["people run into"]) == 0, done.stdout
+    left = subprocess.run(["pgrep", "-f", "av-in-the-loop/(shuttle|plaza)"], capture_output=True)
+    assert left.returncode == 1, "nothing is left running"

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""A run in a real sumo-gui under Xvfb: the same walks as without, and pictures of what people do.
+
+usage: test_gui.py PEDZONE_PROGRAM SCENARIOS_FOLDER [--keep PICTURE.png]
+"""
+
+import os
+import re
+import subprocess
+import sys
+import textwrap
+import unittest
+from pathlib import Path
+
+import attached
+from attached import AttachedCase, rows
+
+SCENARIOS = Path(os.path.abspath(sys.argv.pop(2)))
+KEEP = os.path.abspath(sys.argv.pop()) if sys.argv[2:3] == ["--keep"] and sys.argv.pop(2) else None
+LEGEND = {"walking": (60, 160, 75), "waiting": (220, 50, 40), "rays": (230, 90, 20)}
+
+SELECTING = """
+    import sys
+    sys.path.append("/usr/share/sumo/tools")
+    import traci
+    traci.init({port}, numRetries=60)
+    traci.setOrder(1)
+    chosen = None
+    for _ in range({steps}):
+        if chosen is None and traci.simulation.getTime() > {after}:
+            near = [p for p in traci.person.getIDList()
+                    if max(map(abs, traci.person.getPosition(p))) < 12]
+            if near:
+                chosen = near[0]
+                traci.gui.toggleSelection(chosen, "person")
+        traci.simulationStep()
+    traci.close()
+"""
+
+
+def pixels(picture):
+    """Red, green, blue of each pixel."""
+    found = subprocess.run(["pngtopnm", picture], capture_output=True, check=True).stdout
+    head = re.match(rb"P6\s+(\d+)\s+(\d+)\s+255\s", found)
+    body = found[head.end():]
+    return [tuple(body[k:k + 3]) for k in range(0, len(body) - 2, 3)]
+
+
+class Gui(AttachedCase):
+    def gui(self, config, end, *words):
+        return self.start("xvfb-run", "-a", "-s", "-screen 0 1400x900x24", self.pedzone, "run",
+                          config, "--end", end, "--gui", "--delay", "0", *words, "--",
+                          "--gui-settings-file", SCENARIOS / "av-in-the-loop/view.xml")
+
+    def test_walks_and_pictures(self):
+        config = SCENARIOS / "plaza/plaza-medium.sumocfg"
+        client = self.folder / "selecting.py"
+        client.write_text(textwrap.dedent(SELECTING.format(port=self.port, steps=610, after=57)))
+        with_gui = self.gui(config, 60, "--trajectories", "gui.csv", "--screenshots", "shots",
+                            "--clients", "1", "--port", self.port)
+        selecting = self.start(sys.executable, client)
+        _, errors = with_gui.communicate(timeout=240)
+        self.assertEqual(with_gui.returncode, 0, errors)
+        selecting.communicate(timeout=60)
+        without = self.start(self.pedzone, "run", config, "--end", 60, "--trajectories", "run.csv")
+        without.communicate(timeout=120)
+        self.assertEqual((self.folder / "gui.csv").read_bytes(),
+                         (self.folder / "run.csv").read_bytes())
+        pictures = sorted((self.folder / "shots").glob("step-*.png"))
+        self.assertGreater(len(pictures), 590)
+        last = pixels(pictures[598])
+        self.assertGreater(len(last), 500_000, "a picture as large as the window")
+        for what in ("walking", "rays"):
+            seen = sum(1 for pixel in last if pixel == LEGEND[what])
+            self.assertGreater(seen, 20, what)
+        self.assertEqual(sum(1 for pixel in pixels(pictures[300]) if pixel == LEGEND["rays"]), 0,
+                         "nobody was selected then")
+        if KEEP:
+            Path(KEEP).write_bytes(pictures[598].read_bytes())
+
+    def test_without_a_display_it_says_so(self):
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        done = subprocess.run([self.pedzone, "run", str(self.config), "--gui"], cwd=self.folder,
+                              capture_output=True, text=True, timeout=60, env=environment)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("SUMO ended while it was starting", done.stderr)
+
+
+if __name__ == "__main__":
+    attached.main(__doc__)
