@@ -29,7 +29,7 @@ SELECTING = """
     for _ in range({steps}):
         if chosen is None and traci.simulation.getTime() > {after}:
             near = [p for p in traci.person.getIDList()
-                    if max(map(abs, traci.person.getPosition(p))) < 12]
+                    if max(map(abs, traci.person.getPosition(p))) < 18]
             if near:
                 chosen = near[0]
                 traci.gui.toggleSelection(chosen, "person")
@@ -53,7 +53,7 @@ class Gui(AttachedCase):
                           "--gui-settings-file", SCENARIOS / "av-in-the-loop/view.xml")
 
     def test_walks_and_pictures(self):
-        config = SCENARIOS / "plaza/plaza-medium.sumocfg"
+        config = SCENARIOS / "plaza/plaza-high.sumocfg"
         client = self.folder / "selecting.py"
         client.write_text(textwrap.dedent(SELECTING.format(port=self.port, steps=610, after=57)))
         with_gui = self.gui(config, 60, "--trajectories", "gui.csv", "--screenshots", "shots",
@@ -68,6 +68,8 @@ class Gui(AttachedCase):
                          (self.folder / "run.csv").read_bytes())
         pictures = sorted((self.folder / "shots").glob("step-*.png"))
         self.assertGreater(len(pictures), 590)
+        if KEEP:
+            Path(KEEP).write_bytes(pictures[598].read_bytes())
         last = pixels(pictures[598])
         self.assertGreater(len(last), 500_000, "a picture as large as the window")
         for what in ("walking", "rays"):
@@ -75,8 +77,6 @@ class Gui(AttachedCase):
             self.assertGreater(seen, 20, what)
         self.assertEqual(sum(1 for pixel in pixels(pictures[300]) if pixel == LEGEND["rays"]), 0,
                          "nobody was selected then")
-        if KEEP:
-            Path(KEEP).write_bytes(pictures[598].read_bytes())
 
     def test_without_a_display_it_says_so(self):
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}

@@ -14,7 +14,7 @@ constexpr TraciColour kWalking{60, 160, 75}, kMakingWay{240, 180, 0}, kWaiting{2
     kForGroup{140, 80, 200}, kStanding{110, 110, 110};
 constexpr ShapeLook kZone{{70, 130, 230, 40}, true, 0.1, -1};
 constexpr ShapeLook kZoneEdge{{70, 130, 230, 200}, false, 0.15, 0};
-constexpr ShapeLook kRays{{230, 90, 20}, false, 0.1, 5};
+constexpr ShapeLook kRays{{230, 90, 20}, false, 0.05, 5};
 constexpr TraciColour kWaypoint{140, 80, 200, 255};
 constexpr std::size_t kAskedAtOnce = 20;  // numerical: each is a message to SUMO and its answer
 

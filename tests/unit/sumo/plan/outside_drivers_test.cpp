@@ -59,7 +59,7 @@ TEST_F(OutsideDriversTest, what_pedzone_has_told_it_is_no_other_program) {
 TEST_F(OutsideDriversTest, who_drives_faster_than_told_is_driven_by_another_program) {
   (void)step(5.0, 5.0);
   tell(1.0);
-  EXPECT_FALSE(step(4.2, 5.0)) << "it cannot brake harder";
+  EXPECT_FALSE(step(4.1, 5.0)) << "it cannot brake harder";
   EXPECT_FALSE(step(5.0, 5.0));
   EXPECT_TRUE(step(5.0, 5.0));
 }

@@ -174,8 +174,6 @@ TEST_F(LetGoTest, hops_over_a_neighbour_where_sumo_has_it_on_that_very_lane) {
 TEST_F(LetGoTest, never_to_a_place_that_the_route_comes_by_a_second_time) {
   EXPECT_THAT(let_go({70.0, 0.5}, "e3_0", {e0, e2, e0, e1})->moves,
               ElementsAre(LaneMove{"e1_0", 20.0, 0.5}));
-  EXPECT_THAT(let_go({20.0, 0.5}, "e3_0", {e1, e2, e1})->moves,
-              ElementsAre(LaneMove{"e1_0", 0.0, 0.5}));
 }
 
 TEST_F(LetGoTest, a_route_of_one_edge_with_one_lane_has_nothing_to_hop_over) {
