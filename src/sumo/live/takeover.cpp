@@ -55,9 +55,11 @@ void Takeover::take_new(double time, const Fleet& fleet) {
   }
 }
 
-/// Where it stands nobody can take it over, and SUMO would have it stand there for ever.
+/// Where it stands nobody can take it over, and SUMO would have it stand there for ever. Whom SUMO
+/// walks is not touched: that ends SUMO.
 void Takeover::put_back(const Bystander& person) {
-  if (!sumo_.walks(person.id)) return;
+  const bool stands = person.velocity == Vec2::Zero() && !sumo_.edge(person.id).starts_with(':');
+  if (!stands || !sumo_.walks(person.id)) return;
   const std::vector<int> route = edge_indices(network_, sumo_.edges(person.id));
   const auto plan = plan_let_go(network_, route, static_cast<int>(route.size()) - 1,
                                 person.position, person.radius, sumo_.lane(person.id));
@@ -140,13 +142,13 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
     if (time < guest.check_at && left == guest.stages_left) continue;
     guest.check_at = time + kPlanInterval;
     guest.stages_left = left;
-    if (is_moved(guest)) {
-      guest.gone = true;
+    const bool planned = has_plan(guest);
+    if (planned && !is_moved(guest)) continue;
+    guest.gone = true;
+    if (planned) {  // SUMO moves a person itself with another plan only
       moved.push_back(guest.id);
       continue;
     }
-    if (has_plan(guest)) continue;
-    guest.gone = true;
     replanned.emplace_back(guest.id, guest.position);
   }
   drop_gone();
