@@ -109,7 +109,8 @@ class Layers(unittest.TestCase):
         """All else plans over plain values, so that another client of SUMO changes these alone."""
         thin = {f"sumo/calls/{name}" for name in
                 ("api.hpp", "session.cpp", "persons.cpp", "vehicles.cpp", "view.cpp",
-                 "in_process.cpp", "over_traci.cpp", "remembered.hpp", "remembered.cpp")}
+                 "in_process.cpp", "move_batch.cpp", "over_traci.cpp", "remembered.hpp",
+                 "remembered.cpp")}
         callers = set()
         for path in sources("src"):
             file, text = str(path.relative_to(PROJECT / "src")), path.read_text(encoding="utf-8")

@@ -95,6 +95,7 @@ std::unique_ptr<Session> join_over_traci(const TraciAddress& address, const Desi
   translated("to take client " + std::to_string(address.order),
              [&] { libtraci::Simulation::setOrder(address.order); });
   remembered::know(speeds);
+  remembered::know_wire(the_wire);
   return over_traci::session_calls();
 }
 

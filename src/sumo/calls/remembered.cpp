@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "sumo/calls/move_batch.hpp"
 #include "sumo/calls/session.hpp"
 
 namespace pedzone::remembered {
@@ -69,6 +70,8 @@ class Received {
 };
 
 DesiredSpeeds desired_speeds;
+MoveBatch moves;
+int the_wire = -1;
 Received<libtraci::Person> persons;
 Received<libtraci::Vehicle> vehicles;
 TraCIResults counts;
@@ -92,6 +95,7 @@ const auto& once(Map& map, const std::string& key, Ask ask) {
 }  // namespace
 
 void know(const DesiredSpeeds& speeds) { desired_speeds = speeds; }
+void know_wire(int wire) { the_wire = wire; }
 
 TraCIPosition Person::getPosition(const std::string& id) {
   return persons.get<TraCIPosition>(id, libsumo::VAR_POSITION, kPlace);
@@ -110,6 +114,14 @@ std::string Person::getVehicle(const std::string& id) {
 }
 int Person::getRemainingStages(const std::string& id) {
   return persons.get<TraCIInt>(id, libsumo::VAR_STAGES_REMAINING, kStages).value;
+}
+void Person::moveToXY(const std::string& id, const std::string& edge, double x, double y,
+                      double angle, int keep_route, double match_threshold) {
+  if (the_wire < 0) {
+    libtraci::Person::moveToXY(id, edge, x, y, angle, keep_route, match_threshold);
+  } else {
+    moves.add(id, x, y, angle, keep_route, match_threshold);
+  }
 }
 double Person::getMaxSpeed(const std::string& id) {
   return std::min(libtraci::Person::getMaxSpeed(id),
@@ -167,6 +179,13 @@ std::string VehicleType::getParameter(const std::string& id, const std::string& 
 /// SUMO tells with the step that it cannot tell of a vehicle that another client has removed: the
 /// rest is then asked for anew. Whatever else goes wrong here, SUMO is there no more.
 void Simulation::step() {
+  try {
+    if (!moves.empty()) moves.send(the_wire);
+  } catch (const libsumo::TraCIException&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw ConnectionLost(error.what());
+  }
   try {
     libtraci::Simulation::step();
   } catch (const libsumo::TraCIException&) {

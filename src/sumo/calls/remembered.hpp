@@ -16,6 +16,8 @@ namespace pedzone::remembered {
 
 /// From now on, of the types that persons have.
 void know(const DesiredSpeeds& speeds);
+/// The socket of the connection, for what libtraci cannot send; -1: everything by libtraci.
+void know_wire(int wire);
 
 struct Person : libtraci::Person {
   static libsumo::TraCIPosition getPosition(const std::string& id);
@@ -26,6 +28,9 @@ struct Person : libtraci::Person {
   static int getRemainingStages(const std::string& id);
   /// Its own; SUMO sends its type's.
   static double getMaxSpeed(const std::string& id);
+  /// With the next step, all in one message.
+  static void moveToXY(const std::string& id, const std::string& edge, double x, double y,
+                       double angle, int keep_route, double match_threshold);
   static double getLength(const std::string& id);
   static double getWidth(const std::string& id);
 };
