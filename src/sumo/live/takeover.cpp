@@ -47,11 +47,10 @@ void Takeover::take_new(double time, const Fleet& fleet) {
       leave_to_others(person.id, true, time);
       continue;
     }
-    const std::string id = person.id;
-    const Vec2 position = person.position;
-    const bool may_be_ours = consider(person.id, edge, was_moved ? &position : nullptr, fleet);
+    const Vec2* position = was_moved ? &person.position : nullptr;
+    const bool may_be_ours = consider(person.id, edge, position, fleet);
     person.barred_edge = may_be_ours ? "" : edge;
-    if (was_moved && guest(id) == nullptr) put_back(person);
+    if (was_moved && !person.guest) put_back(person);
   }
 }
 
@@ -234,6 +233,15 @@ std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& v
   return plan;
 }
 
+void Takeover::give_back(const Guest& guest, const ReleasePlan& plan) {
+  if (sumo_.release(guest.id, plan)) ++totals_.ended;
+  PersonPast& past = past_[guest.id];
+  past.last = guest.stretch.last;
+  ++totals_.returns;
+  if (!past.was_given_back) ++totals_.given_back;
+  past.was_given_back = true;
+}
+
 void Takeover::count(const Guest& guest, const PersonView& view, double dt) {
   const double walked = (view.position - guest.position).norm();
   totals_.distance += walked;
@@ -266,12 +274,7 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     // Before it is released: it may be over then.
     guest.colour.show(sumo_, guest.id, guest.gone ? Activity::kNone : view.activity);
     if (plan) {
-      if (sumo_.release(guest.id, *plan)) ++totals_.ended;
-      PersonPast& past = past_[guest.id];
-      past.last = guest.stretch.last;
-      ++totals_.returns;
-      if (!past.was_given_back) ++totals_.given_back;
-      past.was_given_back = true;
+      give_back(guest, *plan);
     } else {
       sumo_.show(guest.id, view.position, view.heading);
     }
@@ -291,13 +294,8 @@ std::vector<std::string> Takeover::let_go() {
       stranded.push_back(guest.id);
       continue;
     }
-    sumo_.release(guest.id, *plan);
     guest.gone = true;
-    PersonPast& past = past_[guest.id];
-    past.last = guest.stretch.last;
-    ++totals_.returns;
-    if (!past.was_given_back) ++totals_.given_back;
-    past.was_given_back = true;
+    give_back(guest, *plan);
   }
   drop_gone();
   return stranded;

@@ -107,6 +107,7 @@ class Takeover {
   int zone_of(const std::string& edge) const;
   void leave_to_others(const std::string& id, bool declared, double time);
   bool comes_back(Bystander& person, double time) const;
+  void give_back(const Guest& guest, const ReleasePlan& plan);
   void put_back(const Bystander& person);
   void take_new(double time, const Fleet& fleet);
   bool consider(const std::string& id, const std::string& edge, const Vec2* known_position,
