@@ -30,6 +30,13 @@ class Faults(AttachedCase):
             self.assertLess(time.monotonic(), deadline, f"{path.name} does not grow")
             time.sleep(0.05)
 
+    def wait_for_client(self):
+        """Until somebody has connected to SUMO; SUMO hears its clients in the order they came."""
+        deadline = time.monotonic() + LONG
+        while not established(self.port):
+            self.assertLess(time.monotonic(), deadline, "no client comes")
+            time.sleep(0.02)
+
     def begun(self):
         """pedzone and a SUMO that would go on for ever, in the middle."""
         sumo = self.start_sumo(1, "--end", 10**7, "--fcd-output", "fcd.xml")
@@ -162,10 +169,21 @@ class Faults(AttachedCase):
         time.sleep(1.0)
         self.assertIsNone(other.poll(), "the other one goes on")
 
-    def test_the_same_order_twice(self):
+    def test_an_order_that_another_client_has(self):
         self.start_sumo(2)
         self.client("--order", 2)
+        self.wait_for_client()
         pedzone = self.attach("--order", 2)
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertIn("SUMO refused order 2", errors)
+        self.assertIn("choose another one with --order", errors)
+
+    def test_another_client_wants_its_order(self):
+        self.start_sumo(2)
+        pedzone = self.attach("--order", 2)
+        self.wait_for_client()
+        self.client("--order", 2)
         _, errors = pedzone.communicate(timeout=LONG)
         self.assertEqual(pedzone.returncode, 3)
         self.assertIn("two clients have the same order", errors)
@@ -182,6 +200,14 @@ class Faults(AttachedCase):
         subprocess.run(["netgenerate", "--grid", "-o", net], check=True, capture_output=True,
                        env=sumo_environment())
         return net
+
+
+def established(port):
+    """How many connections to a port of this machine there are."""
+    connected = "01"  # a state of /proc/net/tcp
+    with open("/proc/net/tcp") as file:
+        lines = [line.split() for line in file][1:]
+    return sum(line[1].endswith(f":{port:04X}") and line[3] == connected for line in lines)
 
 
 def newer_sumo(server, port):

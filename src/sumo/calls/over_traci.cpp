@@ -73,6 +73,17 @@ std::pair<int, std::string> reach(const TraciAddress& address,
                   " --num-clients N, and see that the port is the same.");
 }
 
+void take_place(const TraciAddress& address) {
+  try {
+    libtraci::Simulation::setOrder(address.order);
+  } catch (const std::exception& error) {
+    throw SumoError("SUMO refused order " + std::to_string(address.order) + " for pedzone: " +
+                    error.what() +
+                    " Each client has an order of its own: choose another one with --order. (This "
+                    "SUMO ends now: it waits for clients that it has refused.)");
+  }
+}
+
 }  // namespace
 
 void hang_up() {
@@ -92,8 +103,7 @@ std::unique_ptr<Session> join_over_traci(const TraciAddress& address, const Desi
                     std::to_string(libsumo::TRACI_VERSION) + ".");
   }
   the_wire = wire_to(address.port);
-  translated("to take client " + std::to_string(address.order),
-             [&] { libtraci::Simulation::setOrder(address.order); });
+  take_place(address);
   remembered::know(speeds);
   remembered::know_wire(the_wire);
   return over_traci::session_calls();
