@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 
 export SUMO_HOME="${SUMO_HOME:-/usr/share/sumo}"
 readonly kVersion='^<net version="1\.9"'  # of the format that netconvert 1.15 writes
-readonly kNames=(plaza narrow-lane street-zone dense-square crossing experiments)
+readonly kNames=(plaza narrow-lane street-zone dense-square crossing experiments shopping-street)
 
 # build NAME FILE
 build() {

@@ -57,6 +57,7 @@ struct Crowd::State : CrowdState {
     children.begin(handle);
     paths.begin(handle);
     jams.begin(handle);
+    crossings.begin(handle);
     return handle;
   }
 
@@ -81,7 +82,10 @@ const char* name_of(Motion motion) {
   return "unknown";
 }
 
-Crowd::Crowd(const Zone& zone, std::uint64_t seed) : Crowd(zone, seed, make_model(zone.model)) {}
+Crowd::Crowd(const Zone& zone, std::uint64_t seed) : Crowd(zone, seed, make_model(zone.model)) {
+  // Models keep what they have made of the walls: one for each kind of walls.
+  if (!zone.streets.empty()) state_->street_model = make_model(zone.model);
+}
 
 Crowd::Crowd(const Zone& zone, std::uint64_t seed, std::unique_ptr<WalkingModel> model)
     : state_(std::make_unique<State>(zone, seed, std::move(model))) {}
@@ -214,6 +218,7 @@ PersonView Crowd::view(Handle handle) const {
           state.groups[handle].waits,
           i < state.proposals.size() && state.proposals.best(i).by == Behaviour::kClaim,
           state.children[handle].holds_hand,
+          state.is_over(i),
           state.persons.present_radius[i]};
 }
 
@@ -242,6 +247,7 @@ std::optional<Vec2> Crowd::seen_at(std::uint64_t key) const {
 }
 
 std::span<const JamNotice> Crowd::jams() const { return state_->jam_notices; }
+std::span<const CrossingBegun> Crowd::crossings() const { return state_->crossings_begun; }
 std::span<const VehiclePush> Crowd::pushes() const { return state_->pushes; }
 bool Crowd::kept_anybody_out() const { return state_->kept_out; }
 void Crowd::let_vehicles_through() { state_->solid_vehicles = false; }

@@ -52,6 +52,8 @@ class Crowd {
   std::span<const JamNotice> jams() const;
   /// Whether anybody was ever moved by a vehicle, one that stands included.
   bool kept_anybody_out() const;
+  /// Who in the last step() stepped out to cross a street between the junctions.
+  std::span<const CrossingBegun> crossings() const;
   /// Whom vehicles that drive pushed or ran into in the last step(), by person and vehicle.
   std::span<const VehiclePush> pushes() const;
   /// Whether the person sees or hears the vehicle.

@@ -1,5 +1,7 @@
 #include "crowd/free_walk.hpp"
 
+#include "crowd/behaviour/crossings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -48,7 +50,7 @@ bool strolls(const CrowdState& crowd, std::size_t i) {
   const bool busy = activity.activity != Activity::kNone || activity.dash > 0.0 ||
                     std::ranges::any_of(activity.rates, [](float rate) { return rate > 0.0F; });
   return !held_up && !busy && crowd.groups[handle].group == 0 && crowd.paths[handle] == nullptr &&
-         walker.route.found && !walker.entered;
+         walker.route.found && !walker.entered && !is_at_street(crowd, i);
 }
 
 /// [m] that it walks within the step, at most.

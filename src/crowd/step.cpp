@@ -9,6 +9,7 @@
 #include "crowd/behaviour/activities.hpp"
 #include "crowd/behaviour/bystanding.hpp"
 #include "crowd/behaviour/claims.hpp"
+#include "crowd/behaviour/crossings.hpp"
 #include "crowd/behaviour/dash.hpp"
 #include "crowd/behaviour/families.hpp"
 #include "crowd/behaviour/groups.hpp"
@@ -23,6 +24,7 @@
 #include "crowd/motion/shoulders.hpp"
 #include "crowd/motion/vehicle_contacts.hpp"
 #include "crowd/sense/perception.hpp"
+#include "crowd/sense/street_traffic.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
 #include "crowd/state/parallel.hpp"
 
@@ -37,6 +39,32 @@ constexpr double kCornerCell =
 void move_others_on(double dt, std::vector<SeenPerson>& seen, std::vector<VehicleState>& vehicles) {
   for (SeenPerson& person : seen) person.position += person.velocity * dt;
   for (VehicleState& vehicle : vehicles) vehicle = moved_on(vehicle, dt);
+}
+
+Snapshot snapshot_of(const CrowdState& crowd, double dt, std::span<const VehicleState> vehicles,
+                     const WallIndex& walls) {
+  return {&crowd.persons,
+          vehicles,
+          &walls,
+          &crowd.zone.parameters,
+          crowd.perception_varies ? &crowd.attention : nullptr,
+          crowd.seed,
+          dt,
+          crowd.time};
+}
+
+/// Whoever is on a carriageway is between other walls, and looks after vehicles itself.
+void decide_on_streets(const CrowdState& crowd, double dt, std::vector<Decision>& decisions) {
+  if (crowd.zone.streets.empty()) return;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
+    if (crowd.is_over(i)) rows.push_back(i);
+  }
+  if (rows.empty()) return;
+  const Snapshot snapshot = snapshot_of(crowd, dt, {}, crowd.zone.street_walls);
+  WalkingModel& model = crowd.street_model != nullptr ? *crowd.street_model : *crowd.model;
+  model.prepare(snapshot);
+  for (const std::size_t i : rows) model.decide(i, i + 1, decisions);
 }
 
 void count(CrowdState& crowd, double dt) {
@@ -54,10 +82,12 @@ void walk_substep(CrowdState& crowd, double dt) {
   set_paces(crowd, crowd.persons.preferred_speed);
   crowd.perception_varies = perceives_otherwise(crowd);
   if (crowd.perception_varies) perceive(crowd, crowd.time + dt, crowd.traffic, crowd.attention);
+  observe_streets(crowd.zone.streets, crowd.vehicles, dt, crowd.street_traffic);
   index_members(crowd, crowd.members, crowd.groups, crowd.children);
   guide_children(crowd, dt, crowd.children);
   update_waits(crowd, dt, crowd.groups);
 
+  cross_streets(crowd, dt, crowd.crossings_begun);
   order_claims(crowd, crowd.claimants);
 
   // Every behaviour proposes; the most important one wins.
@@ -69,16 +99,19 @@ void walk_substep(CrowdState& crowd, double dt) {
   propose_seats(crowd, proposals);
   propose_dashes(crowd, proposals, crowd.attention);
   propose_ways_out_of_claims(crowd, proposals);
+  propose_crossings(crowd, proposals);
   resolve(proposals, crowd.persons);
 
   // The model decides; behaviours hold people back.
   decide(crowd, dt, crowd.vehicles, crowd.decisions);
+  decide_on_streets(crowd, dt, crowd.decisions);
   Restraints& restraints = crowd.restraints;
   restraints.begin(crowd.persons.walking);
   restrain_by_activity(crowd, restraints);
   restrain_beside_claims(crowd, restraints);
   restrain_by_groups(crowd, restraints);
   restrain_adults(crowd, restraints);
+  restrain_crossings(crowd, restraints);
   restraints.apply(crowd.decisions);
   step_aside(crowd, crowd.decisions);
   lead_by_hand(crowd, crowd.decisions);
@@ -163,14 +196,7 @@ void resize_rows(Persons& persons, std::size_t rows) {
 
 void decide(const CrowdState& crowd, double dt, std::span<const VehicleState> vehicles,
             std::vector<Decision>& decisions) {
-  const Snapshot snapshot{&crowd.persons,
-                          vehicles,
-                          &crowd.zone.walls,
-                          &crowd.zone.parameters,
-                          crowd.perception_varies ? &crowd.attention : nullptr,
-                          crowd.seed,
-                          dt,
-                          crowd.time};
+  const Snapshot snapshot = snapshot_of(crowd, dt, vehicles, crowd.zone.walls);
   decisions.resize(crowd.persons.size());
   crowd.model->prepare(snapshot);
   for_each_block(
@@ -185,6 +211,7 @@ void walk(CrowdState& crowd, double dt) {
   crowd.jam_notices.clear();
   crowd.pushes.clear();
   crowd.free_walk_ends.clear();
+  crowd.crossings_begun.clear();
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
   // A model that sets velocities is made for short steps.
   if (substeps > 1 && !crowd.model->sets_velocity()) {

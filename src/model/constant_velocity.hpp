@@ -10,6 +10,7 @@ class ConstantVelocityModel : public WalkingModel {
  public:
   void prepare(const Snapshot& snapshot) override { snapshot_ = snapshot; }
   void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override;
+  bool minds_vehicles() const override { return false; }
 
  private:
   Snapshot snapshot_;

@@ -48,6 +48,8 @@ class WalkingModel {
   virtual bool sets_velocity() const { return false; }
   /// How the model minds vehicles, which says how far people see them.
   virtual VehicleForm vehicle_form() const { return VehicleForm::kDiscomfort; }
+  /// Whether its people look before they cross a street.
+  virtual bool minds_vehicles() const { return true; }
   /// For pictures, and slow: the candidate directions of one person, once round. After prepare();
   /// none where the model does not compare directions.
   virtual void rays(std::size_t /*person*/, std::vector<Ray>& out) const { out.clear(); }

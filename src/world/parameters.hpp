@@ -16,6 +16,8 @@ struct Parameters {
   double group_preferred_distance, group_maximum_distance;
   double vehicle_sight, discomfort, discomfort_margin, discomfort_margin_time, discomfort_horizon;
   double slowing_cost, hurry_cost, margin_spread, room_behind, letting_pass, meeting;
+  double crossing_start_up, crossing_margin, crossing_margin_least, crossing_margin_time;
+  double crossing_aversion, crossing_insists;
   double yield_gap, yield_margin, yield_horizon, creep_after, creep_speed, creep_gap;
 
   Parameters();  ///< the defaults of parameter_list()

@@ -30,6 +30,23 @@ void select_all(const Network& network, std::vector<Draft>& drafts, std::vector<
   }
 }
 
+/// Adds the streets that people may cross anywhere.
+void add_streets(const Network& network, const Draft& draft, Zone& zone) {
+  if (draft.spec->crossing != CrossingRule::kAnywhere) return;
+  const Selection& selection = draft.parts.selection;
+  zone.streets = find_streets(network, selection.edges, selection.lanes, zone.walkable);
+  if (zone.streets.empty()) {
+    zone.warnings.push_back("crossing=\"anywhere\" changes nothing: none of the zone's streets has "
+                            "ground for people on both sides");
+    return;
+  }
+  for (const auto& link : linked_across(network, zone.streets, selection.edges)) {
+    zone.links.insert(link);
+  }
+  const Region open = unite(zone.walkable, crossable_ground(zone.streets));
+  zone.street_walls = WallIndex(subtract(open, zone.obstacles));
+}
+
 std::vector<Region> shades_of(const Network& network) {
   std::vector<Region> shades;
   for (const MapPolygon& polygon : network.polygons) {
@@ -65,6 +82,7 @@ Zone finish(const Network& network, const std::vector<bool>& taken, Draft& draft
   if (zone.weather->shade) zone.shades = shades_of(network);
   zone.ways = WayFinder(zone.walkable, kWayClearance);
   zone.warnings = std::move(draft.warnings);
+  add_streets(network, draft, zone);
   zone.inside = lengths_inside(network, parts.selection.edges);
   zone.left_out = lengths_left_out(network, taken);
   return zone;

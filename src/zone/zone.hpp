@@ -9,6 +9,7 @@
 
 #include "geometry/way_finder.hpp"
 #include "zone/network.hpp"
+#include "zone/streets.hpp"
 #include "zone/zone_file.hpp"
 
 namespace pedzone {
@@ -39,6 +40,8 @@ struct Zone {
   WallIndex walls;                      ///< borders of walkable
   WallIndex sight_walls;                ///< of obstacles: nobody sees through them
   WayFinder ways;                       ///< shortest paths in walkable
+  std::vector<Street> streets;          ///< that people cross between the junctions
+  WallIndex street_walls;               ///< of who crosses one: borders of walkable and streets
   std::vector<std::string> warnings;    ///< one line each, naming what they are about
   std::vector<TypeLength> inside, left_out;
 };

@@ -80,9 +80,18 @@ const Weather* read_weather(const XmlFile& file, const pugi::xml_node& node) {
   return weather;
 }
 
+CrossingRule read_crossing(const XmlFile& file, const pugi::xml_node& node) {
+  const std::string where = file.required(node, "crossing");
+  if (where == "nodes") return CrossingRule::kNodes;
+  if (where == "anywhere") return CrossingRule::kAnywhere;
+  throw file.error("is unknown", node, "crossing", where, "nodes, anywhere");
+}
+
 ZoneSpec read_zone(const XmlFile& file, const pugi::xml_node& node) {
   file.check_names(
-      node, {"id", "edges", "edgeTypes", "lanes", "polygons", "openSpace", "weather", "model"},
+      node,
+      {"id", "edges", "edgeTypes", "lanes", "polygons", "openSpace", "crossing", "weather",
+       "model"},
       {"param"});
   ZoneSpec zone;
   zone.id = file.required(node, "id");
@@ -95,6 +104,7 @@ ZoneSpec read_zone(const XmlFile& file, const pugi::xml_node& node) {
   if (!node.attribute("openSpace").empty()) {
     zone.open_space = file.number(node, "openSpace", kOpenSpace);
   }
+  if (!node.attribute("crossing").empty()) zone.crossing = read_crossing(file, node);
   if (!node.attribute("weather").empty()) zone.weather = read_weather(file, node);
   if (!node.attribute("model").empty()) zone.model = read_model(file, node);
   std::set<std::string> keys;

@@ -14,6 +14,12 @@
 
 namespace pedzone {
 
+/// Where people cross the streets of a zone.
+enum class CrossingRule {
+  kNodes,     ///< at the junctions, as SUMO's persons do
+  kAnywhere,  ///< between them, too
+};
+
 /// One <zone>. Every list is empty and every optional unset where the file says nothing.
 struct ZoneSpec {
   std::string id = "shared-space";
@@ -23,6 +29,7 @@ struct ZoneSpec {
   std::vector<std::string> edge_types;  ///< e.g. highway.service
   std::vector<std::string> lanes;       ///< ids
   std::vector<std::string> polygons;    ///< ids of polygons that are walkable
+  CrossingRule crossing = CrossingRule::kNodes;
   std::optional<double> open_space;     ///< [m] [0, 50]; unset: 12 on highway.pedestrian edges
   std::string model = "heuristic";
   const Weather* weather = &weather_list().front();

@@ -94,7 +94,7 @@ void order_claims(const CrowdState& crowd, std::vector<std::uint32_t>& claimants
 
 void propose_ways_out_of_claims(const CrowdState& crowd, Proposals& proposals) {
   for_each_claimed(crowd, [&](std::size_t i) {
-    if (crowd.walkers[i].arrived) return;
+    if (crowd.walkers[i].arrived || crowd.is_over(i)) return;
     visit_claims(crowd, i, [&](const VehicleState& vehicle, const auto& place) {
       if (!place) return;
       Wish wish = proposals.best(i);

@@ -1,8 +1,15 @@
 #include "crowd/behaviour/pace.hpp"
 
+#include <algorithm>
+
 #include "crowd/state/parallel.hpp"
 
 namespace pedzone {
+namespace {
+
+constexpr double kMost = 5.0;  // [m/s] as Persons::preferred_speed
+
+}  // namespace
 
 void set_paces(const CrowdState& crowd, std::vector<double>& preferred_speed) {
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
@@ -12,6 +19,8 @@ void set_paces(const CrowdState& crowd, std::vector<double>& preferred_speed) {
       const double share = info_of(memory.activity).speed;
       preferred_speed[i] =
           walker.own_speed * crowd.zone.weather->speed * (share > 0.0 ? share : 1.0);
+      const CrossingMemory& crossing = crowd.crossings[walker.handle];
+      if (crossing != nullptr) preferred_speed[i] = std::min(preferred_speed[i] * crossing->hurry, kMost);
       if (memory.dash > 0.0) preferred_speed[i] = walker.profile->top_speed;
     }
   });

@@ -1,5 +1,7 @@
 #include "crowd/behaviour/path_walk.hpp"
 
+#include "crowd/behaviour/crossing_plan.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -7,7 +9,12 @@ namespace {
 void plan_way(CrowdState& crowd, std::size_t i, const Destination& destination) {
   WalkState& walker = crowd.walkers[i];
   const Vec2 here = crowd.position(i);
+  if (crowd.is_over(i)) {  // gets over first
+    crowd.crossings[walker.handle]->destination = destination;
+    return;
+  }
   plan(crowd.zone, here, crowd.persons.radius[i], destination, walker.route);
+  plan_crossing(crowd, i, destination);
   walker.planned = crowd.substep;
   walker.entered = walker.arrived = walker.gave_up = false;
   walker.least_left = std::numeric_limits<double>::infinity();

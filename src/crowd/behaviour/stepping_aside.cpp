@@ -208,6 +208,7 @@ void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;
+      if (crowd.is_over(i)) continue;
       const auto decision = decision_about_vehicles(crowd, i, standing, decisions[i]);
       if (decision) decisions[i] = *decision;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "crowd/behaviour/corners.hpp"
+#include "crowd/behaviour/crossings.hpp"
 #include "crowd/behaviour/path_walk.hpp"
 #include "crowd/state/parallel.hpp"
 #include "crowd/state/state.hpp"
@@ -127,7 +128,10 @@ class Follower {
   }
 
   void plan_again() {
+    const double beyond = route_.beyond;
     plan(crowd_.zone, here_, radius_, route_.destination, route_);
+    route_.beyond = beyond;
+    go_on_to(route_, route_.next);
     walker_.planned = crowd_.substep;
     walker_.entered = false;
   }
@@ -188,11 +192,15 @@ void follow_waypoints(CrowdState& crowd, double dt, std::uint64_t substeps) {
       WalkState& walker = crowd.walkers[i];
       const Vec2 from(crowd.moves.x[i], crowd.moves.y[i]), to = crowd.position(i);
       walker.standing = (to - from).norm() < kHaltingSpeed * dt ? walker.standing + dt : 0.0;
-      if (!walker.arrived) {
+      if (!walker.arrived && !crowd.is_over(i)) {
+        const CrossingMemory& crossing = crowd.crossings[walker.handle];
+        const bool to_kerb = crossing != nullptr && crossing->phase == CrossingPhase::kToKerb;
         const PathMemory& path = crowd.paths[walker.handle];
         if (path != nullptr && comes_by(crowd.zone.walls, current(*path), from, to)) {
           leave_waypoint(crowd, i);
-        } else if (path == nullptr && reaches(walker.route, persons.radius[i], from, to)) {
+        } else if (to_kerb && reaches(walker.route, persons.radius[i], from, to)) {
+          come_to_kerb(crowd, i);
+        } else if (!to_kerb && path == nullptr && reaches(walker.route, persons.radius[i], from, to)) {
           walker.arrived = true;
         } else {
           Follower(crowd, i, substeps).follow(dt);

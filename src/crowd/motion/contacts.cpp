@@ -118,7 +118,7 @@ Vec2 pushed(CrowdState& crowd, Part part, std::size_t block, std::size_t i) {
   Vec2 push = sum.value() * (2.0 / (sum.terms() + 1.0));
   const double most = kPushPerPass + std::hypot(moves.dx[i], moves.dy[i]);
   if (push.norm() > most) push *= most / push.norm();
-  return kept_inside(crowd.zone.walls, crowd.position(i), here + push,
+  return kept_inside(crowd.walls_of(i), crowd.position(i), here + push,
                      crowd.persons.present_radius[i], crowd.walkers[i].wall_room);
 }
 
@@ -176,7 +176,7 @@ void move_freely(CrowdState& crowd) {
     for (std::size_t i = first; i < last; ++i) {
       const Vec2 from = crowd.position(i);
       const Vec2 to = from + Vec2(moves.dx[i], moves.dy[i]);
-      const Vec2 at = kept_inside(crowd.zone.walls, from, to, crowd.persons.present_radius[i],
+      const Vec2 at = kept_inside(crowd.walls_of(i), from, to, crowd.persons.present_radius[i],
                                   crowd.walkers[i].wall_room);
       moves.x[i] = at.x();
       moves.y[i] = at.y();

@@ -13,7 +13,7 @@ namespace {
 double room_around(CrowdState& crowd, std::size_t block, std::size_t i) {
   const Vec2 here = crowd.position(i);
   const double full = crowd.persons.radius[i], present = crowd.persons.present_radius[i];
-  double least = crowd.zone.walls.room(here, full) - present;
+  double least = crowd.walls_of(i).room(here, full) - present;
   for (const std::uint32_t j : crowd.near.of(block, i)) {
     const double gap =
         (here - crowd.position(j)).norm() - present - crowd.persons.present_radius[j];

@@ -132,7 +132,7 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   const VehicleState later = moved_on(vehicle, dt);
   const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
   const double radius = reach_of(crowd, hit.person, vehicle);
-  const Vec2 at = moved_out(crowd.zone.walls, later, here, radius, longest);
+  const Vec2 at = moved_out(crowd.walls_of(hit.person), later, here, radius, longest);
   moves.x[hit.person] = at.x();
   moves.y[hit.person] = at.y();
   VehiclePush push{persons.key[hit.person], vehicle.key};

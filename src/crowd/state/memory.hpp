@@ -80,6 +80,35 @@ struct PathWalk {
 /// Null: none, or all its waypoints are behind it (path_walk.cpp).
 using PathMemory = std::unique_ptr<PathWalk>;
 
+/// How far somebody is with a street that it may cross.
+enum class CrossingPhase : std::uint8_t {
+  kByNodes,  ///< goes by the junctions, and crosses before if a gap comes
+  kToKerb,   ///< on the way to the kerb, or waits there
+  kOver,     ///< on the carriageway
+};
+
+/// A street that a person may cross between the junctions (crossings.cpp).
+struct StreetCrossing {
+  std::uint32_t street = 0;  ///< index in Zone::streets
+  int side = 1;              ///< 1: towards high t, -1: towards low t
+  CrossingPhase phase = CrossingPhase::kByNodes;
+  double at = 0.0;           ///< [m] s where it crosses at last: nearest to where it goes then
+  Destination destination;   ///< beyond
+  double beyond = 0.0;       ///< [m] way from the other side to there
+  double detour = 0.0;       ///< [s] that the way by the junctions takes longer; infinity: none
+  bool at_kerb = false;      ///< it has come to where it crosses at last
+  double waited = 0.0;       ///< [s] at the kerb
+  double left = 0.0;         ///< [m] s where it stepped out
+  double hurry = 1.0;        ///< of its speed, while a vehicle comes
+  double room = std::numeric_limits<double>::infinity();  ///< [m] to go before it lets one pass
+  std::uint64_t next = 0;    ///< key of the vehicle that comes next; 0: none, or not looked yet
+  double gap = 0.0;          ///< [s] until that came, when it became the next
+  std::vector<float> rejected;  ///< [s] gaps that it has let pass
+};
+
+/// Null: it has no street to cross.
+using CrossingMemory = std::unique_ptr<StreetCrossing>;
+
 /// Of not getting on among people (jams.cpp).
 struct JamMemory {
   float least_left = std::numeric_limits<float>::infinity();  ///< [m] least way left so far

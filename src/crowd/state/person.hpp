@@ -68,6 +68,7 @@ struct PersonView {
   bool waits_for_group;  ///< is too far ahead of the last of its group
   bool makes_way;        ///< goes out of the room that a vehicle claims
   bool holds_hand;       ///< a child whom an adult leads by the hand
+  bool crosses;          ///< a street, between the junctions
   double radius;         ///< [m] of the body as it holds its shoulders now
 };
 
@@ -89,6 +90,21 @@ struct VehiclePush {
                                           ///< person faster than people step, or no room was left
   double contact_speed = 0.0;             ///< [m/s] of the vehicle when that began; else 0
   Vec2 position = Vec2::Zero();           ///< [m] of the person then; else after the step
+};
+
+/// Somebody who stepped out to cross a street between the junctions.
+struct CrossingBegun {
+  PersonHandle handle = 0;
+  std::uint64_t person = 0;  ///< key
+  std::uint32_t street = 0;  ///< index in Zone::streets
+  double s = 0.0;            ///< [m] place along the street
+  double time = 0.0;         ///< [s] on the crowd's clock
+  double waited = 0.0;       ///< [s] at the kerb
+  double gap = 0.0;          ///< [s] until the next vehicle came; infinity: none was seen
+  double needed = 0.0;       ///< [s] critical gap
+  double width = 0.0;        ///< [m] of the carriageway
+  bool looked = true;        ///< false: stepped out without looking
+  std::vector<float> rejected;  ///< [s] gaps that it had let pass
 };
 
 /// Somebody who is stuck among people and squeezes through from now on.

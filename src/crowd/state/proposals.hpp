@@ -19,6 +19,7 @@ enum class Behaviour : std::uint8_t {
   kDash,   ///< in front of a vehicle: an impulse minds nobody
   kClaim,  ///< out of the room that a held-up vehicle claims: until it is through, nobody else gets
            ///< on either. Bends the way that would win without it
+  kCrossing,  ///< over the street: on the carriageway nothing else counts
 };
 
 /// Where a behaviour wants a person to go.

@@ -36,6 +36,9 @@ class Restraints {
     all_[person].waits = true;
   }
 
+  /// Nothing else holds for that person.
+  void replace(std::size_t person, const Restraint& restraint) { all_[person] = restraint; }
+
   /// To the decisions of all persons, in their order.
   void apply(std::vector<Decision>& decisions) const {
     for (std::size_t i = 0; i < all_.size(); ++i) {

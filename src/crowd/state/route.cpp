@@ -75,7 +75,7 @@ double passing_clearance(double radius) { return std::min(kGrazing * radius, kNa
 void go_on_to(Route& route, std::size_t index) {
   route.next = index;
   route.beside = Vec2::Zero();
-  route.rest = 0.0;
+  route.rest = route.beyond;
   for (std::size_t k = index; k + 1 < route.points.size(); ++k) {
     route.rest += (route.points[k + 1] - route.points[k]).norm();
   }
@@ -96,6 +96,7 @@ void plan(const Zone& zone, const Vec2& from, double radius, const Destination& 
           Route& route) {
   const double clearance = passing_clearance(radius);
   route.destination = destination;
+  route.beyond = 0.0;
   route.start = from;
   set_aim(zone.walls, radius, route);
   const Vec2 straight = nearest_on_segment(from, route.aim_a, route.aim_b);

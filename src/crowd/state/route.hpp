@@ -18,7 +18,8 @@ struct Route {
   std::size_t next = 0;        ///< the current waypoint
   Vec2 beside = Vec2::Zero();  ///< [m] from the current waypoint, a corner, to where it is passed
   Vec2 start = Vec2::Zero();   ///< [m] where it was planned from
-  double rest = 0.0;           ///< [m] way from the current waypoint to the end
+  double beyond = 0.0;         ///< [m] way from the end on, where this is not the destination
+  double rest = 0.0;           ///< [m] way from the current waypoint on, `beyond` included
   bool found = true;           ///< false: there is none, the person tries the straight line
   bool last_in_view = false;   ///< the nearest point of the aim can be headed for
 

@@ -13,6 +13,7 @@
 #include "crowd/state/proposals.hpp"
 #include "crowd/state/restraints.hpp"
 #include "crowd/state/route.hpp"
+#include "crowd/state/street_traffic.hpp"
 #include "crowd/state/wall_guard.hpp"
 #include "zone/zone.hpp"
 
@@ -99,6 +100,7 @@ struct CrowdState {
   const Zone& zone;
   std::uint64_t seed;
   std::unique_ptr<WalkingModel> model;
+  std::unique_ptr<WalkingModel> street_model;  ///< of who crosses a street; null: the same
 
   // Who is there. Rows: those pedzone walks; within a step, then those of ours that walk the whole
   // of it at once (free_walk.hpp), and those it only sees.
@@ -118,6 +120,7 @@ struct CrowdState {
   ByHandle<ChildMemory> children;
   ByHandle<PathMemory> paths;
   ByHandle<JamMemory> jams;
+  ByHandle<CrossingMemory> crossings;
   std::size_t grouped = 0;  ///< how many walkers have a group
 
   // The clock: one.
@@ -141,6 +144,8 @@ struct CrowdState {
   std::vector<FreeWalkEnd> free_walk_ends;  ///< of this step
   std::vector<JamNotice> jam_notices;       ///< begun in this step
   std::vector<VehiclePush> pushes;          ///< of this step, by person and vehicle
+  std::vector<CrossingBegun> crossings_begun;  ///< in this step
+  std::vector<StreetTraffic> street_traffic;   ///< of each of the zone's streets
   bool solid_vehicles = true;               ///< bodies are kept out of vehicles
   bool kept_out = false;                    ///< one ever was
 
@@ -149,6 +154,15 @@ struct CrowdState {
   Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
   Vec2 velocity(std::size_t i) const { return {persons.vx[i], persons.vy[i]}; }
   PersonHandle handle(std::size_t i) const { return walkers[i].handle; }
+  /// Whether row i is on a carriageway between the junctions.
+  bool is_over(std::size_t i) const {
+    const CrossingMemory& crossing = crossings[handle(i)];
+    return crossing != nullptr && crossing->phase == CrossingPhase::kOver;
+  }
+  /// What keeps row i inside: for who crosses a street its kerbs are none.
+  const WallIndex& walls_of(std::size_t i) const {
+    return is_over(i) ? zone.street_walls : zone.walls;
+  }
 };
 
 /// [s] assumed: so long slower than walking, a person stands.

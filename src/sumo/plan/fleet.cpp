@@ -10,7 +10,8 @@
 namespace pedzone {
 namespace {
 
-constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
+constexpr double kNear = 60.0;         // [m] numerical: vehicles farther from every zone are not read on
+constexpr double kNearStreets = 150.0;  // [m] ... where people cross streets: as far as they look
 constexpr double kLookAhead = 30.0;    // [m] numerical: least length of the way that is built
 constexpr double kWaitingSpeed = 0.5;  // [m/s] numerical: slower vehicles wait
 constexpr double kMoved = 0.01;        // [m] numerical: less than this in a step gives no direction
@@ -77,7 +78,8 @@ Fleet::Fleet(const Network& network, const std::vector<Zone>& zones)
         high = high.cwiseMax(point);
       }
     }
-    boxes_.emplace_back(low - Vec2(kNear, kNear), high + Vec2(kNear, kNear));
+    const double near = zone.streets.empty() ? kNear : kNearStreets;
+    boxes_.emplace_back(low - Vec2(near, near), high + Vec2(near, near));
   }
 }
 

@@ -36,6 +36,19 @@ bool worth_while(const Network& network, const ZoneStretch& stretch, int index,
   return stretch.last != index || left_on_last(network, stretch, position) >= kWorthWhile;
 }
 
+/// Whether people get from one place to another, over a street of the zone if need be.
+bool is_reachable(const Zone& zone, const Vec2& from, const Vec2& to) {
+  constexpr double kStand = 0.5;  // [m] numerical: behind the kerb
+  if (zone.ways.way(from, to)) return true;
+  return std::ranges::any_of(zone.streets, [&](const Street& street) {
+    const auto open = std::ranges::find_if(street.places, &CrossingPlace::open);
+    const double s = kStreetStep * static_cast<double>(open - street.places.begin());
+    const Vec2 low = street.point(s, open->low - kStand), high = street.point(s, open->high + kStand);
+    return (zone.ways.way(from, low) && zone.ways.way(high, to)) ||
+           (zone.ways.way(from, high) && zone.ways.way(low, to));
+  });
+}
+
 /// The walk of a person on route[index]; nothing where pedzone cannot take it over.
 std::optional<TakeoverPlan> plan_walk(const Network& network, const Zone& zone,
                                       const std::vector<int>& route, int index,
@@ -45,7 +58,7 @@ std::optional<TakeoverPlan> plan_walk(const Network& network, const Zone& zone,
   const Vec2 inside = zone.walls.nearest_inside(walker.position, 0.0);
   if ((inside - walker.position).norm() > kStray) return std::nullopt;
   const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
-  if (!zone.ways.way(inside, goal)) return std::nullopt;
+  if (!is_reachable(zone, inside, goal)) return std::nullopt;
   return TakeoverPlan{*stretch, inside};
 }
 

@@ -1,0 +1,228 @@
+#include "crowd/behaviour/crossing_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace pedzone {
+namespace {
+
+constexpr double kWorthWhile = 5.0;   // [m] assumed: nobody crosses elsewhere for less
+constexpr double kKerb = 0.2;         // [m] assumed: who waits keeps so far from the carriageway
+constexpr double kLater = 1e-3;       // numerical: of equal places, the one nearest to the end
+constexpr std::size_t kWeighed = 3;   // numerical: so many streets are weighed by real ways
+constexpr double kFarShare = 0.75;    // of the width that a gap must last for, in the mean of a near
+                                      // and a far lane
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A street that might be crossed.
+struct Candidate {
+  std::uint32_t street = 0;
+  int side = 1;
+  double s = 0.0;
+  double least = kInfinity;  ///< [m] no way over it is shorter
+};
+
+double kerb_of(const CrossingPlace& place, int side) { return side > 0 ? place.low : place.high; }
+
+Vec2 before(const Street& street, double s, int side, double radius) {
+  return street.point(s, kerb_of(street.at(s), side) - side * (radius + kKerb));
+}
+
+Vec2 beyond(const Street& street, double s, int side, double radius) {
+  return street.point(s, kerb_of(street.at(s), -side) + side * (radius + kKerb));
+}
+
+double width_at(const Street& street, double s) { return street.at(s).high - street.at(s).low; }
+
+bool is_impulsive(const CrowdState& crowd, std::size_t i) {
+  const Profile* profile = crowd.walkers[i].profile;
+  return profile != nullptr && profile->impulsiveness > 0.0;
+}
+
+/// A child with no adult does not cross alone where it has another way.
+bool goes_alone_as_child(const CrowdState& crowd, std::size_t i) {
+  const Profile* profile = crowd.walkers[i].profile;
+  if (profile == nullptr || (profile->guarded <= 0.0 && profile->id != "child")) return false;
+  return crowd.groups[crowd.handle(i)].group == 0;
+}
+
+/// The best place of a street as the crow flies.
+Candidate best_place(const Street& street, std::uint32_t index, int side, const Vec2& from,
+                     const Vec2& to, double radius, bool impulsive) {
+  Candidate best{index, side};
+  double least = kInfinity;
+  const double end = street.place(to).s;
+  for (std::size_t k = 0; k < street.places.size(); ++k) {
+    const CrossingPlace& place = street.places[k];
+    if (!place.open || (place.near_signal && !impulsive)) continue;
+    const double s = static_cast<double>(k) * kStreetStep;
+    const double length = (before(street, s, side, radius) - from).norm() +
+                          width_at(street, s) + (to - beyond(street, s, side, radius)).norm();
+    const double cost = length + kLater * std::abs(end - s);
+    if (cost >= least) continue;
+    least = cost;
+    best.s = s;
+    best.least = length;
+  }
+  return best;
+}
+
+/// Streets by which `most` [m] would not be reached, the shortest first.
+std::vector<Candidate> candidates(const CrowdState& crowd, std::size_t i, const Vec2& to,
+                                  double most) {
+  std::vector<Candidate> found;
+  const std::vector<Street>& streets = crowd.zone.streets;
+  const bool impulsive = is_impulsive(crowd, i);
+  for (std::uint32_t k = 0; k < streets.size(); ++k) {
+    for (const int side : {1, -1}) {
+      const Candidate best = best_place(streets[k], k, side, crowd.position(i), to,
+                                        crowd.persons.radius[i], impulsive);
+      if (best.least < most - kWorthWhile) found.push_back(best);
+    }
+  }
+  std::ranges::stable_sort(found, {}, &Candidate::least);
+  if (found.size() > kWeighed) found.resize(kWeighed);
+  return found;
+}
+
+/// The ways to a street and from it on [m].
+struct Ways {
+  double to_kerb, on;
+};
+
+Ways ways_over(const CrowdState& crowd, std::size_t i, const Candidate& candidate, const Vec2& to) {
+  const Street& street = crowd.zone.streets[candidate.street];
+  const double radius = crowd.persons.radius[i];
+  const Vec2 kerb = before(street, candidate.s, candidate.side, radius);
+  const Vec2 far = beyond(street, candidate.s, candidate.side, radius);
+  return {crowd.zone.ways.distance(crowd.position(i), kerb), crowd.zone.ways.distance(far, to)};
+}
+
+void head_for_kerb(CrowdState& crowd, std::size_t i) {
+  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  Route& route = crowd.walkers[i].route;
+  const Vec2 kerb = kerb_before(crowd, i, crossing.at);
+  plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], {kerb, kerb}, route);
+  route.beyond =
+      width_at(crowd.zone.streets[crossing.street], crossing.at) + crossing.beyond;
+  go_on_to(route, route.next);
+}
+
+}  // namespace
+
+Vec2 kerb_before(const CrowdState& crowd, std::size_t i, double s) {
+  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  return before(crowd.zone.streets[crossing.street], s, crossing.side, crowd.persons.radius[i]);
+}
+
+Vec2 kerb_beyond(const CrowdState& crowd, std::size_t i, double s) {
+  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  return beyond(crowd.zone.streets[crossing.street], s, crossing.side, crowd.persons.radius[i]);
+}
+
+CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s) {
+  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  const Street& street = crowd.zone.streets[crossing.street];
+  const Parameters& parameters = crowd.zone.parameters;
+  const Profile* profile = crowd.walkers[i].profile;
+  CrossingWalk walk;
+  walk.s = s;
+  walk.from = street.place(crowd.position(i)).t;
+  walk.to = kerb_of(street.at(s), -crossing.side);
+  walk.radius = crowd.persons.radius[i];
+  walk.speed = crowd.persons.preferred_speed[i];
+  walk.start_up = parameters.crossing_start_up;
+  const double worn = std::min(1.0, crossing.waited / parameters.crossing_margin_time);
+  const double least = std::min(parameters.crossing_margin, parameters.crossing_margin_least);
+  walk.margin = std::lerp(parameters.crossing_margin, least, worn) *
+                (profile != nullptr ? profile->caution : 1.0);
+  walk.insists = crossing.waited >= parameters.crossing_insists;
+  return walk;
+}
+
+void plan_crossing(CrowdState& crowd, std::size_t i, const Destination& destination) {
+  CrossingMemory& memory = crowd.crossings[crowd.handle(i)];
+  memory.reset();
+  if (crowd.zone.streets.empty()) return;
+  WalkState& walker = crowd.walkers[i];
+  const Route& route = walker.route;
+  const Vec2 here = crowd.position(i), to = 0.5 * (route.aim_a + route.aim_b);
+  const double by_nodes = route.found ? way_left(route, here) : kInfinity;
+  if (by_nodes - (to - here).norm() < kWorthWhile) return;
+  if (goes_alone_as_child(crowd, i) && route.found) return;
+
+  double least = by_nodes;
+  for (const Candidate& candidate : candidates(crowd, i, to, by_nodes)) {
+    if (candidate.least >= least - kWorthWhile) break;
+    const Ways ways = ways_over(crowd, i, candidate, to);
+    const double width = width_at(crowd.zone.streets[candidate.street], candidate.s);
+    const double length = ways.to_kerb + width + ways.on;
+    if (!(length < least - kWorthWhile) && std::isfinite(least)) continue;
+    if (!std::isfinite(length)) continue;
+    least = length;
+    memory = std::make_unique<StreetCrossing>();
+    memory->street = candidate.street;
+    memory->side = candidate.side;
+    memory->at = candidate.s;
+    memory->beyond = ways.on;
+    memory->destination = destination;
+  }
+  if (memory == nullptr) return;
+
+  const CrossingWalk walk = walk_across(crowd, i, memory->at);
+  const double width = width_at(crowd.zone.streets[memory->street], memory->at);
+  const double flow = memory->street < crowd.street_traffic.size()
+                          ? crowd.street_traffic[memory->street].flow
+                          : 0.0;
+  const double needed = kFarShare * width / walk.speed + walk.start_up + walk.margin;
+  const double across = least / walk.speed + expected_wait(flow, needed) +
+                        crowd.zone.parameters.crossing_aversion;
+  memory->detour = (by_nodes - least) / walk.speed;
+  if (across >= by_nodes / walk.speed) return;
+  memory->phase = CrossingPhase::kToKerb;
+  head_for_kerb(crowd, i);
+}
+
+void go_by_nodes(CrowdState& crowd, std::size_t i) {
+  StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  crossing.phase = CrossingPhase::kByNodes;
+  crossing.at_kerb = false;
+  plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], crossing.destination,
+       crowd.walkers[i].route);
+}
+
+void head_across(CrowdState& crowd, std::size_t i, double s) {
+  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  Route& route = crowd.walkers[i].route;
+  const Vec2 far = kerb_beyond(crowd, i, s);
+  route.destination = {far, far};
+  route.aim_a = route.aim_b = far;
+  route.points.assign(1, far);
+  route.start = crowd.position(i);
+  route.found = route.last_in_view = true;
+  route.beyond = std::abs(crossing.at - s) + crossing.beyond;
+  go_on_to(route, 0);
+}
+
+void move_along_kerb(CrowdState& crowd, std::size_t i,
+                     const std::function<bool(double s)>& is_barred) {
+  StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  const Street& street = crowd.zone.streets[crossing.street];
+  const bool impulsive = is_impulsive(crowd, i);
+  for (double way = kStreetStep; way <= street.length; way += kStreetStep) {
+    for (const double s : {crossing.at - way, crossing.at + way}) {
+      if (s < 0.0 || s > street.length) continue;
+      const CrossingPlace& place = street.at(s);
+      if (!place.open || (place.near_signal && !impulsive) || is_barred(s)) continue;
+      crossing.at = s;
+      crossing.at_kerb = false;
+      crossing.beyond += way;
+      head_for_kerb(crowd, i);
+      return;
+    }
+  }
+}
+
+}  // namespace pedzone

@@ -1,0 +1,34 @@
+// Where somebody crosses: over the next street, or at the junctions.
+#pragma once
+
+#include <functional>
+
+#include "crowd/behaviour/gaps.hpp"
+#include "crowd/state/state.hpp"
+
+namespace pedzone {
+
+/// After row i has planned its way to `destination` [m]: weighs crossing one street of the zone
+/// between the junctions against that. Where this takes less time, the route leads to the kerb
+/// first. Else it crosses only if a gap comes while it walks along.
+void plan_crossing(CrowdState& crowd, std::size_t i, const Destination& destination);
+
+/// Row i goes by the junctions after all.
+void go_by_nodes(CrowdState& crowd, std::size_t i);
+
+/// The route of row i leads straight across its street, at s [m].
+void head_across(CrowdState& crowd, std::size_t i, double s);
+
+/// Row i goes to the nearest place of the kerb that is not barred.
+void move_along_kerb(CrowdState& crowd, std::size_t i,
+                     const std::function<bool(double s)>& is_barred);
+
+/// The walk of row i straight across its street from where it is, start-up and margin as it takes
+/// them at present.
+CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s);
+
+/// [m] of the kerb where row i waits, and of the ground where it gets to.
+Vec2 kerb_before(const CrowdState& crowd, std::size_t i, double s);
+Vec2 kerb_beyond(const CrowdState& crowd, std::size_t i, double s);
+
+}  // namespace pedzone

@@ -1,0 +1,310 @@
+#include "crowd/behaviour/crossings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "crowd/behaviour/crossing_plan.hpp"
+#include "crowd/behaviour/path_walk.hpp"
+#include "crowd/sense/vehicle_motion.hpp"
+#include "world/speeds.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kKerbReach = 3.0;     // [m] assumed: who walks farther from the kerb does not look
+constexpr double kAway = 1.5;          // [m] assumed: who was pushed so far goes back to the kerb
+constexpr double kSaves = 10.0;        // [m] assumed: for less nobody leaves its way to a junction
+constexpr double kOnTheWay = 0.3;      // [s] assumed: margin of who is on the carriageway
+constexpr double kFastest = 1.5;       // assumed: of its speed, for a few steps
+constexpr double kBraking = 0.6;       // [s] numerical: in which a walker comes to stand
+constexpr double kOnGround = 0.05;     // [m] numerical: beyond the kerb
+constexpr double kLargeVehicle = 6.0;  // [m] assumed: longer vehicles are too high to see over
+constexpr double kGroupPatience = 30.0;  // [s] assumed: so long a group waits for a common gap
+constexpr double kTogether = 6.0;        // [m] assumed: who is nearer crosses with its group
+
+StreetCrossing* crossing_of(CrowdState& crowd, std::size_t i) {
+  return crowd.crossings[crowd.handle(i)].get();
+}
+const StreetCrossing* crossing_of(const CrowdState& crowd, std::size_t i) {
+  return crowd.crossings[crowd.handle(i)].get();
+}
+
+const Street& street_of(const CrowdState& crowd, const StreetCrossing& crossing) {
+  return crowd.zone.streets[crossing.street];
+}
+
+bool looks(const CrowdState& crowd, std::size_t i) {
+  return crowd.model->minds_vehicles() && crowd.traffic[crowd.handle(i)].aware;
+}
+
+/// Whether a line from row i to the vehicle's front or middle is free of buildings, and of vehicles
+/// that stand or are too high.
+bool sees_vehicle(const CrowdState& crowd, std::size_t i, std::uint32_t v) {
+  const VehicleState& vehicle = crowd.vehicles[v];
+  const Vec2 here = crowd.position(i);
+  const Vec2 front = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
+  const auto in_view = [&](const Vec2& point) {
+    if (!crowd.zone.obstacles.empty() && !crowd.zone.sight_walls.free_line(here, point)) {
+      return false;
+    }
+    for (std::uint32_t k = 0; k < crowd.vehicles.size(); ++k) {
+      const VehicleState& other = crowd.vehicles[k];
+      const bool hides = other.velocity.norm() < kHaltingSpeed || other.length > kLargeVehicle;
+      if (k != v && hides && runs_through(rectangle_of(other), here, point)) return false;
+    }
+    return true;
+  };
+  return in_view(front) || in_view(vehicle.centre);
+}
+
+/// Where it is along its street; whether it may cross there.
+struct Alongside {
+  double s = 0.0;
+  bool open = false;
+};
+
+Alongside alongside(const CrowdState& crowd, std::size_t i, const StreetCrossing& crossing) {
+  const Street& street = street_of(crowd, crossing);
+  const StreetPlace at = street.place(crowd.position(i));
+  if (at.s < 0.0 || at.s > street.length) return {};
+  const CrossingPlace& place = street.at(at.s);
+  const Profile* profile = crowd.walkers[i].profile;
+  const bool impulsive = profile != nullptr && profile->impulsiveness > 0.0;
+  if (!place.open || (place.near_signal && !impulsive)) return {at.s, false};
+  const double kerb = crossing.side > 0 ? place.low - at.t : at.t - place.high;
+  return {at.s, kerb > -kOnGround && kerb < kKerbReach};
+}
+
+/// [m] saved by crossing at s instead of going on by the junctions.
+double saving(const CrowdState& crowd, std::size_t i, const StreetCrossing& crossing, double s) {
+  const CrossingPlace& place = street_of(crowd, crossing).at(s);
+  const double across =
+      place.high - place.low + std::abs(crossing.at - s) + crossing.beyond;
+  return way_left(crowd.walkers[i].route, crowd.position(i)) - across;
+}
+
+/// Keeps account of the gaps that it lets pass.
+void note_gap(const GapView& view, StreetCrossing& crossing) {
+  if (view.vehicle == crossing.next) return;
+  if (crossing.next != 0) crossing.rejected.push_back(static_cast<float>(crossing.gap));
+  crossing.next = view.vehicle;
+  crossing.gap = view.next;
+}
+
+/// What row i finds when it looks whether to step out.
+struct Choice {
+  bool considers = false, ready = false, looked = true;
+  CrossingWalk walk;
+  GapView view;
+};
+
+Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
+                const StreetCrossing& crossing) {
+  const Alongside place = alongside(crowd, i, crossing);
+  Choice choice;
+  if (!place.open) return choice;
+  if (crossing.phase == CrossingPhase::kByNodes && saving(crowd, i, crossing, place.s) < kSaves) {
+    return choice;
+  }
+  choice.considers = true;
+  choice.looked = looks(crowd, i);
+  choice.walk = walk_across(crowd, i, place.s);
+  choice.walk.speed = std::min(choice.walk.speed, slowest);
+  if (crowd.persons.preferred_speed[i] * 0.5 < crowd.velocity(i).norm()) choice.walk.start_up = 0.0;
+  const auto sees = [&](std::uint32_t v) { return sees_vehicle(crowd, i, v); };
+  choice.view = look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, choice.walk, sees);
+  const bool waits_elsewhere = crossing.phase == CrossingPhase::kByNodes && !choice.looked;
+  choice.ready = !waits_elsewhere && !choice.view.barred && (choice.view.enough || !choice.looked);
+  return choice;
+}
+
+void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
+              std::vector<CrossingBegun>& begun) {
+  StreetCrossing& crossing = *crossing_of(crowd, i);
+  const CrossingPlace& place = street_of(crowd, crossing).at(choice.walk.s);
+  CrossingBegun event;
+  event.handle = crowd.handle(i);
+  event.person = crowd.persons.key[i];
+  event.street = crossing.street;
+  event.s = choice.walk.s;
+  event.time = crowd.time;
+  event.waited = crossing.waited;
+  event.gap = choice.view.next;
+  event.needed = critical_gap(choice.walk);
+  event.width = place.high - place.low;
+  event.looked = choice.looked;
+  event.rejected = std::move(crossing.rejected);
+  begun.push_back(std::move(event));
+  crossing.phase = CrossingPhase::kOver;
+  crossing.left = choice.walk.s;
+  head_across(crowd, i, choice.walk.s);
+  WalkState& walker = crowd.walkers[i];
+  walker.wall_room = {};
+  walker.least_left = std::numeric_limits<double>::infinity();
+  walker.blocked = 0.0;
+}
+
+bool is_barred(const CrowdState& crowd, std::size_t i, double s) {
+  const StreetCrossing& crossing = *crossing_of(crowd, i);
+  CrossingWalk walk = walk_across(crowd, i, s);
+  return look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, walk,
+                     [](std::uint32_t) { return true; })
+      .barred;
+}
+
+/// Of who has not stepped out.
+void wait_or_leave(CrowdState& crowd, std::size_t i, const Choice& choice, double dt) {
+  StreetCrossing& crossing = *crossing_of(crowd, i);
+  if (choice.considers && choice.looked) note_gap(choice.view, crossing);
+  if (!crossing.at_kerb) return;
+  const Vec2 kerb = kerb_before(crowd, i, crossing.at);
+  if ((kerb - crowd.position(i)).norm() > kAway) crossing.at_kerb = false;
+  crossing.waited += dt;
+  if (choice.view.barred) {
+    move_along_kerb(crowd, i, [&](double s) { return is_barred(crowd, i, s); });
+  } else if (crossing.waited > crossing.detour) {
+    // Whoever does not know how long it will take loses at most as much as it would have saved.
+    go_by_nodes(crowd, i);
+  }
+}
+
+bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing& crossing) {
+  const Street& street = street_of(crowd, crossing);
+  const StreetPlace at = street.place(crowd.position(i));
+  const CrossingPlace& place = street.at(at.s);
+  const double past = crossing.side > 0 ? at.t - place.high : place.low - at.t;
+  return past > kOnGround && crowd.zone.walls.inside(crowd.position(i));
+}
+
+/// Of who is on the carriageway: how fast, or that it has got over.
+void go_over(CrowdState& crowd, std::size_t i) {
+  StreetCrossing& crossing = *crossing_of(crowd, i);
+  if (has_come_over(crowd, i, crossing)) {
+    const Destination destination = crossing.destination;
+    crowd.crossings[crowd.handle(i)].reset();
+    crowd.walkers[i].wall_room = {};
+    const PathMemory& path = crowd.paths[crowd.handle(i)];
+    start_way(crowd, i, path != nullptr ? path->destination : destination);
+    return;
+  }
+  crossing.hurry = 1.0;
+  crossing.room = std::numeric_limits<double>::infinity();
+  if (!looks(crowd, i)) return;
+  const Street& street = street_of(crowd, crossing);
+  CrossingWalk walk = walk_across(crowd, i, street.place(crowd.position(i)).s);
+  walk.start_up = 0.0;
+  walk.margin = kOnTheWay;
+  walk.speed = crowd.walkers[i].own_speed;
+  const Profile* profile = crowd.walkers[i].profile;
+  const double fastest =
+      profile != nullptr ? std::min(kFastest, profile->top_speed / walk.speed) : kFastest;
+  const Passage passage =
+      pass_vehicles(crowd.street_traffic[crossing.street], walk, std::max(1.0, fastest),
+                    [&](std::uint32_t v) { return sees_vehicle(crowd, i, v); });
+  crossing.hurry = passage.hurry;
+  crossing.room = passage.room;
+}
+
+/// Calls what(first, last) for the members of each group in crowd.members.
+std::span<const GroupMember> group_of(const CrowdState& crowd, const GroupMember& member) {
+  const auto same = std::ranges::equal_range(crowd.members, member.group, {}, &GroupMember::group);
+  return {same.begin(), same.end()};
+}
+
+/// The slowest speed of each walker's group [m/s]; its own, of who is alone.
+std::vector<double> slowest_speeds(const CrowdState& crowd) {
+  std::vector<double> speeds(crowd.persons.preferred_speed.begin(),
+                             crowd.persons.preferred_speed.begin() +
+                                 static_cast<std::ptrdiff_t>(crowd.persons.walking));
+  for (const GroupMember& member : crowd.members) {
+    for (const GroupMember& other : group_of(crowd, member)) {
+      speeds[member.row] = std::min(speeds[member.row], crowd.persons.preferred_speed[other.row]);
+    }
+  }
+  return speeds;
+}
+
+/// A group steps out together: nobody who has one that is not ready yet does.
+void hold_groups_together(const CrowdState& crowd, std::vector<Choice>& choices) {
+  std::vector<std::uint8_t> held(choices.size(), 0);
+  for (const GroupMember& member : crowd.members) {
+    const StreetCrossing* const own = crossing_of(crowd, member.row);
+    if (own == nullptr || !choices[member.row].ready || own->waited > kGroupPatience) continue;
+    for (const GroupMember& other : group_of(crowd, member)) {
+      const StreetCrossing* const theirs = crossing_of(crowd, other.row);
+      if (other.row == member.row || theirs == nullptr || theirs->street != own->street) continue;
+      if (theirs->phase == CrossingPhase::kOver) continue;
+      const double gap = (crowd.position(other.row) - crowd.position(member.row)).norm();
+      if (!choices[other.row].ready || gap > kTogether) held[member.row] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (held[i] != 0) choices[i].ready = false;
+  }
+}
+
+}  // namespace
+
+bool is_at_street(const CrowdState& crowd, std::size_t i) {
+  const StreetCrossing* const crossing = crossing_of(crowd, i);
+  if (crossing == nullptr) return false;
+  return crossing->phase == CrossingPhase::kOver || crossing->at_kerb ||
+         alongside(crowd, i, *crossing).open;
+}
+
+void come_to_kerb(CrowdState& crowd, std::size_t i) { crossing_of(crowd, i)->at_kerb = true; }
+
+void cross_streets(CrowdState& crowd, double dt, std::vector<CrossingBegun>& begun) {
+  if (crowd.zone.streets.empty()) return;
+  const std::size_t walking = crowd.persons.walking;
+  const std::vector<double> slowest = slowest_speeds(crowd);
+  std::vector<Choice> choices(walking);
+  for (std::size_t i = 0; i < walking; ++i) {
+    const StreetCrossing* const crossing = crossing_of(crowd, i);
+    if (crossing == nullptr || crossing->phase == CrossingPhase::kOver) continue;
+    choices[i] = consider(crowd, i, slowest[i], *crossing);
+  }
+  hold_groups_together(crowd, choices);
+  for (std::size_t i = 0; i < walking; ++i) {
+    const StreetCrossing* const crossing = crossing_of(crowd, i);
+    if (crossing == nullptr) continue;
+    if (crossing->phase == CrossingPhase::kOver) {
+      go_over(crowd, i);
+    } else if (choices[i].ready) {
+      step_out(crowd, i, choices[i], begun);
+    } else {
+      wait_or_leave(crowd, i, choices[i], dt);
+    }
+  }
+}
+
+void propose_crossings(const CrowdState& crowd, Proposals& proposals) {
+  if (crowd.zone.streets.empty()) return;
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
+    if (!crowd.is_over(i)) continue;
+    const Vec2 here = crowd.position(i);
+    proposals.propose(i, towards(heading_point(crowd.walkers[i].route, here) - here,
+                                 Behaviour::kCrossing));
+  }
+}
+
+void restrain_crossings(const CrowdState& crowd, Restraints& restraints) {
+  if (crowd.zone.streets.empty()) return;
+  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
+    const StreetCrossing* const crossing = crossing_of(crowd, i);
+    if (crossing == nullptr) continue;
+    if (crossing->phase == CrossingPhase::kOver) {
+      Restraint only_vehicles;
+      only_vehicles.most_speed = std::max(0.0, crossing->room) / kBraking;
+      only_vehicles.waits = only_vehicles.most_speed < kHaltingSpeed;
+      restraints.replace(i, only_vehicles);
+    } else if (crossing->at_kerb) {
+      const Vec2 here = crowd.position(i);
+      restraints.wait(i);
+      restraints.stand_facing(i, angle_of(kerb_beyond(crowd, i, crossing->at) - here));
+    }
+  }
+}
+
+}  // namespace pedzone

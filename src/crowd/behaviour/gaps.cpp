@@ -1,0 +1,107 @@
+#include "crowd/behaviour/gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pedzone {
+namespace {
+
+constexpr double kBeside = 0.3;       // [m] assumed: nobody lets a car pass nearer
+constexpr double kAlong = 0.5;        // [m] assumed: and none stop nearer to the line
+constexpr double kAfter = 0.2;        // [s] assumed: after it has passed
+constexpr double kReaction = 1.5;     // [s] assumed: of a driver who sees somebody step out
+constexpr double kComfort = 2.5;      // [m/s²] assumed: that it brakes with
+constexpr double kLongestWait = 3600.0;  // [s] numerical: an hour is for ever
+
+/// When the body is within the width that a vehicle covers.
+struct Inside {
+  double enter, leave;  ///< [s] from now on; leave < 0: it is past it already
+};
+
+Inside inside(const CrossingWalk& walk, const StreetVehicle& vehicle) {
+  const double room = walk.radius + kBeside;
+  const double side = walk.to > walk.from ? 1.0 : -1.0;
+  const double near = side > 0.0 ? vehicle.low - room : -(vehicle.high + room);
+  const double far = side > 0.0 ? vehicle.high + room : -(vehicle.low - room);
+  const double here = side * walk.from;
+  const auto time = [&](double way) { return walk.start_up + way / walk.speed; };
+  return {near <= here ? 0.0 : time(near - here), far <= here ? -1.0 : time(far - here)};
+}
+
+bool can_stop(const StreetVehicle& vehicle, double distance) {
+  const double v = vehicle.speed;
+  return distance > v * kReaction + v * v / (2.0 * kComfort) + kAlong;
+}
+
+}  // namespace
+
+GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState>& vehicles,
+                    const CrossingWalk& walk,
+                    const std::function<bool(std::uint32_t vehicle)>& sees) {
+  GapView view;
+  for (const StreetVehicle& vehicle : traffic.vehicles) {
+    const double reach = walk.radius + kAlong;
+    const double distance = vehicle.distance_to(walk.s) - reach;
+    const double rear = distance + vehicle.length + 2.0 * reach;
+    if (rear < 0.0) continue;  // it has passed
+    const Inside person = inside(walk, vehicle);
+    if (person.leave < 0.0) continue;
+    const bool on_line = distance <= 0.0;
+    const double arrives = time_to_drive(vehicle, distance);
+    if (!on_line && !std::isfinite(arrives)) continue;  // stands before the line
+    if (!sees(vehicle.vehicle)) continue;
+    const double passed = time_to_drive(vehicle, rear) + kAfter;
+    if (on_line && !std::isfinite(passed)) {
+      view.barred = true;
+      view.enough = false;
+      continue;
+    }
+    const bool after = passed <= person.enter;
+    if (!after && arrives < view.next) {
+      view.next = arrives;
+      view.vehicle = vehicles[vehicle.vehicle].key;
+    }
+    const bool before = arrives >= person.leave + walk.margin;
+    const bool stops = walk.insists && can_stop(vehicle, distance);
+    if (!after && !before && !stops) view.enough = false;
+  }
+  return view;
+}
+
+Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, double fastest,
+                      const std::function<bool(std::uint32_t vehicle)>& sees) {
+  Passage passage;
+  for (const StreetVehicle& vehicle : traffic.vehicles) {
+    const double reach = walk.radius + kAlong;
+    const double distance = vehicle.distance_to(walk.s) - reach;
+    const double rear = distance + vehicle.length + 2.0 * reach;
+    const Inside person = inside(walk, vehicle);
+    if (rear < 0.0 || person.leave < 0.0) continue;
+    const double arrives = distance <= 0.0 ? 0.0 : time_to_drive(vehicle, distance);
+    if (!std::isfinite(arrives)) continue;
+    if (person.enter > 0.0 && !sees(vehicle.vehicle)) continue;
+    const double in_time = arrives - walk.margin;
+    if (person.leave <= in_time) continue;
+    const double needed = in_time > 0.0 ? person.leave / in_time : fastest;
+    if (person.enter <= 0.0) {
+      passage.hurry = std::max(passage.hurry, std::min(needed, fastest));
+    } else if (needed < fastest) {
+      passage.hurry = std::max(passage.hurry, needed);
+    } else if (time_to_drive(vehicle, rear) + kAfter > person.enter) {
+      passage.room = std::min(passage.room, person.enter * walk.speed);
+    }
+  }
+  return passage;
+}
+
+double critical_gap(const CrossingWalk& walk) {
+  return std::abs(walk.to - walk.from) / walk.speed + walk.start_up + walk.margin;
+}
+
+double expected_wait(double flow, double needed) {
+  if (flow <= 0.0) return 0.0;
+  const double x = flow * needed;
+  return std::min((std::expm1(x) - x) / flow, kLongestWait);
+}
+
+}  // namespace pedzone
