@@ -10,6 +10,7 @@
 #include "app/conflict_options.hpp"
 #include "app/conflicts_json.hpp"
 #include "app/guarded.hpp"
+#include "app/seen_crossings.hpp"
 #include "app/share_bar.hpp"
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
@@ -28,6 +29,7 @@ struct ConflictsOptions {
   std::vector<std::string> as_persons;  ///< vehicle types that count as persons
   bool json = false;                    ///< all of them are printed, too
   ConflictOptions conflicts;
+  SeenCrossingOptions crossings;
 };
 
 BodySizes read_sizes(const ConflictsOptions& options) {
@@ -61,7 +63,7 @@ std::string scope_text(std::size_t told, std::size_t others, bool known, const s
 }
 
 void measure(const ConflictsOptions& options) {
-  if (!options.conflicts.wanted() && !options.json) {
+  if (!options.conflicts.wanted() && !options.json && options.crossings.zone_file.empty()) {
     throw InputError("is missing", {.element = "option --conflict-output, --conflict-csv or --json",
                                     .allowed = "one of them or more"});
   }
@@ -83,6 +85,10 @@ void measure(const ConflictsOptions& options) {
     }
     over.clear();
   };
+  std::unique_ptr<SeenCrossings> crossings;
+  if (!options.crossings.zone_file.empty()) {
+    crossings = std::make_unique<SeenCrossings>(options.scenario, options.crossings);
+  }
   std::vector<PersonSample> told;
   ShareBar bar("measuring conflicts");
   const std::unordered_set<std::string> as_persons(options.as_persons.begin(),
@@ -97,6 +103,7 @@ void measure(const ConflictsOptions& options) {
               for (PersonSample& one : told) one.by_pedzone = walked->at(one.id, time);
               persons = told;
             }
+            if (crossings) crossings->step(time, persons, vehicles);
             tracker.step(time, persons, vehicles, {}, over);
             write();
           },
@@ -105,10 +112,12 @@ void measure(const ConflictsOptions& options) {
   write();
   bar.finish();
   writer.finish();
+  const std::string crossed = crossings ? crossings->finish() : "";
   if (options.json) {
     print_text(conflicts_json(printed));
   } else {
-    print_result(scope_text(writer.written(), others, walked.has_value(), options.conflicts.of));
+    print_result(scope_text(writer.written(), others, walked.has_value(), options.conflicts.of) +
+                 crossed);
   }
 }
 
@@ -116,6 +125,8 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  sumo -c town.sumocfg --fcd-output fcd.xml.gz\n"
     "  pedzone conflicts fcd.xml.gz --scenario town.sumocfg --conflict-output conflicts.xml\n\n"
+    "  pedzone conflicts fcd.xml.gz --scenario street.sumocfg --zone street.zone.xml \\\n"
+    "          --crossing-svg gaps.svg\n\n"
     "The same measures as `pedzone run --conflict-output`, whoever walked the persons: with\n"
     "--trajectories those of people whom pedzone walked, else everybody's. SUMO\n"
     "writes positions to 0.01 m; its option --precision 4 makes the measures smoother.\n"
@@ -145,6 +156,19 @@ void add_conflicts(CLI::App& app, int& code) {
       ->add_option("--trajectories", options->trajectories,
                    "pedzone's --trajectories (table) of the same run, which tell whom it walked")
       ->type_name(kFile);
+  auto* zone = command
+                   ->add_option("--zone", options->crossings.zone_file,
+                                "Zone file with crossing=\"anywhere\": who crosses its streets "
+                                "where, and the gaps that people take (with --scenario)")
+                   ->type_name(kFile);
+  command->add_option("--crossing-csv", options->crossings.csv, "Write these crossings as a table")
+      ->type_name(kFile)
+      ->needs(zone);
+  command
+      ->add_option("--crossing-svg", options->crossings.svg,
+                   "Draw the share of gaps taken, by their length")
+      ->type_name(kFile)
+      ->needs(zone);
   add_json_flag(*command, options->json);
   add_conflict_options(*command, options->conflicts);
   command->callback([options, &code] { code = guarded([&] { measure(*options); }); });

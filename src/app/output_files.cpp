@@ -7,6 +7,7 @@
 
 #include "app/summary.hpp"
 #include "core/error.hpp"
+#include "results/crossing_table.hpp"
 #include "view/debug_shapes.hpp"
 
 namespace pedzone {
@@ -23,6 +24,7 @@ std::vector<NamedOutput> named_outputs(const RunOptions& options) {
        {NamedOutput{"--summary", options.summary},
         {"--trajectories", options.trajectories},
         {"--trajectories", TrajectoryWriter::side_file(options.trajectories)},
+        {"--crossing-output", options.crossings},
         {"--edge-data", options.edge_data},
         {"--paths-svg", options.picture},
         {"--animate", options.animation},
@@ -59,6 +61,12 @@ bool wants_everybody(const RunOptions& options) {
                                "--fcd-output has everybody, too"});
 }
 
+std::string text_of(const std::vector<StreetCrossed>& crossings) {
+  std::string text = crossing_table().header();
+  for (const StreetCrossed& row : crossings) crossing_table().append(text, row);
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> outputs_of(const RunOptions& options) {
@@ -69,8 +77,8 @@ std::vector<std::string> outputs_of(const RunOptions& options) {
 
 void keep_standard_output_clean(RunOptions& options) {
   std::string clean;
-  for (std::string* path : {&options.summary, &options.trajectories, &options.edge_data,
-                            &options.picture, &options.animation, &options.debug_shapes,
+  for (std::string* path : {&options.summary, &options.trajectories, &options.crossings,
+                            &options.edge_data, &options.picture, &options.animation, &options.debug_shapes,
                             &options.conflicts.xml, &options.conflicts.csv}) {
     if (!CompleteFile::is_standard_output(*path)) continue;
     if (clean.empty()) {
@@ -89,6 +97,9 @@ OutputFiles::OutputFiles(const RunOptions& options) {
   if (!options.trajectories.empty()) {
     trajectories_ = std::make_unique<TrajectoryWriter>(options.trajectories, "--trajectories");
     everybody_ = wants_everybody(options);
+  }
+  if (!options.crossings.empty()) {
+    crossings_ = std::make_unique<CompleteFile>(options.crossings, "--crossing-output");
   }
   if (!options.edge_data.empty()) {
     edge_data_ = std::make_unique<EdgeDataWriter>(options.edge_data, "--edge-data",
@@ -181,6 +192,7 @@ void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
   if (shapes_ && shapes_text_.empty()) take_shapes(simulation);
   if (shapes_) shapes_->write(shapes_text_);
   if (summary_) summary_->write(summary_json(totals));
+  if (crossings_) crossings_->write(text_of(simulation.crossings()));
   if (picture_) picture_->write(paths_.picture(simulation));
   if (animation_) animation_->write(simulation);
   if (tracker_) {
@@ -190,6 +202,7 @@ void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
   }
   if (trajectories_) trajectories_->finish();
   if (edge_data_) edge_data_->finish();
+  if (crossings_) crossings_->finish();
   if (picture_) picture_->finish();
   if (animation_) animation_->finish();
   if (shapes_) shapes_->finish();

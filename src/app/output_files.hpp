@@ -46,6 +46,7 @@ class OutputFiles {
   std::unique_ptr<CompleteFile> summary_;
   std::unique_ptr<TrajectoryWriter> trajectories_;
   bool everybody_ = false;  ///< trajectories of those, too, whom SUMO walks
+  std::unique_ptr<CompleteFile> crossings_;
   std::unique_ptr<EdgeDataWriter> edge_data_;
   std::unique_ptr<CompleteFile> picture_;
   PathRecorder paths_;

@@ -94,6 +94,9 @@ void add_output_options(CLI::App& command, RunOptions& options) {
       ->capture_default_str()
       ->group("Outputs")
       ->needs(trajectories);
+  add("--crossing-output", options.crossings,
+      "Write who crossed streets between the junctions (crossing=\"anywhere\"): waits, the gaps "
+      "that were taken and let pass");
   auto* edge_data =
       add("--edge-data", options.edge_data,
           "Write density, speed and time loss of people by edges of the zones, as SUMO's edgeData");

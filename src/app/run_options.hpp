@@ -25,6 +25,7 @@ struct RunOptions {
   std::string scratch;   ///< folder for what only the animation is made of; empty: none
   std::string recorded;  ///< the fcd-output that the animation is made of
   std::string trajectories_of = "zones";   ///< or "all": those, too, whom SUMO walks
+  std::string crossings;                   ///< file to write; empty: not
   std::string edge_data;                   ///< file to write; empty: not
   std::optional<double> edge_data_period;  ///< [s] of an interval; unset: the whole run
   std::string debug_shapes;                ///< file to write; empty: not

@@ -86,6 +86,36 @@ nlohmann::ordered_json stuck_json(const Stuck& stuck) {
   return json;
 }
 
+std::string crossing_text(const CrossingTotals& crossings) {
+  std::string text = "Crossed streets between the junctions\n";
+  const auto line = [&text](const std::string& name, const std::string& value) {
+    text += fmt::format("  {:<34}{}\n", name, value);
+  };
+  line("stepped out", std::to_string(crossings.crossings));
+  line("  without looking", std::to_string(crossings.without_looking));
+  line("mean wait at the kerb", fmt::format("{:.1f} s", crossings.mean_wait_s));
+  const auto& gaps = crossings.gaps;
+  line("gap that half of them take",
+       gaps ? fmt::format("{:.1f} s [{:.1f}, {:.1f}]", gaps->median, gaps->low, gaps->high)
+            : "too few gaps to tell");
+  return text;
+}
+
+nlohmann::ordered_json crossing_json(const CrossingTotals& crossings) {
+  nlohmann::ordered_json json{{"stepped_out", crossings.crossings},
+                              {"without_looking", crossings.without_looking},
+                              {"mean_wait_s", crossings.mean_wait_s},
+                              {"median_gap", nullptr}};
+  if (const auto& gaps = crossings.gaps) {
+    json["median_gap"] = {{"s", gaps->median},
+                          {"low_s", gaps->low},
+                          {"high_s", gaps->high},
+                          {"taken", gaps->taken},
+                          {"let_pass", gaps->left}};
+  }
+  return json;
+}
+
 nlohmann::ordered_json sumo_json(const RunSummary& summary) {
   const auto& sumo = summary.sumo;
   const auto warned = [&](long WarningCounts::*count) -> nlohmann::ordered_json {
@@ -124,6 +154,7 @@ std::string summary_table(const RunSummary& summary) {
   line("mean speed in the zone", fmt::format("{:.2f} m/s", persons.mean_speed));
   line("mean delay in the zone", fmt::format("{:.1f} s", persons.mean_delay_s));
   line("mean waiting in the zone", fmt::format("{:.1f} s", persons.mean_waiting_s));
+  if (summary.crossings) text += crossing_text(*summary.crossings);
   text += "Vehicles near the zone\n";
   line("seen", std::to_string(vehicles.seen));
   line("gave way to persons", std::to_string(vehicles.yielding));
@@ -184,6 +215,7 @@ std::string summary_json(const RunSummary& summary) {
                       {"mean_delay_s", vehicles.mean_delay_s}};
   // JSON has no infinity: no vehicle ever came near.
   if (!std::isfinite(vehicles.min_clearance_m)) json["vehicles"]["min_clearance_m"] = nullptr;
+  if (summary.crossings) json["crossings"] = crossing_json(*summary.crossings);
   json["jams"] = nlohmann::ordered_json::array();
   for (const JamRecord& jam : summary.jams) {
     json["jams"].push_back({{"time", jam.time},

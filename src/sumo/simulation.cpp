@@ -1,5 +1,6 @@
 #include "sumo/simulation.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -181,6 +182,7 @@ struct Simulation::Parts {
   std::vector<std::unique_ptr<Crowd>> crowds;
   Takeover takeover;
   PushRecords pushes{zones, crowds, takeover, fleet};
+  CrossingRecords crossings{zones, crowds, takeover};
   RunTotals totals;
   StuckWatch stuck{zones, crowds, takeover, *session};
   GuiView gui;
@@ -246,6 +248,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   insertions.add_claims(session->time(), fleet, states);
   for (auto& crowd : crowds) crowd->step(dt, states);
   for (const std::string& id : pushes.take(session->time(), dt)) yielding.stop(id);
+  crossings.take(session->time());
   takeover.write(session->time(), dt, fleet);
   gui.update();
   if (steering.over()) return;
@@ -329,6 +332,7 @@ const std::vector<OutsideRecord>& Simulation::outside_vehicles() const {
 const std::vector<OutsideRecord>& Simulation::outside_persons() const {
   return parts_->takeover.outsiders();
 }
+const std::vector<StreetCrossed>& Simulation::crossings() const { return parts_->crossings.all(); }
 const std::vector<RunIntoRecord>& Simulation::run_into() const { return parts_->pushes.run_into(); }
 
 PersonView Simulation::view(const Guest& guest) const {
@@ -347,7 +351,10 @@ std::vector<Passer> Simulation::passers() const {
 
 Region Simulation::ground(bool everything) const {
   std::vector<Region> parts;
-  for (const Zone& zone : zones()) parts.push_back(zone.walkable);
+  for (const Zone& zone : zones()) {
+    parts.push_back(zone.walkable);
+    parts.push_back(zone.crossable);
+  }
   if (everything) {
     for (const Lane& lane : network().lanes) {
       if (lane.persons) parts.push_back(area_of(lane));
@@ -384,6 +391,9 @@ RunSummary Simulation::summary() const {
   RunSummary summary = parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding,
                                               parts_->people_in_sumo());
   if (!parts_->lost) parts_->stuck.look(time());
+  if (std::ranges::any_of(zones(), [](const Zone& zone) { return !zone.streets.empty(); })) {
+    summary.crossings = totals_of(crossings());
+  }
   summary.stuck_persons = stuck_of(parts_->stuck.persons());
   summary.stuck_vehicles = stuck_of(parts_->stuck.vehicles());
   summary.time.simulated_s = time();

@@ -75,6 +75,8 @@ class Simulation {
   Region ground(bool everything) const;
   /// Who has begun to squeeze through a jam of people so far, in time.
   const std::vector<JamRecord>& jams() const;
+  /// Who has stepped out to cross a street between the junctions so far, in time.
+  const std::vector<StreetCrossed>& crossings() const;
   /// Whom vehicles have run into so far, in time.
   const std::vector<RunIntoRecord>& run_into() const;
   /// Vehicles and persons that another program was found to move, in time.

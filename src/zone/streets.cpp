@@ -50,6 +50,14 @@ void set_borders(Street& street) {
   for (const StreetLane& lane : street.lanes) street.high = std::max(street.high, lane.high);
 }
 
+void set_refuges(Street& street) {
+  double reached = street.lanes.front().high;
+  for (const StreetLane& lane : street.lanes) {
+    if (lane.low - reached >= kRefuge) street.refuges.push_back(0.5 * (lane.low + reached));
+    reached = std::max(reached, lane.high);
+  }
+}
+
 class Finder {
  public:
   Finder(const Network& network, const std::vector<int>& edges, const std::vector<int>& lanes,
@@ -96,6 +104,7 @@ class Finder {
     if (street.lanes.empty()) return std::nullopt;
     set_borders(street);
     add_way_back(edge, street);
+    set_refuges(street);
     set_places(street);
     return street;
   }

@@ -46,6 +46,8 @@ struct Street {
   double low = 0.0, high = 0.0;       ///< [m] t of its borders
   std::vector<int> edges;             ///< Network edges whose vehicles drive here, ascending
   std::vector<StreetLane> lanes;      ///< by t
+  std::vector<double> refuges;        ///< [m] t of the middle of each strip between lanes that is
+                                      ///< wide enough to wait on, ascending
   std::vector<CrossingPlace> places;  ///< at s = 0, kStreetStep, ...
 
   /// The place nearest to s [m].
@@ -56,6 +58,9 @@ struct Street {
 
 /// [m] numerical: between two places of a street.
 constexpr double kStreetStep = 1.0;
+
+/// [m] assumed: on a narrower strip between lanes nobody waits (a person with a pram is 1.5 m long).
+constexpr double kRefuge = 1.5;
 
 /// [m] Nobody crosses nearer to a signalled crossing, unless on an impulse.
 constexpr double kSignalReach = 30.0;

@@ -43,8 +43,8 @@ void add_streets(const Network& network, const Draft& draft, Zone& zone) {
   for (const auto& link : linked_across(network, zone.streets, selection.edges)) {
     zone.links.insert(link);
   }
-  const Region open = unite(zone.walkable, crossable_ground(zone.streets));
-  zone.street_walls = WallIndex(subtract(open, zone.obstacles));
+  zone.crossable = subtract(crossable_ground(zone.streets), zone.obstacles);
+  zone.street_walls = WallIndex(unite(zone.walkable, zone.crossable));
 }
 
 std::vector<Region> shades_of(const Network& network) {

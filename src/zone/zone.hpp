@@ -41,6 +41,7 @@ struct Zone {
   WallIndex sight_walls;                ///< of obstacles: nobody sees through them
   WayFinder ways;                       ///< shortest paths in walkable
   std::vector<Street> streets;          ///< that people cross between the junctions
+  Region crossable;                     ///< [m] the parts of them where people may cross
   WallIndex street_walls;               ///< of who crosses one: borders of walkable and streets
   std::vector<std::string> warnings;    ///< one line each, naming what they are about
   std::vector<TypeLength> inside, left_out;

@@ -1,8 +1,11 @@
 #!/usr/bin/python3
 """People and cars on random networks without sidewalks: nobody stands for ever.
 
+    random_streets.py --pedzone build/src/app/pedzone [--crossing] [--networks 10] [--seed 1]
+
 A seed makes a network (netgenerate --rand, defaults), people and cars (randomTrips.py), and a zone over
-all of its streets or over some. pedzone runs it, and plain SUMO. What SUMO wrote tells who stood for
+all of its streets or over some. pedzone runs it, and plain SUMO. With --crossing the streets have
+sidewalks and crossings, and people cross them anywhere (crossing="anywhere"). What SUMO wrote tells who stood for
 longer than 120 s because of the other kind (tests/check/standing.py), whom a vehicle touched at more
 than 0.5 m/s, and who was teleported.
 
@@ -50,9 +53,10 @@ class Findings:
     brakings: int = 0
     late: list = field(default_factory=list)      # persons that have not arrived
     walks: dict = field(default_factory=dict)
+    stages: dict = field(default_factory=dict)
 
 
-def make(seed: int, folder: Path) -> None:
+def make(seed: int, folder: Path, crossing: bool) -> None:
     """Network, demand, zone and sumocfg of a seed."""
     rng = random.Random(seed)
     folder.mkdir(parents=True, exist_ok=True)
@@ -61,8 +65,9 @@ def make(seed: int, folder: Path) -> None:
         subprocess.run(command, cwd=folder, env=SUMO_ENVIRONMENT, check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
+    sidewalks = ["--sidewalks.guess", "--crossings.guess"] if crossing else []
     tool("netgenerate", "--rand", "--rand.iterations", str(rng.randint(4, 25)), "--seed",
-         str(seed), "-o", "net.net.xml")
+         str(seed), *sidewalks, "-o", "net.net.xml")
     people, cars = rng.uniform(2, 8), rng.uniform(3, 12)  # [s] between two departures
     script = [sys.executable, f"{TOOLS}/randomTrips.py", "-n", "net.net.xml", "--seed", str(seed),
               "-e", str(DEPARTURES)]
@@ -75,7 +80,9 @@ def make(seed: int, folder: Path) -> None:
     if rng.random() < 0.5:
         edges = sorted(rng.sample(edges, max(1, int(len(edges) * rng.uniform(0.2, 0.8)))))
     zones = ET.Element("zones")
-    ET.SubElement(zones, "zone", {"id": "streets", "edges": " ".join(edges)})
+    zone = ET.SubElement(zones, "zone", {"id": "streets", "edges": " ".join(edges)})
+    if crossing:
+        zone.set("crossing", "anywhere")
     ET.ElementTree(zones).write(folder / "streets.zone.xml")
     root = ET.Element("configuration")
     for name, value in (("net-file", "net.net.xml"), ("route-files", "people.rou.xml,cars.rou.xml"),
@@ -125,6 +132,7 @@ def find(folder: Path, kind: str, text: str) -> Findings:
     found.collisions = len(re.findall(r"collision with vehicle", text))
     found.brakings = len(re.findall(r"performs emergency braking", text))
     found.late = sorted(name for name, trip in persons.items() if not trip.arrived)
+    found.stages = {name: [stage.kind for stage in trip.stages] for name, trip in persons.items()}
     found.walks = {name: trip.duration for name, trip in persons.items()}
     return found
 
@@ -147,10 +155,10 @@ def touched(fcd, clearances) -> list:
     return list(found.values())
 
 
-def judge(pedzone: str, work: Path, keep: bool, seed: int) -> dict:
+def judge(pedzone: str, work: Path, keep: bool, crossing: bool, seed: int) -> dict:
     folder = work / f"seed{seed}"
     try:
-        make(seed, folder)
+        make(seed, folder, crossing)
         text = run(["sumo", "-c", "streets.sumocfg", "--no-step-log"], folder, "plain")
     except (subprocess.CalledProcessError, RuntimeError) as error:
         return report(seed, folder, None, None, f"skipped: {error}")
@@ -177,6 +185,8 @@ def report(seed: int, folder: Path, ours, plain, problem: str) -> dict:
                   for time, person, vehicle, speed in ours.contacts]
         if ours.teleports > plain.teleports:
             wrong.append(f"{ours.teleports} teleports (plain {plain.teleports})")
+        wrong += [f"{name} has other stages than in plain SUMO" for name in ours.stages
+                  if ours.stages[name] != plain.stages.get(name)]
         wrong += [f"{name} never arrives" for name in ours.late if name not in plain.late]
     figures = "" if not ours else (
         f"{len(ours.walks)} people, stands {len(ours.stands)} (plain {len(plain.stands)}), teleports "
@@ -194,10 +204,13 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1, help="the first seed")
     parser.add_argument("--networks", type=int, default=10)
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--crossing", action="store_true",
+                        help="streets with sidewalks, to be crossed anywhere")
     parser.add_argument("--keep", help="folder for inputs and outputs")
     options = parser.parse_args()
     work = Path(options.keep or tempfile.mkdtemp(prefix="pedzone-streets-")).resolve()
-    one = functools.partial(judge, str(Path(options.pedzone).resolve()), work, bool(options.keep))
+    one = functools.partial(judge, str(Path(options.pedzone).resolve()), work, bool(options.keep),
+                            options.crossing)
     seeds = range(options.seed, options.seed + options.networks)
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         results = list(pool.map(one, seeds))

@@ -100,6 +100,15 @@ Ways ways_over(const CrowdState& crowd, std::size_t i, const Candidate& candidat
   return {crowd.zone.ways.distance(crowd.position(i), kerb), crowd.zone.ways.distance(far, to)};
 }
 
+/// t of the next refuge on the way, or of the far kerb.
+double next_stop(const Street& street, double from, double kerb, int side) {
+  double stop = kerb;
+  for (const double refuge : street.refuges) {
+    if (side * (refuge - from) > 0.5 * kRefuge && side * (stop - refuge) > 0.0) stop = refuge;
+  }
+  return stop;
+}
+
 void head_for_kerb(CrowdState& crowd, std::size_t i) {
   const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
   Route& route = crowd.walkers[i].route;
@@ -130,7 +139,7 @@ CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s) {
   CrossingWalk walk;
   walk.s = s;
   walk.from = street.place(crowd.position(i)).t;
-  walk.to = kerb_of(street.at(s), -crossing.side);
+  walk.to = next_stop(street, walk.from, kerb_of(street.at(s), -crossing.side), crossing.side);
   walk.radius = crowd.persons.radius[i];
   walk.speed = crowd.persons.preferred_speed[i];
   walk.start_up = parameters.crossing_start_up;
@@ -149,9 +158,13 @@ void plan_crossing(CrowdState& crowd, std::size_t i, const Destination& destinat
   WalkState& walker = crowd.walkers[i];
   const Route& route = walker.route;
   const Vec2 here = crowd.position(i), to = 0.5 * (route.aim_a + route.aim_b);
-  const double by_nodes = route.found ? way_left(route, here) : kInfinity;
+  const double by_nodes = route.found ? way_left(route, here) : walker.way_by_junctions;
   if (by_nodes - (to - here).norm() < kWorthWhile) return;
-  if (goes_alone_as_child(crowd, i) && route.found) return;
+  const bool child = goes_alone_as_child(crowd, i);
+  if (child && std::isfinite(by_nodes)) {
+    walker.by_junctions = !route.found;
+    return;
+  }
 
   double least = by_nodes;
   for (const Candidate& candidate : candidates(crowd, i, to, by_nodes)) {
@@ -180,7 +193,9 @@ void plan_crossing(CrowdState& crowd, std::size_t i, const Destination& destinat
   const double across = least / walk.speed + expected_wait(flow, needed) +
                         crowd.zone.parameters.crossing_aversion;
   memory->detour = (by_nodes - least) / walk.speed;
-  if (across >= by_nodes / walk.speed) return;
+  walker.by_junctions = !route.found && across >= by_nodes / walk.speed;
+  if (route.found && across >= by_nodes / walk.speed) return;
+  if (!route.found) memory->detour = kInfinity;  // once it is the crowd's there is no other way
   memory->phase = CrossingPhase::kToKerb;
   head_for_kerb(crowd, i);
 }

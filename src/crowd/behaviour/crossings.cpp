@@ -128,6 +128,7 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
   event.person = crowd.persons.key[i];
   event.street = crossing.street;
   event.s = choice.walk.s;
+  event.position = crowd.position(i);
   event.time = crowd.time;
   event.waited = crossing.waited;
   event.gap = choice.view.next;

@@ -28,6 +28,11 @@ Inside inside(const CrossingWalk& walk, const StreetVehicle& vehicle) {
   return {near <= here ? 0.0 : time(near - here), far <= here ? -1.0 : time(far - here)};
 }
 
+/// Whether it drives beyond where the walk ends: a refuge.
+bool is_beyond(const CrossingWalk& walk, const StreetVehicle& vehicle) {
+  return walk.to > walk.from ? vehicle.low > walk.to : vehicle.high < walk.to;
+}
+
 bool can_stop(const StreetVehicle& vehicle, double distance) {
   const double v = vehicle.speed;
   return distance > v * kReaction + v * v / (2.0 * kComfort) + kAlong;
@@ -45,7 +50,7 @@ GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState
     const double rear = distance + vehicle.length + 2.0 * reach;
     if (rear < 0.0) continue;  // it has passed
     const Inside person = inside(walk, vehicle);
-    if (person.leave < 0.0) continue;
+    if (person.leave < 0.0 || is_beyond(walk, vehicle)) continue;
     const bool on_line = distance <= 0.0;
     const double arrives = time_to_drive(vehicle, distance);
     if (!on_line && !std::isfinite(arrives)) continue;  // stands before the line

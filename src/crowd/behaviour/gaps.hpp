@@ -13,7 +13,7 @@ namespace pedzone {
 struct CrossingWalk {
   double s = 0.0;           ///< [m]
   double from = 0.0;        ///< [m] t where the body is
-  double to = 0.0;          ///< [m] t where the ground on the other side begins
+  double to = 0.0;          ///< [m] t where the ground on the other side begins, or of a refuge
   double radius = 0.24;     ///< [m] of the body
   double speed = 1.34;      ///< [m/s] > 0
   double start_up = 0.0;    ///< [s] until it walks

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct Destination {
   Vec2 a = Vec2::Zero(), b = Vec2::Zero();  ///< [m]
 };
 
+/// [m] Where there is none.
+constexpr double kNoWay = std::numeric_limits<double>::infinity();
+
 struct NewPerson {
   std::uint64_t key = 0;          ///< person_key(id)
   Vec2 position = Vec2::Zero();   ///< [m]
@@ -39,6 +43,8 @@ struct NewPerson {
                                             ///< one that cannot be reached is passed over when
                                             ///< patience runs out, at once where there is no way
   std::array<double, kActivities> rates{};  ///< [1/min] at which each activity begins
+  double by_junctions = kNoWay;             ///< [m] to the destination by SUMO's junctions, where
+                                            ///< some of that way lies outside the zone
   bool place_freely = false;                ///< departs here: moved to the nearest free place if
                                             ///< somebody or something stands there
 };
@@ -69,6 +75,7 @@ struct PersonView {
   bool makes_way;        ///< goes out of the room that a vehicle claims
   bool holds_hand;       ///< a child whom an adult leads by the hand
   bool crosses;          ///< a street, between the junctions
+  bool by_junctions;     ///< would rather go by SUMO's junctions (NewPerson::by_junctions)
   double radius;         ///< [m] of the body as it holds its shoulders now
 };
 
@@ -98,6 +105,7 @@ struct CrossingBegun {
   std::uint64_t person = 0;  ///< key
   std::uint32_t street = 0;  ///< index in Zone::streets
   double s = 0.0;            ///< [m] place along the street
+  Vec2 position = Vec2::Zero();  ///< [m]
   double time = 0.0;         ///< [s] on the crowd's clock
   double waited = 0.0;       ///< [s] at the kerb
   double gap = 0.0;          ///< [s] until the next vehicle came; infinity: none was seen

@@ -38,6 +38,8 @@ struct WalkState {
   bool new_here = true;       ///< has not been walked yet
   bool pressed = false;       ///< others kept it from moving as it meant to in the last substep
   bool arrived = false, gave_up = false;
+  bool by_junctions = false;                       ///< would rather go by SUMO's
+  double way_by_junctions = kNoWay;                ///< [m] when it was added
 };
 
 /// The moves of all bodies within one substep, in the order of Persons.

@@ -146,12 +146,14 @@ std::vector<Comparison> compare(const Plan& plan, const Records& records) {
     for (const std::string& model : plan.study.models) {
       if (model == plan.study.reference) continue;
       const auto model_runs = runs_of(plan, condition, model);
+      const std::size_t first = comparisons.size();
       for (const Measure& measure : measure_list()) {
         const std::string key(measure.key);
         const Pairs pairs = collect_pairs(records, reference_runs, model_runs, key);
+        if (measure.optional && pairs.differences.empty()) continue;
         comparisons.push_back(compare_pairs_of(plan, condition, model, pairs, key));
       }
-      mark_cut_off(std::span(comparisons).last(measure_list().size()));
+      mark_cut_off(std::span(comparisons).subspan(first));
     }
   }
   correct_family(comparisons, true);

@@ -11,8 +11,9 @@ struct Measure {
   std::string_view name;     ///< for people
   std::string_view unit;     ///< empty: a number or a share
   std::string_view meaning;  ///< a sentence
-  std::string_view group;    ///< heading: People, Space, Vehicles, Conflicts
+  std::string_view group;    ///< heading: People, Crossing, Space, Vehicles, Conflicts
   bool primary;  ///< of the family that the verdict is about; the others are told as detail
+  bool optional = false;  ///< compared only where runs have it
 };
 
 std::span<const Measure> measure_list();

@@ -13,6 +13,7 @@
 #include "study/measure/jam_count.hpp"
 #include "study/measure/push_measures.hpp"
 #include "study/measure/run_series.hpp"
+#include "study/measure/street_crossings.hpp"
 #include "study/measure/trip_measures.hpp"
 #include "study/measure/vehicle_stops.hpp"
 #include "study/measure/zone_stays.hpp"
@@ -51,6 +52,7 @@ class Observer {
         stays_(trips, place.network, place.zones),
         walkers_(trips, place.zones),
         walks_(trips, place.zones, free_share),
+        crossings_(place.zones),
         crowding_(trips),
         series_(place.zones),
         writer_(
@@ -67,6 +69,7 @@ class Observer {
     add_times(dt, walkers);
     series_.step(time, dt, walkers, vehicles, [&](std::size_t i) { return crowding_.density(i); });
     stops_.step(vehicles);
+    crossings_.step(time, dt, persons, vehicles);
     tracker_.step(time, persons, vehicles, {}, over_);
     take_conflicts();
     begun_ = true;
@@ -84,6 +87,7 @@ class Observer {
     writer_.finish();
     count_conflicts(values);
     walks_.finish(values);
+    crossings_.finish(values);
     crowding_.finish(values);
     series_.finish(values);
     write_file(folder_ + "/series.csv", series_.csv());
@@ -126,6 +130,7 @@ class Observer {
   ZoneStays stays_;
   Walkers walkers_;
   ZoneWalks walks_;
+  StreetCrossings crossings_;
   Crowding crowding_;
   DensityGrid grid_;
   RunSeries series_;

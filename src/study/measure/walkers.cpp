@@ -36,7 +36,8 @@ const WalkStage* Walkers::walk_of(std::uint32_t person, double time) {
 
 int zone_at(const std::vector<Zone>& zones, const Vec2& at) {
   for (std::size_t i = 0; i < zones.size(); ++i) {
-    if (zones[i].walls.inside(at)) return static_cast<int>(i);
+    const bool on_street = !zones[i].streets.empty() && zones[i].street_walls.inside(at);
+    if (on_street || zones[i].walls.inside(at)) return static_cast<int>(i);
   }
   return Walker::kNowhere;
 }

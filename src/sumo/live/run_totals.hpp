@@ -10,6 +10,7 @@
 
 #include "sumo/calls/session.hpp"
 #include "sumo/calls/sumo_messages.hpp"
+#include "sumo/live/crossing_records.hpp"
 #include "sumo/live/push_records.hpp"
 #include "sumo/live/takeover.hpp"
 #include "sumo/plan/standstills.hpp"
@@ -53,6 +54,7 @@ struct RunSummary {
   } pushes;
   std::vector<JamRecord> jams;          ///< in time
   std::vector<RunIntoRecord> run_into;  ///< in time
+  std::optional<CrossingTotals> crossings;  ///< unset: no zone has a street to cross anywhere
   int interrupted_by = 0;               ///< the signal that ended the run early; 0: none
   bool sumo_gone = false;               ///< SUMO, which was joined, ended the run early
   struct {

@@ -191,7 +191,8 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id,
   return true;
 }
 
-/// False, and nothing has changed, where there is no room beside a vehicle.
+/// False where there is no room beside a vehicle, and for who would rather cross at a junction
+/// outside the zone; nothing else has changed then.
 bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan,
                          const Fleet& fleet) {
   Guest guest;
@@ -205,6 +206,12 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   guest.handle = crowds_[zone]->add(
       new_person(walker, plan, hints, static_cast<std::size_t>(zone), guest.preferred_speed));
   guest.position = crowds_[zone]->view(guest.handle).position;
+  if (crowds_[zone]->view(guest.handle).by_junctions) {
+    // SUMO walks it over the signalled crossing, to which the zone does not reach.
+    past_[walker.id].refused_edge = network_.edge_index.at(sumo_.edge(walker.id));
+    crowds_[zone]->remove(guest.handle);
+    return false;
+  }
   if (plan.place_freely && fleet.touches(guest.position, guest.radius)) {
     crowds_[zone]->remove(guest.handle);
     return false;

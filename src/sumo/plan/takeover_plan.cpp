@@ -36,10 +36,9 @@ bool worth_while(const Network& network, const ZoneStretch& stretch, int index,
   return stretch.last != index || left_on_last(network, stretch, position) >= kWorthWhile;
 }
 
-/// Whether people get from one place to another, over a street of the zone if need be.
-bool is_reachable(const Zone& zone, const Vec2& from, const Vec2& to) {
+/// Whether people get from one place to another over a street of the zone.
+bool is_reachable_over_a_street(const Zone& zone, const Vec2& from, const Vec2& to) {
   constexpr double kStand = 0.5;  // [m] numerical: behind the kerb
-  if (zone.ways.way(from, to)) return true;
   return std::ranges::any_of(zone.streets, [&](const Street& street) {
     const auto open = std::ranges::find_if(street.places, &CrossingPlace::open);
     const double s = kStreetStep * static_cast<double>(open - street.places.begin());
@@ -47,6 +46,29 @@ bool is_reachable(const Zone& zone, const Vec2& from, const Vec2& to) {
     return (zone.ways.way(from, low) && zone.ways.way(high, to)) ||
            (zone.ways.way(from, high) && zone.ways.way(low, to));
   });
+}
+
+/// [m] to the end of the stretch by the lanes of SUMO's route, junctions as the crow flies.
+double way_by_junctions(const Network& network, const ZoneStretch& stretch,
+                        const std::vector<int>& route, int index, const Vec2& from) {
+  double length = 0.0;
+  Vec2 at = from;
+  const auto walk_to = [&](const Vec2& place) {
+    length += (place - at).norm();
+    at = place;
+  };
+  for (int k = index; k < stretch.last; ++k) {
+    const Edge& here = network.edges[route[k]];
+    const Edge& next = network.edges[route[k + 1]];
+    const Polyline& shape = network.lanes[walking_lane(network, route[k])].shape;
+    const Polyline& after = network.lanes[walking_lane(network, route[k + 1])].shape;
+    const bool at_end = here.to == next.from || here.to == next.to;
+    const std::string& junction = at_end ? here.to : here.from;
+    walk_to(at_end ? shape.back() : shape.front());
+    walk_to(next.from == junction ? after.front() : after.back());
+  }
+  walk_to(0.5 * (stretch.destination.a + stretch.destination.b));
+  return length;
 }
 
 /// The walk of a person on route[index]; nothing where pedzone cannot take it over.
@@ -58,8 +80,12 @@ std::optional<TakeoverPlan> plan_walk(const Network& network, const Zone& zone,
   const Vec2 inside = zone.walls.nearest_inside(walker.position, 0.0);
   if ((inside - walker.position).norm() > kStray) return std::nullopt;
   const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
-  if (!is_reachable(zone, inside, goal)) return std::nullopt;
-  return TakeoverPlan{*stretch, inside};
+  TakeoverPlan plan{*stretch, inside};
+  if (!zone.ways.way(inside, goal)) {
+    if (!is_reachable_over_a_street(zone, inside, goal)) return std::nullopt;
+    plan.by_junctions = way_by_junctions(network, *stretch, route, index, walker.position);
+  }
+  return plan;
 }
 
 /// The middle of a destination's width, so narrow that a body there is within the street.
@@ -131,6 +157,7 @@ NewPerson new_person(const WalkerSeen& walker, const TakeoverPlan& plan, const P
   person.preferred_speed = preferred_speed;
   person.destination = with_room(plan.stretch.destination, walker.radius);
   person.place_freely = plan.place_freely;
+  person.by_junctions = plan.by_junctions;
   return person;
 }
 

@@ -1,0 +1,90 @@
+// Who crosses a zone's streets where, as an observer beside the street would count it: from
+// places alone, whoever walked the people.
+//
+//   waits at the kerb     steps out                reaches the other side
+//   |--- vehicles pass ---|----- between the junctions -----|
+//   gaps let pass          the gap that was taken: until the next vehicle passes there
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "conflict/gap_acceptance.hpp"
+#include "conflict/tracker.hpp"
+#include "zone/zone.hpp"
+
+namespace pedzone::study {
+
+/// Somebody who got from one side of a street to the other.
+struct SeenCrossing {
+  std::string person;
+  bool between = false;          ///< the junctions; false: at one of them
+  double waited = 0.0;           ///< [s] standing at the kerb before
+  std::optional<double> gap;     ///< [s] that was taken; unset: no vehicle came after
+  std::vector<double> let_pass;  ///< [s] gaps
+};
+
+/// The crossings of one street.
+class StreetWatch {
+ public:
+  /// `street` must outlive it.
+  explicit StreetWatch(const Street& street) : street_(&street) {}
+
+  /// A step at `time` [s], `dt` [s] after the one before.
+  void step(double time, double dt, std::span<const PersonSample> persons,
+            std::span<const VehicleSample> vehicles);
+
+  const std::vector<SeenCrossing>& all() const { return all_; }
+
+ private:
+  enum class Side { kUnknown, kLow, kHigh };
+  /// Somebody who has been beside the street.
+  struct Pedestrian {
+    Side side = Side::kUnknown;  ///< of the ground where it was last
+    bool on_road = false;
+    double s = 0.0;       ///< [m] where it is, or where it stepped out
+    double ready = 0.0;   ///< [s] since when there is a gap: its arrival at the kerb, or the last
+                          ///< vehicle's pass
+    double waited = 0.0;  ///< [s]
+    bool at_kerb = false;
+    std::optional<double> gap;
+    std::vector<double> let_pass;
+  };
+
+  void note_passes(double time, std::span<const VehicleSample> vehicles);
+  void pass(double time, double from, double to);
+  void stand_on(Side side, Pedestrian& pedestrian, const std::string& id);
+
+  const Street* street_;
+  std::unordered_map<std::string, Pedestrian> people_;
+  std::unordered_map<std::string, double> fronts_;  ///< [m] s of vehicles in the last step
+  std::unordered_map<std::string, std::size_t> awaited_;  ///< of who has crossed, in all_: whose
+                                                          ///< next vehicle is still to come
+  std::vector<SeenCrossing> all_;
+};
+
+/// Those of all streets.
+class StreetCrossings {
+ public:
+  /// `zones` must outlive it.
+  explicit StreetCrossings(const std::vector<Zone>& zones);
+
+  void step(double time, double dt, std::span<const PersonSample> persons,
+            std::span<const VehicleSample> vehicles);
+
+  std::vector<SeenCrossing> all() const;
+  /// Adds its measures, where there are streets that may be crossed anywhere.
+  void finish(std::map<std::string, double>& values) const;
+
+ private:
+  std::vector<StreetWatch> streets_;
+};
+
+/// Gaps that were taken and let pass between the junctions.
+std::vector<GapChoice> gap_choices(std::span<const SeenCrossing> crossings);
+
+}  // namespace pedzone::study
