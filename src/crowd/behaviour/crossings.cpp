@@ -123,6 +123,7 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
               std::vector<CrossingBegun>& begun) {
   StreetCrossing& crossing = *crossing_of(crowd, i);
   const CrossingPlace& place = street_of(crowd, crossing).at(choice.walk.s);
+  if (choice.looked) note_gap(choice.view, crossing);
   CrossingBegun event;
   event.handle = crowd.handle(i);
   event.person = crowd.persons.key[i];

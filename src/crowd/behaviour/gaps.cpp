@@ -13,7 +13,7 @@ constexpr double kReaction = 1.5;     // [s] assumed: of a driver who sees someb
 constexpr double kComfort = 2.5;      // [m/s²] assumed: that it brakes with
 constexpr double kLongestWait = 3600.0;  // [s] numerical: an hour is for ever
 
-/// When the body is within the width that a vehicle covers.
+/// When the body is within the width that a vehicle covers, at most.
 struct Inside {
   double enter, leave;  ///< [s] from now on; leave < 0: it is past it already
 };
@@ -24,8 +24,8 @@ Inside inside(const CrossingWalk& walk, const StreetVehicle& vehicle) {
   const double near = side > 0.0 ? vehicle.low - room : -(vehicle.high + room);
   const double far = side > 0.0 ? vehicle.high + room : -(vehicle.low - room);
   const double here = side * walk.from;
-  const auto time = [&](double way) { return walk.start_up + way / walk.speed; };
-  return {near <= here ? 0.0 : time(near - here), far <= here ? -1.0 : time(far - here)};
+  const double enter = near <= here ? 0.0 : (near - here) / walk.speed;  // at the earliest
+  return {enter, far <= here ? -1.0 : walk.start_up + (far - here) / walk.speed};
 }
 
 /// Whether it drives beyond where the walk ends: a refuge.
