@@ -9,12 +9,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 
 export SUMO_HOME="${SUMO_HOME:-/usr/share/sumo}"
 readonly kVersion='^<net version="1\.9"'  # of the format that netconvert 1.15 writes
-readonly kNames=(plaza narrow-lane street-zone dense-square crossing experiments shopping-street)
+readonly kNames=(plaza narrow-lane street-zone dense-square crossing experiments shopping-street high-street)
+readonly kUnmarked=high-street/high-street-unmarked  # the same streets with other crossings
 
-# build NAME FILE
+# build NAME FILE [CONNECTIONS]
 build() {
-  local name=$1 file=$2 connections=()
-  [[ -f $name/$name.con.xml ]] && connections=(--connection-files "$name/$name.con.xml")
+  local name=$1 file=$2 connections=() own=${3:-$1/$1.con.xml}
+  [[ -f $own ]] && connections=(--connection-files "$own")
   netconvert --type-files streets.typ.xml --node-files "$name/$name.nod.xml" \
     --edge-files "$name/$name.edg.xml" "${connections[@]}" \
     --walkingareas true --no-turnarounds true --offset.disable-normalization true \
@@ -43,16 +44,24 @@ differs() {
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-differing=0
-for name in "${kNames[@]}"; do
-  build "$name" "$work/$name.net.xml"
-  if [[ ${1:-} == --check ]]; then
-    ! differs "$work/$name.net.xml" "$name/$name.net.xml" || differing=1
-  elif grep -q "$kVersion" "$work/$name.net.xml"; then
-    cp "$work/$name.net.xml" "$name/$name.net.xml"
+differing=0 mode=${1:-}
+
+# keep BUILT KEPT
+keep() {
+  if [[ $mode == --check ]]; then
+    ! differs "$1" "$2" || differing=1
+  elif grep -q "$kVersion" "$1"; then
+    cp "$1" "$2"
   else
     echo "Error: the networks that are kept are netconvert 1.15's; this is another one" >&2
     exit 1
   fi
+}
+
+for name in "${kNames[@]}"; do
+  build "$name" "$work/$name.net.xml"
+  keep "$work/$name.net.xml" "$name/$name.net.xml"
 done
+build "${kUnmarked%/*}" "$work/unmarked.net.xml" "$kUnmarked.con.xml"
+keep "$work/unmarked.net.xml" "$kUnmarked.net.xml"
 exit $differing

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/speeds.hpp"
+
 namespace pedzone {
 namespace {
 
 constexpr double kBeside = 0.3;       // [m] assumed: nobody lets a car pass nearer
 constexpr double kAlong = 0.5;        // [m] assumed: and none stop nearer to the line
+constexpr double kPast = 0.1;         // [m] assumed: gap to one that is parked
 constexpr double kAfter = 0.2;        // [s] assumed: after it has passed
 constexpr double kReaction = 1.5;     // [s] assumed: of a driver who sees somebody step out
 constexpr double kComfort = 2.5;      // [m/s²] assumed: that it brakes with
@@ -45,7 +48,7 @@ GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState
                     const std::function<bool(std::uint32_t vehicle)>& sees) {
   GapView view;
   for (const StreetVehicle& vehicle : traffic.vehicles) {
-    const double reach = walk.radius + kAlong;
+    const double reach = walk.radius + (vehicle.speed < kStaticSpeed ? kPast : kAlong);
     const double distance = vehicle.distance_to(walk.s) - reach;
     const double rear = distance + vehicle.length + 2.0 * reach;
     if (rear < 0.0) continue;  // it has passed

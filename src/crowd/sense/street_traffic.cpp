@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kUpstream = 150.0;   // [m] assumed: nobody looks farther beyond a street's ends
 constexpr double kAligned = 0.8;      // numerical: cosine; who drives more across turns off
-constexpr double kBeside = 1.0;       // [m] numerical: parked with two wheels on the kerb
 constexpr double kSlow = 5.0;         // [m/s] assumed: slower vehicles may be about to speed up ...
 constexpr double kPull = 1.0;         // [m/s²] assumed: ... by so much
 constexpr double kFlowTime = 120.0;   // [s] assumed: over which people know how busy a street is
@@ -37,7 +36,8 @@ std::optional<StreetVehicle> on_street(const Street& street, const VehicleState&
   const Vec2 front = vehicle.centre + heading * (0.5 * vehicle.length);
   const StreetPlace place = street.place(front);
   if (place.s < -kUpstream || place.s > street.length + kUpstream) return std::nullopt;
-  if (place.t < street.low - kBeside || place.t > street.high + kBeside) return std::nullopt;
+  const CrossingPlace& here = street.at(place.s);  // parked cars stand beside the lanes, too
+  if (place.t < here.low || place.t > here.high) return std::nullopt;
   const double along = heading.dot(place.direction);
   if (std::abs(along) < kAligned) return std::nullopt;
   return as_seen(vehicle, index, place.s, place.t, along > 0.0 ? 1 : -1);

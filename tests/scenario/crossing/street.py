@@ -118,6 +118,8 @@ class Walk:
 class Seen:
     """What the floating-car data of a run hold."""
     walks: dict = field(default_factory=dict)
+    types: dict = field(default_factory=dict)  # of persons
+    cars: dict = field(default_factory=dict)  # id -> [(time, x), ...]
     contacts: list = field(default_factory=list)  # (time, person, vehicle, its speed)
     brakings: list = field(default_factory=list)  # (time, vehicle, deceleration)
 
@@ -143,11 +145,13 @@ def read_fcd(path):
         if element.tag == "person":
             place = (float(element.get("x")), float(element.get("y")))
             people[element.get("id")] = place
+            seen.types[element.get("id")] = element.get("type")
             seen.walks.setdefault(element.get("id"), Walk()).track.append((now, *place))
         elif element.tag == "vehicle":
             name, speed = element.get("id"), float(element.get("speed"))
             cars[name] = (float(element.get("x")), float(element.get("y")),
                           float(element.get("angle")), speed)
+            seen.cars.setdefault(name, []).append((now, cars[name][0]))
         elif element.tag == "timestep":
             for name, car in cars.items():
                 slowed = (speeds.get(name, car[3]) - car[3]) / STEP
