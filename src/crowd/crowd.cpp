@@ -57,7 +57,7 @@ struct Crowd::State : CrowdState {
     children.begin(handle);
     paths.begin(handle);
     jams.begin(handle);
-    crossings.begin(handle);
+    if (!zone.streets.empty()) crossings.begin(handle);
     return handle;
   }
 
@@ -137,7 +137,9 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   if (person.group != 0) ++state.grouped;
   std::ranges::copy(person.rates, state.activities[walker.handle].rates.begin());
   walker.own_speed = preferred;
-  walker.way_by_junctions = person.by_junctions;
+  if (!state.zone.streets.empty()) {
+    state.crossings[walker.handle].by_junctions = person.by_junctions;
+  }
   const double awareness = person.profile != nullptr ? person.profile->awareness : 1.0;
   state.traffic[walker.handle].aware = person.aware.value_or(
       random_uniform(state.seed, person.key, 0, Purpose::kAwareness) < awareness);
@@ -220,7 +222,7 @@ PersonView Crowd::view(Handle handle) const {
           i < state.proposals.size() && state.proposals.best(i).by == Behaviour::kClaim,
           state.children[handle].holds_hand,
           state.is_over(i),
-          walker.by_junctions,
+          !state.zone.streets.empty() && state.crossings[handle].stays_outside,
           state.persons.present_radius[i]};
 }
 

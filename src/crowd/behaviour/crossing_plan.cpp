@@ -110,7 +110,7 @@ double next_stop(const Street& street, double from, double kerb, int side) {
 }
 
 void head_for_kerb(CrowdState& crowd, std::size_t i) {
-  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  const StreetCrossing& crossing = *crowd.crossing(i);
   Route& route = crowd.walkers[i].route;
   const Vec2 kerb = kerb_before(crowd, i, crossing.at);
   plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], {kerb, kerb}, route);
@@ -119,20 +119,51 @@ void head_for_kerb(CrowdState& crowd, std::size_t i) {
   go_on_to(route, route.next);
 }
 
+/// The crossing that makes the way shortest, by 5 m or more; null: none. `length` [m]: of the best
+/// way without one, then with it.
+std::unique_ptr<StreetCrossing> best_crossing(const CrowdState& crowd, std::size_t i,
+                                              const Vec2& to, double& length) {
+  std::unique_ptr<StreetCrossing> best;
+  for (const Candidate& candidate : candidates(crowd, i, to, length)) {
+    if (candidate.least >= length - kWorthWhile) break;
+    const Ways ways = ways_over(crowd, i, candidate, to);
+    const double width = width_at(crowd.zone.streets[candidate.street], candidate.s);
+    const double over = ways.to_kerb + width + ways.on;
+    if (!std::isfinite(over) || over > length - kWorthWhile) continue;
+    length = over;
+    best = std::make_unique<StreetCrossing>();
+    best->street = candidate.street;
+    best->side = candidate.side;
+    best->at = candidate.s;
+    best->beyond = ways.on;
+  }
+  return best;
+}
+
+/// [s] that it takes row i beside the way: the wait to be expected, and its aversion.
+double cost_of_crossing(const CrowdState& crowd, std::size_t i, const StreetCrossing& crossing) {
+  const double width = width_at(crowd.zone.streets[crossing.street], crossing.at);
+  const bool known = crossing.street < crowd.street_traffic.size();
+  const double flow = known ? crowd.street_traffic[crossing.street].flow : 0.0;
+  const CrossingWalk walk = walk_across(crowd, i, crossing.at);
+  const double needed = kFarShare * width / walk.speed + walk.start_up + walk.margin;
+  return expected_wait(flow, needed) + crowd.zone.parameters.crossing_aversion;
+}
+
 }  // namespace
 
 Vec2 kerb_before(const CrowdState& crowd, std::size_t i, double s) {
-  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  const StreetCrossing& crossing = *crowd.crossing(i);
   return before(crowd.zone.streets[crossing.street], s, crossing.side, crowd.persons.radius[i]);
 }
 
 Vec2 kerb_beyond(const CrowdState& crowd, std::size_t i, double s) {
-  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  const StreetCrossing& crossing = *crowd.crossing(i);
   return beyond(crowd.zone.streets[crossing.street], s, crossing.side, crowd.persons.radius[i]);
 }
 
 CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s) {
-  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  const StreetCrossing& crossing = *crowd.crossing(i);
   const Street& street = crowd.zone.streets[crossing.street];
   const Parameters& parameters = crowd.zone.parameters;
   const Profile* profile = crowd.walkers[i].profile;
@@ -152,56 +183,34 @@ CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s) {
 }
 
 void plan_crossing(CrowdState& crowd, std::size_t i, const Destination& destination) {
-  CrossingMemory& memory = crowd.crossings[crowd.handle(i)];
-  memory.reset();
   if (crowd.zone.streets.empty()) return;
-  WalkState& walker = crowd.walkers[i];
-  const Route& route = walker.route;
+  CrossingMemory& memory = crowd.crossings[crowd.handle(i)];
+  memory.now.reset();
+  const Route& route = crowd.walkers[i].route;
   const Vec2 here = crowd.position(i), to = 0.5 * (route.aim_a + route.aim_b);
-  const double by_nodes = route.found ? way_left(route, here) : walker.way_by_junctions;
+  const double by_nodes = route.found ? way_left(route, here) : memory.by_junctions;
   if (by_nodes - (to - here).norm() < kWorthWhile) return;
-  const bool child = goes_alone_as_child(crowd, i);
-  if (child && std::isfinite(by_nodes)) {
-    walker.by_junctions = !route.found;
+  if (goes_alone_as_child(crowd, i) && std::isfinite(by_nodes)) {
+    memory.stays_outside = !route.found;
     return;
   }
-
-  double least = by_nodes;
-  for (const Candidate& candidate : candidates(crowd, i, to, by_nodes)) {
-    if (candidate.least >= least - kWorthWhile) break;
-    const Ways ways = ways_over(crowd, i, candidate, to);
-    const double width = width_at(crowd.zone.streets[candidate.street], candidate.s);
-    const double length = ways.to_kerb + width + ways.on;
-    if (!(length < least - kWorthWhile) && std::isfinite(least)) continue;
-    if (!std::isfinite(length)) continue;
-    least = length;
-    memory = std::make_unique<StreetCrossing>();
-    memory->street = candidate.street;
-    memory->side = candidate.side;
-    memory->at = candidate.s;
-    memory->beyond = ways.on;
-    memory->destination = destination;
-  }
-  if (memory == nullptr) return;
-
-  const CrossingWalk walk = walk_across(crowd, i, memory->at);
-  const double width = width_at(crowd.zone.streets[memory->street], memory->at);
-  const double flow = memory->street < crowd.street_traffic.size()
-                          ? crowd.street_traffic[memory->street].flow
-                          : 0.0;
-  const double needed = kFarShare * width / walk.speed + walk.start_up + walk.margin;
-  const double across = least / walk.speed + expected_wait(flow, needed) +
-                        crowd.zone.parameters.crossing_aversion;
-  memory->detour = (by_nodes - least) / walk.speed;
-  walker.by_junctions = !route.found && across >= by_nodes / walk.speed;
-  if (route.found && across >= by_nodes / walk.speed) return;
-  if (!route.found) memory->detour = kInfinity;  // once it is the crowd's there is no other way
-  memory->phase = CrossingPhase::kToKerb;
+  double length = by_nodes;
+  memory.now = best_crossing(crowd, i, to, length);
+  if (memory.now == nullptr) return;
+  StreetCrossing& crossing = *memory.now;
+  crossing.destination = destination;
+  const double speed = crowd.persons.preferred_speed[i];
+  const bool slower = length / speed + cost_of_crossing(crowd, i, crossing) >= by_nodes / speed;
+  memory.stays_outside = !route.found && slower;
+  if (route.found && slower) return;  // by the junctions, unless a gap comes
+  // Once it is the crowd's there is no way by junctions outside the zone.
+  crossing.detour = route.found ? (by_nodes - length) / speed : kInfinity;
+  crossing.phase = CrossingPhase::kToKerb;
   head_for_kerb(crowd, i);
 }
 
 void go_by_nodes(CrowdState& crowd, std::size_t i) {
-  StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  StreetCrossing& crossing = *crowd.crossing(i);
   crossing.phase = CrossingPhase::kByNodes;
   crossing.at_kerb = false;
   plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], crossing.destination,
@@ -209,7 +218,7 @@ void go_by_nodes(CrowdState& crowd, std::size_t i) {
 }
 
 void head_across(CrowdState& crowd, std::size_t i, double s) {
-  const StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  const StreetCrossing& crossing = *crowd.crossing(i);
   Route& route = crowd.walkers[i].route;
   const Vec2 far = kerb_beyond(crowd, i, s);
   route.destination = {far, far};
@@ -223,7 +232,7 @@ void head_across(CrowdState& crowd, std::size_t i, double s) {
 
 void move_along_kerb(CrowdState& crowd, std::size_t i,
                      const std::function<bool(double s)>& is_barred) {
-  StreetCrossing& crossing = *crowd.crossings[crowd.handle(i)];
+  StreetCrossing& crossing = *crowd.crossing(i);
   const Street& street = crowd.zone.streets[crossing.street];
   const bool impulsive = is_impulsive(crowd, i);
   for (double way = kStreetStep; way <= street.length; way += kStreetStep) {

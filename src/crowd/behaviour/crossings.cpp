@@ -24,13 +24,6 @@ constexpr double kLargeVehicle = 6.0;  // [m] assumed: longer vehicles are too h
 constexpr double kGroupPatience = 30.0;  // [s] assumed: so long a group waits for a common gap
 constexpr double kTogether = 6.0;        // [m] assumed: who is nearer crosses with its group
 
-StreetCrossing* crossing_of(CrowdState& crowd, std::size_t i) {
-  return crowd.crossings[crowd.handle(i)].get();
-}
-const StreetCrossing* crossing_of(const CrowdState& crowd, std::size_t i) {
-  return crowd.crossings[crowd.handle(i)].get();
-}
-
 const Street& street_of(const CrowdState& crowd, const StreetCrossing& crossing) {
   return crowd.zone.streets[crossing.street];
 }
@@ -122,7 +115,7 @@ Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
 
 void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
               std::vector<CrossingBegun>& begun) {
-  StreetCrossing& crossing = *crossing_of(crowd, i);
+  StreetCrossing& crossing = *crowd.crossing(i);
   const CrossingPlace& place = street_of(crowd, crossing).at(choice.walk.s);
   if (choice.looked) note_gap(choice.view, crossing);
   CrossingBegun event;
@@ -149,7 +142,7 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
 }
 
 bool is_barred(const CrowdState& crowd, std::size_t i, double s) {
-  const StreetCrossing& crossing = *crossing_of(crowd, i);
+  const StreetCrossing& crossing = *crowd.crossing(i);
   CrossingWalk walk = walk_across(crowd, i, s);
   return look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, walk,
                      [](std::uint32_t) { return true; })
@@ -158,7 +151,7 @@ bool is_barred(const CrowdState& crowd, std::size_t i, double s) {
 
 /// Of who has not stepped out.
 void wait_or_leave(CrowdState& crowd, std::size_t i, const Choice& choice, double dt) {
-  StreetCrossing& crossing = *crossing_of(crowd, i);
+  StreetCrossing& crossing = *crowd.crossing(i);
   if (choice.considers && choice.looked) note_gap(choice.view, crossing);
   if (!crossing.at_kerb) return;
   const Vec2 kerb = kerb_before(crowd, i, crossing.at);
@@ -182,10 +175,10 @@ bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing&
 
 /// Of who is on the carriageway: how fast, or that it has got over.
 void go_over(CrowdState& crowd, std::size_t i) {
-  StreetCrossing& crossing = *crossing_of(crowd, i);
+  StreetCrossing& crossing = *crowd.crossing(i);
   if (has_come_over(crowd, i, crossing)) {
     const Destination destination = crossing.destination;
-    crowd.crossings[crowd.handle(i)].reset();
+    crowd.crossings[crowd.handle(i)].now.reset();
     crowd.walkers[i].wall_room = {};
     const PathMemory& path = crowd.paths[crowd.handle(i)];
     start_way(crowd, i, path != nullptr ? path->destination : destination);
@@ -232,10 +225,10 @@ std::vector<double> slowest_speeds(const CrowdState& crowd) {
 void hold_groups_together(const CrowdState& crowd, std::vector<Choice>& choices) {
   std::vector<std::uint8_t> held(choices.size(), 0);
   for (const GroupMember& member : crowd.members) {
-    const StreetCrossing* const own = crossing_of(crowd, member.row);
+    const StreetCrossing* const own = crowd.crossing(member.row);
     if (own == nullptr || !choices[member.row].ready || own->waited > kGroupPatience) continue;
     for (const GroupMember& other : group_of(crowd, member)) {
-      const StreetCrossing* const theirs = crossing_of(crowd, other.row);
+      const StreetCrossing* const theirs = crowd.crossing(other.row);
       if (other.row == member.row || theirs == nullptr || theirs->street != own->street) continue;
       if (theirs->phase == CrossingPhase::kOver) continue;
       const double gap = (crowd.position(other.row) - crowd.position(member.row)).norm();
@@ -250,13 +243,13 @@ void hold_groups_together(const CrowdState& crowd, std::vector<Choice>& choices)
 }  // namespace
 
 bool is_at_street(const CrowdState& crowd, std::size_t i) {
-  const StreetCrossing* const crossing = crossing_of(crowd, i);
+  const StreetCrossing* const crossing = crowd.crossing(i);
   if (crossing == nullptr) return false;
   return crossing->phase == CrossingPhase::kOver || crossing->at_kerb ||
          alongside(crowd, i, *crossing).open;
 }
 
-void come_to_kerb(CrowdState& crowd, std::size_t i) { crossing_of(crowd, i)->at_kerb = true; }
+void come_to_kerb(CrowdState& crowd, std::size_t i) { crowd.crossing(i)->at_kerb = true; }
 
 void cross_streets(CrowdState& crowd, double dt, std::vector<CrossingBegun>& begun) {
   if (crowd.zone.streets.empty()) return;
@@ -264,13 +257,13 @@ void cross_streets(CrowdState& crowd, double dt, std::vector<CrossingBegun>& beg
   const std::vector<double> slowest = slowest_speeds(crowd);
   std::vector<Choice> choices(walking);
   for (std::size_t i = 0; i < walking; ++i) {
-    const StreetCrossing* const crossing = crossing_of(crowd, i);
+    const StreetCrossing* const crossing = crowd.crossing(i);
     if (crossing == nullptr || crossing->phase == CrossingPhase::kOver) continue;
     choices[i] = consider(crowd, i, slowest[i], *crossing);
   }
   hold_groups_together(crowd, choices);
   for (std::size_t i = 0; i < walking; ++i) {
-    const StreetCrossing* const crossing = crossing_of(crowd, i);
+    const StreetCrossing* const crossing = crowd.crossing(i);
     if (crossing == nullptr) continue;
     if (crossing->phase == CrossingPhase::kOver) {
       go_over(crowd, i);
@@ -295,7 +288,7 @@ void propose_crossings(const CrowdState& crowd, Proposals& proposals) {
 void restrain_crossings(const CrowdState& crowd, Restraints& restraints) {
   if (crowd.zone.streets.empty()) return;
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
-    const StreetCrossing* const crossing = crossing_of(crowd, i);
+    const StreetCrossing* const crossing = crowd.crossing(i);
     if (crossing == nullptr) continue;
     if (crossing->phase == CrossingPhase::kOver) {
       Restraint only_vehicles;

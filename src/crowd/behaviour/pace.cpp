@@ -19,8 +19,9 @@ void set_paces(const CrowdState& crowd, std::vector<double>& preferred_speed) {
       const double share = info_of(memory.activity).speed;
       preferred_speed[i] =
           walker.own_speed * crowd.zone.weather->speed * (share > 0.0 ? share : 1.0);
-      const CrossingMemory& crossing = crowd.crossings[walker.handle];
-      if (crossing != nullptr) preferred_speed[i] = std::min(preferred_speed[i] * crossing->hurry, kMost);
+      if (const StreetCrossing* crossing = crowd.crossing(i)) {
+        preferred_speed[i] = std::min(preferred_speed[i] * crossing->hurry, kMost);
+      }
       if (memory.dash > 0.0) preferred_speed[i] = walker.profile->top_speed;
     }
   });

@@ -10,7 +10,7 @@ void plan_way(CrowdState& crowd, std::size_t i, const Destination& destination) 
   WalkState& walker = crowd.walkers[i];
   const Vec2 here = crowd.position(i);
   if (crowd.is_over(i)) {  // gets over first
-    crowd.crossings[walker.handle]->destination = destination;
+    crowd.crossing(i)->destination = destination;
     return;
   }
   plan(crowd.zone, here, crowd.persons.radius[i], destination, walker.route);

@@ -193,7 +193,7 @@ void follow_waypoints(CrowdState& crowd, double dt, std::uint64_t substeps) {
       const Vec2 from(crowd.moves.x[i], crowd.moves.y[i]), to = crowd.position(i);
       walker.standing = (to - from).norm() < kHaltingSpeed * dt ? walker.standing + dt : 0.0;
       if (!walker.arrived && !crowd.is_over(i)) {
-        const CrossingMemory& crossing = crowd.crossings[walker.handle];
+        const StreetCrossing* const crossing = crowd.crossing(i);
         const bool to_kerb = crossing != nullptr && crossing->phase == CrossingPhase::kToKerb;
         const PathMemory& path = crowd.paths[walker.handle];
         if (path != nullptr && comes_by(crowd.zone.walls, current(*path), from, to)) {

@@ -106,8 +106,12 @@ struct StreetCrossing {
   std::vector<float> rejected;  ///< [s] gaps that it has let pass
 };
 
-/// Null: it has no street to cross.
-using CrossingMemory = std::unique_ptr<StreetCrossing>;
+/// Of crossing streets, in zones with streets that may be crossed anywhere.
+struct CrossingMemory {
+  std::unique_ptr<StreetCrossing> now;  ///< null: it has no street to cross
+  double by_junctions = kNoWay;         ///< [m] as NewPerson, when it was added
+  bool stays_outside = false;           ///< would rather go by SUMO's junctions
+};
 
 /// Of not getting on among people (jams.cpp).
 struct JamMemory {

@@ -75,7 +75,7 @@ struct PersonView {
   bool makes_way;        ///< goes out of the room that a vehicle claims
   bool holds_hand;       ///< a child whom an adult leads by the hand
   bool crosses;          ///< a street, between the junctions
-  bool by_junctions;     ///< would rather go by SUMO's junctions (NewPerson::by_junctions)
+  bool stays_outside;    ///< would rather go by SUMO's junctions (NewPerson::by_junctions)
   double radius;         ///< [m] of the body as it holds its shoulders now
 };
 

@@ -38,8 +38,6 @@ struct WalkState {
   bool new_here = true;       ///< has not been walked yet
   bool pressed = false;       ///< others kept it from moving as it meant to in the last substep
   bool arrived = false, gave_up = false;
-  bool by_junctions = false;                       ///< would rather go by SUMO's
-  double way_by_junctions = kNoWay;                ///< [m] when it was added
 };
 
 /// The moves of all bodies within one substep, in the order of Persons.
@@ -122,7 +120,7 @@ struct CrowdState {
   ByHandle<ChildMemory> children;
   ByHandle<PathMemory> paths;
   ByHandle<JamMemory> jams;
-  ByHandle<CrossingMemory> crossings;
+  ByHandle<CrossingMemory> crossings;  ///< empty where the zone has no streets to cross
   std::size_t grouped = 0;  ///< how many walkers have a group
 
   // The clock: one.
@@ -156,10 +154,17 @@ struct CrowdState {
   Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
   Vec2 velocity(std::size_t i) const { return {persons.vx[i], persons.vy[i]}; }
   PersonHandle handle(std::size_t i) const { return walkers[i].handle; }
+  /// The street that row i may cross; null: none.
+  const StreetCrossing* crossing(std::size_t i) const {
+    return zone.streets.empty() ? nullptr : crossings[handle(i)].now.get();
+  }
+  StreetCrossing* crossing(std::size_t i) {
+    return zone.streets.empty() ? nullptr : crossings[handle(i)].now.get();
+  }
   /// Whether row i is on a carriageway between the junctions.
   bool is_over(std::size_t i) const {
-    const CrossingMemory& crossing = crossings[handle(i)];
-    return crossing != nullptr && crossing->phase == CrossingPhase::kOver;
+    const StreetCrossing* const street = crossing(i);
+    return street != nullptr && street->phase == CrossingPhase::kOver;
   }
   /// What keeps row i inside: for who crosses a street its kerbs are none.
   const WallIndex& walls_of(std::size_t i) const {

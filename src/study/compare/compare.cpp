@@ -150,7 +150,7 @@ std::vector<Comparison> compare(const Plan& plan, const Records& records) {
       for (const Measure& measure : measure_list()) {
         const std::string key(measure.key);
         const Pairs pairs = collect_pairs(records, reference_runs, model_runs, key);
-        if (measure.optional && pairs.differences.empty()) continue;
+        if (measure.optional && pairs.undefined > 0 && pairs.differences.empty()) continue;
         comparisons.push_back(compare_pairs_of(plan, condition, model, pairs, key));
       }
       mark_cut_off(std::span(comparisons).subspan(first));

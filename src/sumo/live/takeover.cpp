@@ -206,7 +206,7 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   guest.handle = crowds_[zone]->add(
       new_person(walker, plan, hints, static_cast<std::size_t>(zone), guest.preferred_speed));
   guest.position = crowds_[zone]->view(guest.handle).position;
-  if (crowds_[zone]->view(guest.handle).by_junctions) {
+  if (crowds_[zone]->view(guest.handle).stays_outside) {
     // SUMO walks it over the signalled crossing, to which the zone does not reach.
     past_[walker.id].refused_edge = network_.edge_index.at(sumo_.edge(walker.id));
     crowds_[zone]->remove(guest.handle);

@@ -104,7 +104,7 @@ TEST_F(ZoneFile, names_line_element_value_and_what_is_allowed) {
               HasSubstr("'nan' is not a number"));
   EXPECT_THAT(error("<zones>\n<zone id=\"a\" openspace=\"12\"/></zones>"),
               HasSubstr("2: <zone id=\"a\">: 'openspace' is an unknown attribute; allowed: id, "
-                        "edges, edgeTypes, lanes, polygons, openSpace, weather, model"));
+                        "edges, edgeTypes, lanes, polygons, openSpace, crossing, weather, model"));
   EXPECT_EQ(error("<zones>\n<zone id=\"a\" model=\"magic\"/></zones>"),
             "2: <zone id=\"a\"> attribute model: 'magic' is no walking model; allowed: " +
                 allowed_models());
