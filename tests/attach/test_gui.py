@@ -13,7 +13,7 @@ import unittest
 from pathlib import Path
 
 import attached
-from attached import AttachedCase, rows
+from attached import LONG, AttachedCase
 
 SCENARIOS = Path(os.path.abspath(sys.argv.pop(2)))
 KEEP = os.path.abspath(sys.argv.pop()) if sys.argv[2:3] == ["--keep"] and sys.argv.pop(2) else None
@@ -23,7 +23,7 @@ SELECTING = """
     import sys
     sys.path.append("/usr/share/sumo/tools")
     import traci
-    traci.init({port}, numRetries=60)
+    traci.init({port}, numRetries=300)
     traci.setOrder(1)
     chosen = None
     for _ in range({steps}):
@@ -59,11 +59,11 @@ class Gui(AttachedCase):
         with_gui = self.gui(config, 60, "--trajectories", "gui.csv", "--screenshots", "shots",
                             "--clients", "1", "--port", self.port)
         selecting = self.start(sys.executable, client)
-        _, errors = with_gui.communicate(timeout=240)
+        _, errors = with_gui.communicate(timeout=LONG)
         self.assertEqual(with_gui.returncode, 0, errors)
-        selecting.communicate(timeout=60)
+        selecting.communicate(timeout=LONG)
         without = self.start(self.pedzone, "run", config, "--end", 60, "--trajectories", "run.csv")
-        without.communicate(timeout=120)
+        without.communicate(timeout=LONG)
         self.assertEqual((self.folder / "gui.csv").read_bytes(),
                          (self.folder / "run.csv").read_bytes())
         pictures = sorted((self.folder / "shots").glob("step-*.png"))
@@ -78,10 +78,30 @@ class Gui(AttachedCase):
         self.assertEqual(sum(1 for pixel in pixels(pictures[300]) if pixel == LEGEND["rays"]), 0,
                          "nobody was selected then")
 
+    def test_a_joined_sumo_gui_is_drawn_in(self):
+        config = SCENARIOS / "plaza/plaza-high.sumocfg"
+        self.start("xvfb-run", "-a", "-s", "-screen 0 1400x900x24", "sumo-gui", "-c", config,
+                   "--remote-port", self.port, "--start", "--quit-on-end", "--window-size",
+                   "1400,900", "--gui-settings-file", SCENARIOS / "av-in-the-loop/view.xml")
+        pedzone = self.attach("--order", 1, "--end", 30, "--screenshots", "shots", config=config)
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 0, errors)
+        pictures = sorted((self.folder / "shots").glob("step-*.png"))
+        self.assertGreater(len(pictures), 290)
+        seen = sum(1 for pixel in pixels(pictures[290]) if pixel == LEGEND["walking"])
+        self.assertGreater(seen, 20)
+
+    def test_a_joined_sumo_without_a_window_takes_no_pictures(self):
+        self.start_sumo(1)
+        pedzone = self.attach("--order", 1, "--screenshots", "shots")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 2)
+        self.assertIn("the SUMO that runs has no window", errors)
+
     def test_without_a_display_it_says_so(self):
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
         done = subprocess.run([self.pedzone, "run", str(self.config), "--gui"], cwd=self.folder,
-                              capture_output=True, text=True, timeout=60, env=environment)
+                              capture_output=True, text=True, timeout=LONG, env=environment)
         self.assertEqual(done.returncode, 3)
         self.assertIn("SUMO ended while it was starting", done.stderr)
 
