@@ -7,7 +7,7 @@ usage: run.py [--pedzone build/src/app/pedzone] [--sensor-range 20] [--seed 1] [
 import argparse
 import csv
 import json
-import socket
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -17,36 +17,22 @@ HERE = Path(__file__).resolve().parent
 PROGRAM = HERE.parents[1] / "build/src/app/pedzone"
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
 def run(pedzone, out, seed, sensor_range, gui=False):
-    """One run; its files are in the folder `out`."""
-    port = free_port()
+    """One run; its files are in the folder `out`. pedzone starts SUMO and the controller."""
+    controller = [sys.executable, HERE / "shuttle.py", "--sensor-range", sensor_range,
+                  "--log", out / "shuttle.csv"]
     words = ["--gui"] if gui else []
-    view = ["--gui-settings-file", str(HERE / "view.xml")] if gui else []
-    walking = subprocess.Popen(
-        [str(pedzone), "run", str(HERE / "plaza.sumocfg"), "--clients", "1", "--port", str(port),
-         "--seed", str(seed), "--summary", str(out / "summary.json"),
-         "--trajectories", str(out / "people.csv"), "--conflict-csv", str(out / "conflicts.csv"),
-         "--quiet", *words, "--", "--fcd-output", str(out / "fcd.xml"), "--no-warnings",
-         *view],
+    view = ["--gui-settings-file", HERE / "view.xml"] if gui else []
+    done = subprocess.run(
+        [str(word) for word in (
+            pedzone, "run", HERE / "plaza.sumocfg", "--client",
+            shlex.join(map(str, controller)) + " --port {port}",
+            "--seed", seed, "--summary", out / "summary.json",
+            "--trajectories", out / "people.csv", "--conflict-csv", out / "conflicts.csv",
+            "--quiet", *words, "--", "--fcd-output", out / "fcd.xml", "--no-warnings", *view)],
         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    driving = subprocess.Popen(
-        [sys.executable, str(HERE / "shuttle.py"), "--port", str(port), "--sensor-range",
-         str(sensor_range), "--log", str(out / "shuttle.csv")],
-        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    try:
-        _, complaint = walking.communicate()
-        _, trouble = driving.communicate(timeout=20)
-    finally:  # whatever ends one ends all
-        for process in (walking, driving):
-            process.kill()
-    if walking.returncode or driving.returncode:
-        raise SystemExit(complaint + trouble)
+    if done.returncode:
+        raise SystemExit(done.stderr)
 
 
 def measures(out):

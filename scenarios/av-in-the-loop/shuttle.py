@@ -3,7 +3,7 @@
 
 It is meant to be copied: replace Sensor and Driver by your own, keep the loop.
 
-usage: shuttle.py --port 8813 [--order 1] [--sensor-range 20] [--log shuttle.csv]
+usage: shuttle.py --port 8813 [--order 1] [--speed 15] [--sensor-range 20] [--log shuttle.csv]
 """
 
 import argparse
@@ -16,7 +16,6 @@ sys.path.append(os.path.join(os.environ.get("SUMO_HOME", "/usr/share/sumo"), "to
 import traci  # noqa: E402  (SUMO's tools have to be found first)
 
 LENGTH, WIDTH = 3.93, 1.98  # m
-CRUISE = 15 / 3.6           # m/s
 ACCELERATION = 1.0          # m/s2
 COMFORTABLE = 1.5           # m/s2 of braking
 EMERGENCY = 6.0             # m/s2 of braking
@@ -98,8 +97,8 @@ def body(vehicle):
 class Driver:
     """Chooses an acceleration [m/s2] from what the sensor sees."""
 
-    def __init__(self, step):
-        self.step, self.before = step, {}
+    def __init__(self, step, cruise):
+        self.step, self.cruise, self.before = step, cruise, {}
 
     def choose(self, seen, place, heading, speed):
         room = math.inf  # m to the nearest person who is or will be in the way
@@ -115,11 +114,11 @@ class Driver:
                     room = min(room, max(0.0, along - STANDOFF))
         self.before = seen
         if room == math.inf:
-            return min(ACCELERATION, (CRUISE - speed) / self.step)
+            return min(ACCELERATION, (self.cruise - speed) / self.step)
         needed = speed * speed / (2 * room) if room > 0 else EMERGENCY
         if needed > 2 * COMFORTABLE:
             return -min(EMERGENCY, speed / self.step)
-        target = min(CRUISE, math.sqrt(2 * COMFORTABLE * room))
+        target = min(self.cruise, math.sqrt(2 * COMFORTABLE * room))
         return max(-EMERGENCY, min(ACCELERATION, (target - speed) / self.step))
 
 
@@ -127,11 +126,12 @@ def drive(options, log):
     step = traci.simulation.getDeltaT()
     way = Way(traci.route.getEdges(options.route))
     sensor = Sensor(options.sensor_range, options.opening)
-    end, trips, me, s, speed, driver = options.end, 0, None, 0.0, 0.0, None
-    while traci.simulation.getTime() < end:
+    cruise = options.speed / 3.6
+    trips, me, s, speed, driver = 0, None, 0.0, 0.0, None
+    while traci.simulation.getTime() < options.end:
         time = traci.simulation.getTime()
         if me is None and options.begin <= time < options.last:
-            me, s, speed, driver, trips = f"shuttle{trips}", 0.5, 0.0, Driver(step), trips + 1
+            me, s, speed, driver, trips = f"shuttle{trips}", 0.5, 0.0, Driver(step, cruise), trips + 1
             traci.vehicle.add(me, options.route, typeID="shuttle", departPos="0")
         elif me in traci.vehicle.getIDList():
             place, heading = way.place(s)
@@ -154,6 +154,7 @@ def main():
     parser.add_argument("--port", type=int, default=8813, help="at which SUMO listens")
     parser.add_argument("--order", type=int, default=1, help="place among SUMO's clients")
     parser.add_argument("--route", default="westward", help="a route of the scenario")
+    parser.add_argument("--speed", type=float, default=15.0, help="km/h that it keeps")
     parser.add_argument("--sensor-range", type=float, default=20.0, help="m")
     parser.add_argument("--opening", type=float, default=120.0, help="degrees")
     parser.add_argument("--begin", type=float, default=60.0, help="s, of the first trip")

@@ -7,7 +7,6 @@ namespace pedzone {
 namespace {
 
 constexpr const char* kSumo = "The running SUMO";
-constexpr int kHighestPort = 65535;
 constexpr int kHighestOrder = 1000;  // SUMO's MAX_ORDER
 
 constexpr const char* kFooter =
@@ -19,6 +18,11 @@ constexpr const char* kFooter =
     "lowest order first. pedzone reads the network and the zones from the same configuration, so "
     "it\n"
     "must be the one that SUMO runs. It walks people as `pedzone run` does, to the same bits.\n\n"
+    "A person that another client moves has to have the parameter pedzone.external=\"true\" (its "
+    "own\n"
+    "or its vType's) where that client's order is lower than pedzone's: the last word of a step "
+    "wins,\n"
+    "and SUMO tells nobody of an earlier one. Other persons and all vehicles are noticed.\n\n"
     "When pedzone ends (its --end, SUMO's, or Ctrl-C), SUMO has its people back and goes on for "
     "its\n"
     "other clients.\n\n"
@@ -27,7 +31,7 @@ constexpr const char* kFooter =
 
 void add_address(CLI::App& command, TraciAddress& address) {
   command.add_option("--port", address.port, "SUMO's --remote-port")
-      ->check(whole_number_in(1, kHighestPort))
+      ->check(a_port())
       ->type_name(kNumber)
       ->capture_default_str()
       ->group(kSumo);
@@ -59,6 +63,7 @@ void add_attach(CLI::App& app, int& code) {
       "attach", "Walk the persons of a SUMO that runs, beside its other TraCI clients");
   command->footer(kFooter);
   add_address(*command, *options->attach);
+  add_screenshots(*command, *options)->group(kSumo);
   add_walking_options(*command, *options);
   add_output_options(*command, *options);
   add_conflict_options(*command, options->conflicts);

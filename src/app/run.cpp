@@ -106,8 +106,8 @@ void warn_of_interrupt(const RunSummary& totals) {
 void warn_of_stranded(const std::vector<std::string>& ids) {
   if (ids.empty()) return;
   print_warning(
-      fmt::format("{} persons stand where pedzone left them, e.g. '{}': SUMO cannot walk "
-                  "on who has a route of one edge with one lane.",
+      fmt::format("{} persons stand where pedzone left them, e.g. '{}': their routes have no lane "
+                  "for persons, of 0.5 m or more, on which SUMO could walk them on.",
                   ids.size(), ids.front()));
 }
 
@@ -173,7 +173,7 @@ int simulate(RunOptions& options) {
   }
   OutputFiles outputs(options);
   Progress progress(!is_quiet() && !has_step_log(prepared.scenario));
-  StepWatch watch(options.attach || options.own.clients > 0);
+  StepWatch watch(options.attach || options.own.all_clients() > 0);
   watch.begin("for SUMO to be there with all its clients (--remote-port, --num-clients)");
   Simulation simulation(prepared);
   watch.end();

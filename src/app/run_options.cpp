@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
+
 #include "app/command_line/common_options.hpp"
 #include "app/command_line/values.hpp"
 #include "results/trajectories.hpp"
@@ -36,6 +38,15 @@ void add_walking_options(CLI::App& command, RunOptions& options) {
   add_threads(command, options.threads)->group(group);
 }
 
+CLI::Validator a_port() { return whole_number_in(1, std::numeric_limits<std::uint16_t>::max()); }
+
+CLI::Option* add_screenshots(CLI::App& command, RunOptions& options) {
+  return command
+      .add_option("--screenshots", options.screenshots,
+                  "Have sumo-gui write a picture of each step: FOLDER/step-000000.png, ...")
+      ->type_name(kFolder);
+}
+
 void add_process_options(CLI::App& command, RunOptions& options) {
   const char* group = "SUMO as a process of its own";
   auto* gui = command.add_flag("--gui", options.own.gui, "Show the run in sumo-gui")->group(group);
@@ -45,12 +56,7 @@ void add_process_options(CLI::App& command, RunOptions& options) {
       ->capture_default_str()
       ->group(group)
       ->needs(gui);
-  command
-      .add_option("--screenshots", options.screenshots,
-                  "Write a picture of each step: FOLDER/step-000000.png, ...")
-      ->type_name(kFolder)
-      ->group(group)
-      ->needs(gui);
+  add_screenshots(command, options)->group(group)->needs(gui);
   auto* clients =
       command
           .add_option("--clients", options.own.clients,
@@ -59,8 +65,15 @@ void add_process_options(CLI::App& command, RunOptions& options) {
           ->type_name(kNumber)
           ->capture_default_str()
           ->group(group);
+  command
+      .add_option(
+          "--client", options.own.client,
+          "Start a client of yours, too, by this command of a shell; {port} in it is SUMO's")
+      ->type_name("COMMAND")
+      ->group(group)
+      ->excludes(clients);
   command.add_option("--port", options.own.port, "At which SUMO listens for them")
-      ->check(whole_number_in(1, 65535))
+      ->check(a_port())
       ->type_name(kNumber)
       ->default_str("8813")
       ->group(group)

@@ -36,11 +36,13 @@ struct RunOptions {
   std::optional<TraciAddress> attach;     ///< a SUMO that runs; unset: one of our own
   std::string screenshots;                ///< folder; empty: none
   OwnSumo own;                            ///< how that is, where it is another process
-  bool own_process() const { return own.gui || own.clients > 0; }
+  bool own_process() const { return own.gui || own.all_clients() > 0; }
 };
 
 /// How people are walked: the scenario, --zone, --model, --seed, --end, --threads.
 void add_walking_options(CLI::App& command, RunOptions& options);
+CLI::Validator a_port();  ///< of TCP
+CLI::Option* add_screenshots(CLI::App& command, RunOptions& options);
 /// --gui, --clients and what belongs to them.
 void add_process_options(CLI::App& command, RunOptions& options);
 void add_strict_flag(CLI::App& command, RunOptions& options);

@@ -14,11 +14,8 @@
 #include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "results/complete_file.hpp"
-#include "study/run/process.hpp"
 
 namespace pedzone {
-
-using study::die_with_parent;
 
 int supervise(const std::function<int()>& work, const std::vector<std::string>& outputs) {
   std::fflush(nullptr);

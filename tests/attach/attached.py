@@ -6,12 +6,15 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent / "cli"))
 from tiny_scenario import TinyScenario, sumo_environment  # noqa: E402
+
+LONG = 300  # s; nothing takes that long, on a busy machine either, unless it hangs
 
 FLOW = """<routes>
   <personFlow id="f" begin="0" end="1000" period="5"><walk edges="west shared east"/></personFlow>
@@ -60,9 +63,22 @@ class AttachedCase(unittest.TestCase):
         return self.start("sumo", "-c", config or self.config, "--remote-port", self.port,
                           "--num-clients", clients, "--no-step-log", *words)
 
-    def attach(self, *words, config=None):
+    def attach(self, *words, config=None, patience=LONG):
         return self.start(self.pedzone, "attach", config or self.config, "--port", self.port,
-                          *words)
+                          "--patience", patience, *words)
+
+    def hear(self, process, text):
+        """Everything up to the line with `text` that a process says on its standard error."""
+        too_long = threading.Timer(LONG, process.kill)
+        too_long.start()
+        said = ""
+        for line in process.stderr:
+            said += line
+            if text in line:
+                break
+        too_long.cancel()
+        self.assertIn(text, said)
+        return said
 
     def client(self, *words):
         return self.start("/usr/bin/python3", HERE / "client.py", "--port", self.port, *words)

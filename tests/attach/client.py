@@ -21,7 +21,7 @@ def main():
     parser.add_argument("--steps", type=int, default=10**9)
     parser.add_argument("--then", choices=["close", "hang", "die"], default="close")
     options = parser.parse_args()
-    traci.init(options.port, numRetries=20)
+    traci.init(options.port, numRetries=300)
     traci.setOrder(options.order)
     for _ in range(options.steps):
         traci.simulationStep()

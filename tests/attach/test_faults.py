@@ -15,9 +15,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 import attached
-from attached import AttachedCase, rows, sumo_environment
-
-LONG = 60  # s; nothing here takes that long unless it hangs
+from attached import HERE, LONG, AttachedCase, rows, sumo_environment
 
 
 class Faults(AttachedCase):
@@ -47,7 +45,7 @@ class Faults(AttachedCase):
 
     def test_sumo_is_not_there(self):
         began = time.monotonic()
-        pedzone = self.attach("--patience", 1, "--summary", "s.json")
+        pedzone = self.attach("--summary", "s.json", patience=1)
         _, errors = pedzone.communicate(timeout=LONG)
         self.assertEqual(pedzone.returncode, 3)
         self.assertIn(f"No SUMO listens at localhost:{self.port} (tried for 1 s)", errors)
@@ -72,14 +70,13 @@ class Faults(AttachedCase):
                     connection.recv(100)
                     connection.sendall(b"HTTP/1.1 400 Bad Request\r\n\r\n")
             threading.Thread(target=answer, daemon=True).start()
-            pedzone = self.attach("--patience", 1)
+            pedzone = self.attach(patience=1)
             _, errors = pedzone.communicate(timeout=LONG)
         self.assertEqual(pedzone.returncode, 3)
         self.assertIn("does not speak TraCI", errors)
 
     def test_another_version_of_traci(self):
         sumo = self.start_sumo(1)
-        time.sleep(1.0)
         with socket.create_server(("127.0.0.1", 0)) as server:
             threading.Thread(target=newer_sumo, args=(server, self.port), daemon=True).start()
             pedzone = self.start(self.pedzone, "attach", self.config, "--port",
@@ -126,11 +123,10 @@ class Faults(AttachedCase):
         client = self.client("--steps", 40, "--then", "hang")
         pedzone = self.attach("--order", 2, "--end", 10**6, "--summary", "s.json")
         self.assertEqual(client.stdout.readline(), "hangs\n")
-        time.sleep(12.0)
+        self.hear(pedzone, "Waiting since 10 s for SUMO, which waits for another of its clients")
         self.assertIsNone(pedzone.poll(), "it goes on waiting")
         pedzone.send_signal(signal.SIGINT)
         _, errors = pedzone.communicate(timeout=LONG)
-        self.assertIn("Waiting since 10 s for SUMO, which waits for another of its clients", errors)
         self.assertEqual(pedzone.returncode, 130, errors)
         self.assertTrue(self.summary()["interrupted"])
 
@@ -153,6 +149,28 @@ class Faults(AttachedCase):
                     ElementTree.parse(self.folder / "trips.xml").iter("personinfo")]
         # 180 m in the 950 s that the client steps: at 0.75 m/s at least.
         self.assertEqual(len([time for time in departed if time <= 700.0]), 141)
+
+    def test_who_has_no_lane_to_change_to_walks_on_too(self):
+        """SUMO takes nobody back on the lane that it has the person on: its walk begins anew."""
+        self.tiny.write("tiny.rou.xml", """<routes>
+          <personFlow id="f" begin="0" end="60" period="6">
+            <walk edges="shared" arrivalPos="50"/><stop lane="shared_0" endPos="50" duration="1"/>
+          </personFlow></routes>""")
+        sumo = self.start_sumo(2, "--tripinfo-output", "trips.xml")
+        client = self.client("--steps", 390)
+        pedzone = self.attach("--order", 2, "--end", 30, "--trajectories", "t.csv")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 0, errors)
+        self.assertNotIn("stand where", errors)
+        client.communicate(timeout=LONG)
+        sumo.communicate(timeout=LONG)
+        self.assertEqual(sumo.returncode, 0)
+        walked = {row["id"] for row in rows(self.folder / "t.csv")}
+        self.assertEqual(len(walked), 5)
+        arrived = {trip.get("id") for trip in
+                   ElementTree.parse(self.folder / "trips.xml").iter("personinfo")
+                   if [stop.get("arrival") for stop in trip.iter("stop")]}
+        self.assertEqual(walked - arrived, set())
 
     def test_a_second_pedzone(self):
         self.start_sumo(2)
@@ -188,6 +206,31 @@ class Faults(AttachedCase):
         self.assertEqual(pedzone.returncode, 3)
         self.assertIn("two clients have the same order", errors)
 
+    def own(self, client):
+        """pedzone with a SUMO and a client that it starts itself."""
+        return self.start(self.pedzone, "run", self.config, "--end", 20, "--client", client,
+                          "--summary", "s.json")
+
+    def test_a_client_of_its_own(self):
+        pedzone = self.own(f"/usr/bin/python3 '{HERE}/client.py' --port {{port}} --steps 40")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 0, errors)
+        self.assertFalse(self.summary()["sumo_gone"])
+
+    def test_a_client_of_its_own_that_cannot_be_started(self):
+        pedzone = self.own("no-such-program {port}")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertIn("The client that was started ended with exit code 127", errors)
+
+    def test_a_client_of_its_own_that_is_killed(self):
+        pedzone = self.own(f"/usr/bin/python3 '{HERE}/client.py' --port {{port}} --steps 20 "
+                           "--then die")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertIn("another client broke off", errors)
+        self.assertTrue(self.summary()["sumo_gone"])
+
     def test_another_network(self):
         self.start("sumo", "-n", self.other_network(), "--remote-port", self.port)
         pedzone = self.attach("--order", 1)
@@ -210,10 +253,19 @@ def established(port):
     return sum(line[1].endswith(f":{port:04X}") and line[3] == connected for line in lines)
 
 
+def connected(port):
+    """To a SUMO that may yet have to come."""
+    while True:
+        try:
+            return socket.create_connection(("127.0.0.1", port))
+        except ConnectionRefusedError:
+            time.sleep(0.05)
+
+
 def newer_sumo(server, port):
     """Hands on what is said, but for the version that SUMO tells."""
     connection, _ = server.accept()
-    with connection, socket.create_connection(("127.0.0.1", port)) as sumo:
+    with connection, connected(port) as sumo:
         sumo.sendall(connection.recv(100))
         answer = bytearray(sumo.recv(1000))
         # length (4), status (7), then length (1), command (1), and the version (4)

@@ -5,12 +5,12 @@ walks the people: real SUMO, SUMO's own traci.
 usage: test_outside.py PEDZONE_PROGRAM
 """
 
-import subprocess
+import math
 import sys
 import textwrap
 
 import attached
-from attached import AttachedCase, rows, sumo_environment
+from attached import LONG, AttachedCase, rows
 
 WALKERS = """<routes>
   <vType id="car"/>
@@ -37,7 +37,7 @@ class Outside(AttachedCase):
             import sys
             sys.path.append("/usr/share/sumo/tools")
             import traci
-            traci.init({self.port}, numRetries=20)
+            traci.init({self.port}, numRetries=300)
             traci.setOrder({order})
             t, seen = 0.0, []
             while t < {end}:
@@ -52,11 +52,11 @@ class Outside(AttachedCase):
         client = self.start(sys.executable, script)
         pedzone = self.attach("--order", 3 - order, "--end", end, "--trajectories", "t.csv",
                               "--summary", "s.json")
-        output, errors = pedzone.communicate(timeout=120)
-        _, complaint = client.communicate(timeout=60)
+        output, errors = pedzone.communicate(timeout=LONG)
+        _, complaint = client.communicate(timeout=LONG)
         self.assertEqual(client.returncode, 0, complaint)
         self.assertEqual(pedzone.returncode, 0, errors)
-        sumo.communicate(timeout=60)
+        sumo.communicate(timeout=LONG)
         self.assertEqual(sumo.returncode, 0)
         return errors
 
@@ -162,6 +162,28 @@ class Outside(AttachedCase):
         self.assertLess(nearest, 3.0, "they meet")
         self.assertGreater(nearest, 0.3)
 
+    def test_others_see_how_fast_it_really_walks(self):
+        """It walks up and down across the lane on which SUMO has it. SUMO tells 57 m/s then: people
+        would keep far away from that."""
+        self.together("""
+            if "visitor" in persons and t >= 30:
+                k = (t - 30) * 1.5 % 12
+                y = -1.0 - (k if k < 6 else 12 - k)
+                traci.person.moveToXY("visitor", "shared", 90.0, y, 180 if k < 6 else 0, 2, 100)
+            """, order=2, end=160)
+        nearest = {}
+        for row in rows(self.folder / "t.csv"):
+            t = float(row["time"])
+            if row["id"] == "visitor" or t < 34:
+                continue
+            k = (t - 30) * 1.5 % 12
+            away = math.dist((float(row["x"]), float(row["y"])),
+                             (90.0, -1.0 - (k if k < 6 else 12 - k)))
+            nearest[row["id"]] = min(away, nearest.get(row["id"], 100.0))
+        met = [away for away in nearest.values() if away < 3.0]
+        self.assertGreater(len(met), 50)
+        self.assertLess(sum(met) / len(met), 1.5)
+
     def test_persons_and_vehicles_added_rerouted_and_removed(self):
         errors = self.together("""
             k = round(t / 0.5)
@@ -185,7 +207,7 @@ class Outside(AttachedCase):
         added = {row["id"] for row in rows(self.folder / "t.csv") if row["id"].startswith("p")}
         self.assertGreater(len(added), 10)
 
-    def test_horn_and_after_you(self):
+    def test_horn(self):
         """Parameters that a client sets while it runs are read in each step."""
         def crossing_time(program):
             self.together(program, end=150)
@@ -196,6 +218,25 @@ class Outside(AttachedCase):
                 traci.vehicle.setParameter("v", "pedzone.horn", "true")
             """)
         self.assertNotEqual(patient, insistent)
+
+    def test_after_you(self):
+        """Who is let go first does not leave the way of a vehicle that comes towards them."""
+        def in_its_way(program):
+            self.together("""
+                if "v" in vehicles:
+                    seen.append(t)
+                    x = max(66.0, 116 - 1.0 * (t - seen[0]))
+                    traci.vehicle.moveToXY("v", "", -1, x, -2.5, 270, 2)
+                """ + program, end=130, routes=WALKERS.format(type="own"))
+            front = {t: x for t, (_, x) in self.speeds().items()}
+            return sum(abs(float(row["y"]) + 2.5) < 1.2 for row in rows(self.folder / "t.csv")
+                       if 0 < front.get(float(row["time"]), 0.0) - float(row["x"]) < 5)
+        usual = in_its_way("")
+        invited = in_its_way("""
+                    traci.vehicle.setParameter("v", "pedzone.signal", "after-you")
+            """)
+        self.assertGreater(usual, 0)
+        self.assertGreater(invited, 1.5 * usual)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 import attached
-from attached import AttachedCase
+from attached import LONG, AttachedCase
 
 SCENARIOS = Path(os.path.abspath(sys.argv.pop(2)))
 
@@ -21,12 +21,12 @@ class Same(AttachedCase):
         seeds = [] if seed is None else ["--seed", seed]
         run = self.start(self.pedzone, "run", config, "--end", end, "--trajectories", "run.csv",
                          "--summary", "run.json", *seeds)
-        _, errors = run.communicate(timeout=200)
+        _, errors = run.communicate(timeout=LONG)
         self.assertEqual(run.returncode, 0, errors)
         self.start_sumo(1, *seeds, config=config)
         pedzone = self.attach("--order", 1, "--end", end, "--trajectories", "attach.csv",
                               config=config)
-        _, errors = pedzone.communicate(timeout=200)
+        _, errors = pedzone.communicate(timeout=LONG)
         self.assertEqual(pedzone.returncode, 0, errors)
         walked = (self.folder / "run.csv").read_bytes()
         self.assertGreater(walked.count(b"\n"), 10_000)

@@ -17,7 +17,6 @@
 namespace pedzone {
 namespace {
 
-constexpr int kNotStarted = 127;
 constexpr int kAbove = 10;  // numerical: no descriptor that a program is given is as high
 
 [[noreturn]] void throw_errno(const char* what) {
@@ -44,15 +43,6 @@ Pipe make_pipe() {
 void close_end(int& descriptor) {
   if (descriptor >= 0) close(descriptor);
   descriptor = -1;
-}
-
-int become(const std::vector<std::string>& command) {
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  std::signal(SIGPIPE, SIG_DFL);
-  execv(words.front(), words.data());
-  return kNotStarted;
 }
 
 }  // namespace
@@ -134,7 +124,7 @@ std::string PipedProgram::hear_until(char end) {
   }
 }
 
-study::Ending PipedProgram::finish() {
+Ending PipedProgram::finish() {
   constexpr auto kEvery = std::chrono::milliseconds(5);
   close_end(to_);
   for (;;) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "study/run/process.hpp"
+#include "core/child_process.hpp"
 
 namespace pedzone {
 
@@ -30,7 +30,7 @@ class PipedProgram {
   /// What it writes up to a byte, without that. Throws std::runtime_error where it ends before.
   std::string hear_until(char end);
   /// Nothing more is sent; waits until it has ended.
-  study::Ending finish();
+  Ending finish();
   /// What it has told on standard output and error.
   std::string said();
 
@@ -40,7 +40,7 @@ class PipedProgram {
   std::string name_;
   int said_ = -1, to_ = -1, from_ = -1;  ///< descriptors of this process
   std::string heard_;                    ///< behind what hear_until() has returned
-  std::optional<study::Child> child_;
+  std::optional<Child> child_;
 };
 
 }  // namespace pedzone

@@ -118,7 +118,7 @@ int make_video(const std::string& page, const VideoOptions& options) {
     fmt::print(stderr, "Interrupted; no film was written.\n");
     return 128 + signal;
   }
-  if (const study::Ending ending = ffmpeg.finish(); !ending.good()) {
+  if (const Ending ending = ffmpeg.finish(); !ending.good()) {
     throw std::runtime_error(fmt::format("ffmpeg {}. {}", ending.text(), ffmpeg.said()));
   }
   file.finish();

@@ -36,6 +36,7 @@ Json study_json(const Study& study) {
                          {"file", scenario.file},
                          {"zone", scenario.zone_file},
                          {"options", scenario.sumo_options}});
+    if (!scenario.client.empty()) scenarios.back()["client"] = scenario.client;
   }
   for (const Factor& factor : study.factors) {
     Json levels = Json::array();

@@ -11,7 +11,7 @@ namespace pedzone::study {
 namespace {
 
 constexpr SettingKind kKinds[] = {SettingKind::kSumo, SettingKind::kPanel, SettingKind::kParameter,
-                                  SettingKind::kZone};
+                                  SettingKind::kZone, SettingKind::kClient};
 
 /// Whether both set the same thing somewhere.
 bool clash(const Setting& a, const Setting& b) {
@@ -19,7 +19,7 @@ bool clash(const Setting& a, const Setting& b) {
   return a.kind == b.kind && a.key == b.key && !apart;
 }
 
-/// What an element sets, by its attribute sumo, panel, parameter or zone; the value is to come.
+/// What an element sets, by one of its attributes; the value is to come.
 Setting read_key(const XmlFile& file, const pugi::xml_node& node) {
   Setting setting{SettingKind::kSumo, "", "", "", file.line(node)};
   int given = 0;
@@ -32,7 +32,7 @@ Setting read_key(const XmlFile& file, const pugi::xml_node& node) {
   }
   if (given == 1) return setting;
   throw file.error(given == 0 ? "does not say what it sets" : "sets several things", node, "", "",
-                   "one of the attributes sumo, panel, parameter, zone");
+                   "one of the attributes sumo, panel, parameter, zone, client");
 }
 
 /// `values`: attribute that the value is from.
@@ -46,7 +46,7 @@ void check(const XmlFile& file, const pugi::xml_node& node, const char* values, 
 }
 
 Setting read_setting(const XmlFile& file, const pugi::xml_node& node, const Study& study) {
-  file.check_names(node, {"sumo", "panel", "parameter", "zone", "value", "scenario"}, {});
+  file.check_names(node, {"sumo", "panel", "parameter", "zone", "client", "value", "scenario"}, {});
   Setting setting = read_key(file, node);
   setting.value = file.required(node, "value");
   if (node.attribute("scenario")) setting.scenario = file.required(node, "scenario");
@@ -106,7 +106,8 @@ std::vector<Level> read_levels(const XmlFile& file, const pugi::xml_node& node,
 }
 
 Factor read_factor(const XmlFile& file, const pugi::xml_node& node, const Study& study) {
-  file.check_names(node, {"id", "values", "sumo", "panel", "parameter", "zone"}, {"level"});
+  file.check_names(node, {"id", "values", "sumo", "panel", "parameter", "zone", "client"},
+                   {"level"});
   const std::string id = file.required(node, "id");
   if (std::ranges::find(study.factors, id, &Factor::id) != study.factors.end()) {
     throw file.error("is used twice", node, "id", id, "a new id");
@@ -127,6 +128,22 @@ Factor read_factor(const XmlFile& file, const pugi::xml_node& node, const Study&
                      "each level once");
   }
   return factor;
+}
+
+/// Somebody has to understand the options of a client.
+void require_client(const XmlFile& file, const pugi::xml_node& node, const Factor& factor,
+                    const Study& study) {
+  for (const Level& level : factor.levels) {
+    for (const Setting& setting : level.settings) {
+      const bool heard = std::ranges::any_of(study.scenarios, [&](const StudyScenario& scenario) {
+        return !scenario.client.empty() &&
+               (setting.scenario.empty() || setting.scenario == scenario.id);
+      });
+      if (heard || setting.kind != SettingKind::kClient) continue;
+      throw file.error("is an option of a client, and there is none", node, "client", setting.key,
+                       "<scenario client=\"...\"/>");
+    }
+  }
 }
 
 /// What the factor sets in one level or another.
@@ -205,6 +222,7 @@ std::vector<std::vector<std::size_t>> all_combinations(const XmlFile& file, cons
 void read_factors(const XmlFile& file, Study& study) {
   for (const pugi::xml_node& node : file.root().children("factor")) {
     Factor factor = read_factor(file, node, study);
+    require_client(file, node, factor, study);
     for (const Factor& other : study.factors) require_apart(file, node, factor, other);
     study.factors.push_back(std::move(factor));
   }

@@ -44,6 +44,7 @@ Json definition_of(const Study& study, const Condition& condition, RunKind kind,
   std::map<std::string, std::map<std::string, std::string>> set;  // order of factors: no matter
   for (const Setting& setting : settings_of(study, condition)) {
     if (setting.kind == SettingKind::kSumo || !knows_setting(model, setting)) continue;
+    if (setting.kind == SettingKind::kClient && !has_client(scenario, kind)) continue;
     set[attribute_of(setting.kind)][setting.key] = setting.value;
   }
   std::map<std::string, std::string> sorted;
@@ -56,6 +57,7 @@ Json definition_of(const Study& study, const Condition& condition, RunKind kind,
   definition["scenario"] = scenario.file;
   if (!scenario.zone_file.empty()) definition["zoneFile"] = scenario.zone_file;
   definition["sumo"] = sorted;
+  if (has_client(scenario, kind)) definition["command"] = scenario.client;
   for (const auto& [what, values] : set) definition[what] = values;
   definition["model"] = model;
   definition["seed"] = seed;
@@ -127,6 +129,10 @@ void check_conditions(const Plan& plan) {
 
 }  // namespace
 
+bool has_client(const StudyScenario& scenario, RunKind kind) {
+  return kind == RunKind::kStudy && !scenario.client.empty();
+}
+
 SumoOptions options_of(const Study& study, const Condition& condition) {
   SumoOptions options(study.scenarios[condition.scenario].sumo_options);
   for (const Setting& setting : settings_of(study, condition)) {
@@ -155,7 +161,8 @@ std::vector<Setting> settings_of(const Study& study, const Condition& condition)
 bool knows_setting(const std::string& model, const Setting& setting) {
   if (!is_sumo_model(model)) return true;
   const bool weather = setting.kind == SettingKind::kZone && setting.key == "weather";
-  return setting.kind != SettingKind::kParameter && !weather;
+  return setting.kind != SettingKind::kParameter && setting.kind != SettingKind::kClient &&
+         !weather;
 }
 
 std::vector<Setting> known_settings(const Plan& plan, const PlannedRun& run) {

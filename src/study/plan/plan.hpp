@@ -58,6 +58,8 @@ std::vector<Setting> settings_of(const Study& study, const Condition& condition)
 SumoOptions options_of(const Study& study, const Condition& condition);
 /// The condition's scenario, with those options and their files. Throws InputError.
 Scenario scenario_of(const Study& study, const Condition& condition);
+/// Whether a client is started in such runs: who walks alone meets nobody.
+bool has_client(const StudyScenario& scenario, RunKind kind);
 /// Whether the setting changes anything for the model: SUMO's own know neither parameters nor
 /// weather.
 bool knows_setting(const std::string& model, const Setting& setting);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/shell_word.hpp"
+#include "core/text.hpp"
 #include "core/xml.hpp"
 #include "study/plan/additional_copy.hpp"
 #include "study/plan/free_speed_demand.hpp"
@@ -72,6 +74,12 @@ class Commands {
     for (std::size_t i = 0; i < options_.words().size(); i += 2) {
       if (!names_input_files(options_.words()[i].substr(2))) continue;
       for (const auto& file : split_file_list(options_.words()[i + 1])) files.push_back(file);
+    }
+    if (has_client(scenario_, run_.kind)) {
+      for (const std::string& word : split_words(scenario_.client)) {
+        const std::string file = study_.resolve(word);
+        if (fs::is_regular_file(file)) files.push_back(file);
+      }
     }
     if (!scenario_.zone_file.empty()) {
       const std::string zone_file = study_.resolve(scenario_.zone_file);
@@ -203,7 +211,22 @@ class Commands {
     if (run_.kind == RunKind::kFreeSpeed) {
       command.insert(command.end(), {"--trajectories", in_folder("trajectories.csv")});
     }
+    if (has_client(scenario_, run_.kind)) command.insert(command.end(), {"--client", client()});
     append_options(command);
+    return command;
+  }
+
+  /// Its command with the options that the settings say, as {folder} the run's.
+  std::string client() const {
+    std::string command = scenario_.client;
+    for (const Setting& setting : settings_) {
+      if (setting.kind != SettingKind::kClient) continue;
+      command += fmt::format(" {} {}", setting.key, shell_word(setting.value));
+    }
+    const std::string place = "{folder}";
+    for (std::size_t at = 0; (at = command.find(place, at)) != std::string::npos;) {
+      command.replace(at, place.size(), shell_word(folder_));
+    }
     return command;
   }
 

@@ -68,6 +68,12 @@ void check_option(Setting& setting) {
   }
 }
 
+void check_client_option(const Setting& setting) {
+  if (setting.key.starts_with("-") && split_words(setting.key).size() == 1) return;
+  throw SettingError{true, "is no option", setting.key,
+                     "one of the client, such as --sensor-range"};
+}
+
 /// A checked setting of a zone.
 void apply(const Setting& setting, ZoneSpec& zone) {
   double number = 0.0;
@@ -99,6 +105,8 @@ std::string attribute_of(SettingKind kind) {
       return "parameter";
     case SettingKind::kZone:
       return "zone";
+    case SettingKind::kClient:
+      return "client";
   }
   return "";
 }
@@ -113,6 +121,8 @@ void check_setting(Setting& setting) {
       return check_parameter(setting);
     case SettingKind::kZone:
       return check_zone_attribute(setting);
+    case SettingKind::kClient:
+      return check_client_option(setting);
   }
 }
 
@@ -122,7 +132,7 @@ ZoneFile zone_file_of(const Study& study, const StudyScenario& scenario,
   if (!scenario.zone_file.empty()) file = read_zone_file(study.resolve(scenario.zone_file));
   PanelText panel{study.file, 0, {}};
   for (const Setting& setting : settings) {
-    if (setting.kind == SettingKind::kSumo) continue;
+    if (setting.kind == SettingKind::kSumo || setting.kind == SettingKind::kClient) continue;
     if (setting.kind == SettingKind::kPanel) {
       if (panel.line == 0) panel.line = setting.line;
       panel.values.emplace_back(setting.key, setting.value);

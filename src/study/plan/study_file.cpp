@@ -136,7 +136,7 @@ class Reader {
   }
 
   void read_scenario_of(const pugi::xml_node& node) {
-    file_.check_names(node, {"id", "file", "zone", "options"}, {});
+    file_.check_names(node, {"id", "file", "zone", "options", "client"}, {});
     StudyScenario scenario;
     scenario.file = file_.required(node, "file");
     scenario.id = word(node, "id", stem_of(scenario.file));
@@ -156,6 +156,8 @@ class Reader {
     } catch (const SumoOptionError& error) {
       throw file_.error(error.problem, node, "options", error.value, error.allowed);
     }
+    scenario.client = word(node, "client", "");
+    if (!scenario.client.empty()) require_own_models(node);
     require_end(node, scenario);
     study_.scenarios.push_back(std::move(scenario));
   }
@@ -165,6 +167,15 @@ class Reader {
     if (fs::is_regular_file(study_.resolve(path))) return;
     throw file_.error("does not exist", node, attribute, study_.resolve(path),
                       "a file, relative to " + study_.folder);
+  }
+
+  /// It is pedzone that starts clients.
+  void require_own_models(const pugi::xml_node& node) const {
+    const auto of_sumo = std::ranges::find_if(study_.models, is_sumo_model);
+    if (of_sumo == study_.models.end()) return;
+    throw file_.error("is started by pedzone's models only, and the study has " + *of_sumo, node,
+                      "client", node.attribute("client").value(),
+                      "<study models=\"heuristic\"> and the like");
   }
 
   /// People who jam would keep a run without one going for ever.

@@ -20,6 +20,7 @@ struct StudyScenario {
   std::string file;                       ///< .sumocfg as written; see Study::resolve()
   std::string zone_file;                  ///< as written; empty: zones are found by themselves
   std::vector<std::string> sumo_options;  ///< from attribute `options`: --name, value, --name, ...
+  std::string client;  ///< a shell's command that starts a client of SUMO's; empty: none
 };
 
 /// What a setting changes.
@@ -28,6 +29,7 @@ enum class SettingKind {
   kPanel,      ///< an attribute of <pedestrians>: people more than the scenario has
   kParameter,  ///< a parameter of every zone, e.g. sight; SUMO's own models do not know it
   kZone,       ///< an attribute of every <zone>, e.g. openSpace, weather
+  kClient,     ///< an option of the client's, e.g. --sensor-range
 };
 
 struct Setting {

@@ -10,10 +10,10 @@
 #include <map>
 #include <set>
 
+#include "core/shell_word.hpp"
 #include "pages/page_builder.hpp"
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
-#include "study/run/shell_word.hpp"
 
 namespace pedzone {
 

@@ -31,6 +31,7 @@ std::string setting_text(const Setting& setting) {
   const char* kind = setting.kind == SettingKind::kSumo        ? "SUMO's "
                      : setting.kind == SettingKind::kPanel     ? "panel's "
                      : setting.kind == SettingKind::kParameter ? "parameter "
+                     : setting.kind == SettingKind::kClient    ? "client's "
                                                                : "zone's ";
   std::string text = fmt::format("{}{} = {}", kind, setting.key, setting.value);
   if (!setting.scenario.empty()) text += fmt::format(" ({})", setting.scenario);
@@ -146,10 +147,10 @@ Json setup_part(const Input& input) {
   const Study& study = input.plan.study;
   Json scenarios = Json::array();
   for (const StudyScenario& one : study.scenarios) {
-    scenarios.push_back({{"id", one.id},
-                         {"file", one.file},
-                         {"zone", one.zone_file},
-                         {"options", fmt::format("{}", fmt::join(one.sumo_options, " "))}});
+    std::string options = fmt::format("{}", fmt::join(one.sumo_options, " "));
+    if (!one.client.empty()) options += (options.empty() ? "client: " : "; client: ") + one.client;
+    scenarios.push_back(
+        {{"id", one.id}, {"file", one.file}, {"zone", one.zone_file}, {"options", options}});
   }
   std::size_t done = 0, failed = 0;
   for (const auto& record : input.records) {

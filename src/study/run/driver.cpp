@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <list>
 
+#include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "study/plan/sumo_options.hpp"
 #include "study/run/failure.hpp"
-#include "study/run/process.hpp"
 #include "study/run/signal_queue.hpp"
 
 namespace pedzone::study {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "study/run/process.hpp"
+#include "core/child_process.hpp"
 #include "study/run/unit.hpp"
 
 namespace pedzone::study {

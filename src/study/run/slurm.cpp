@@ -12,8 +12,8 @@
 
 #include "core/command_output.hpp"
 #include "core/error.hpp"
+#include "core/shell_word.hpp"
 #include "results/complete_file.hpp"
-#include "study/run/shell_word.hpp"
 #include "study/run/slurm_jobs.hpp"
 #include "study/run/store.hpp"
 

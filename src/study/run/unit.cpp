@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/child_process.hpp"
 #include "core/error.hpp"
+#include "core/shell_word.hpp"
 #include "results/complete_file.hpp"
 #include "study/measure/free_walk_measure.hpp"
 #include "study/measure/run_measures.hpp"
-#include "study/run/process.hpp"
-#include "study/run/shell_word.hpp"
 #include "sumo/files/place_reader.hpp"
 #include "sumo/files/sumo_home.hpp"
 

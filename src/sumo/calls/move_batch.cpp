@@ -1,14 +1,12 @@
 #include "sumo/calls/move_batch.hpp"
 
-#include <arpa/inet.h>
 #include <libsumo/TraCIConstants.h>
 #include <libsumo/TraCIDefs.h>
-#include <sys/socket.h>
 
 #include <bit>
-#include <cerrno>
 #include <cstdint>
-#include <stdexcept>
+
+#include "sumo/calls/wire.hpp"
 
 namespace pedzone {
 namespace {
@@ -35,26 +33,6 @@ std::uint32_t int_at(const std::string& text, std::size_t at) {
   for (std::size_t k = 0; k < 4; ++k)
     value = value << 8 | static_cast<unsigned char>(text.at(at + k));
   return value;
-}
-
-void write_all(int wire, const std::string& text) {
-  for (std::size_t sent = 0; sent < text.size();) {
-    const ssize_t now = ::send(wire, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
-    if (now < 0 && errno == EINTR) continue;
-    if (now <= 0) throw std::runtime_error("the connection to SUMO has ended");
-    sent += static_cast<std::size_t>(now);
-  }
-}
-
-std::string read_all(int wire, std::size_t size) {
-  std::string text(size, '\0');
-  for (std::size_t got = 0; got < size;) {
-    const ssize_t now = recv(wire, text.data() + got, size - got, 0);
-    if (now < 0 && errno == EINTR) continue;
-    if (now <= 0) throw std::runtime_error("the connection to SUMO has ended");
-    got += static_cast<std::size_t>(now);
-  }
-  return text;
 }
 
 /// Each command is answered by length, command, result and a description.
@@ -99,15 +77,15 @@ void MoveBatch::add(const std::string& person, double x, double y, double angle,
   ++count_;
 }
 
-void MoveBatch::send(int wire) {
+void MoveBatch::send() {
   std::string message;
   put_int(message, static_cast<std::uint32_t>(commands_.size() + 4));
   message += commands_;
   const std::size_t count = count_;
   commands_.clear();
   count_ = 0;
-  write_all(wire, message);
-  check_answer(read_all(wire, int_at(read_all(wire, 4), 0) - 4), count);
+  write_wire(message);
+  check_answer(read_wire(int_at(read_wire(4), 0) - 4), count);
 }
 
 }  // namespace pedzone

@@ -13,9 +13,9 @@ class MoveBatch {
            double match_threshold);
   bool empty() const { return count_ == 0; }
 
-  /// Sends all of them over a connected socket, waits for the answer, and starts anew. Throws
+  /// Sends all of them over the wire, waits for the answer, and starts anew. Throws
   /// std::runtime_error where the connection ends, and with SUMO's words where it refuses one.
-  void send(int wire);
+  void send();
 
  private:
   std::string commands_;

@@ -1,7 +1,3 @@
-#include <netinet/in.h>
-#include <sys/socket.h>
-
-#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <iostream>
@@ -11,25 +7,12 @@
 #include "sumo/calls/both.hpp"
 #include "sumo/calls/remembered.hpp"
 #include "sumo/calls/sumo_messages.hpp"
+#include "sumo/calls/wire.hpp"
 
 namespace pedzone {
 namespace {
 
 constexpr std::chrono::milliseconds kTryAgain{200};  // numerical
-
-std::atomic<int> the_wire = -1;  // libtraci's socket, which it keeps to itself
-
-/// The socket of this process that is connected to a port; -1: none.
-int wire_to(int port) {
-  constexpr int kHighest = 1024;
-  for (int wire = 3; wire < kHighest; ++wire) {
-    sockaddr_in peer{};
-    socklen_t size = sizeof peer;
-    if (getpeername(wire, reinterpret_cast<sockaddr*>(&peer), &size) != 0) continue;
-    if (peer.sin_family == AF_INET && ntohs(peer.sin_port) == port) return wire;
-  }
-  return -1;
-}
 
 std::string name_of(const TraciAddress& address) {
   return address.host + ":" + std::to_string(address.port);
@@ -77,19 +60,14 @@ void take_place(const TraciAddress& address) {
   try {
     libtraci::Simulation::setOrder(address.order);
   } catch (const std::exception& error) {
-    throw SumoError("SUMO refused order " + std::to_string(address.order) + " for pedzone: " +
-                    error.what() +
+    throw SumoError("SUMO refused order " + std::to_string(address.order) +
+                    " for pedzone: " + error.what() +
                     " Each client has an order of its own: choose another one with --order. (This "
                     "SUMO ends now: it waits for clients that it has refused.)");
   }
 }
 
 }  // namespace
-
-void hang_up() {
-  const int wire = the_wire;
-  if (wire >= 0) shutdown(wire, SHUT_RDWR);
-}
 
 std::unique_ptr<Session> join_over_traci(const TraciAddress& address, const DesiredSpeeds& speeds,
                                          const std::function<bool()>& may_come) {
@@ -102,10 +80,9 @@ std::unique_ptr<Session> join_over_traci(const TraciAddress& address, const Desi
                     " of TraCI; pedzone is built with version " +
                     std::to_string(libsumo::TRACI_VERSION) + ".");
   }
-  the_wire = wire_to(address.port);
+  take_wire(address.port);
   take_place(address);
   remembered::know(speeds);
-  remembered::know_wire(the_wire);
   return over_traci::session_calls();
 }
 

@@ -1,17 +1,18 @@
 #include "sumo/calls/own_sumo.hpp"
 
 #include <netinet/in.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <thread>
 
+#include "core/child_process.hpp"
+extern "C" {  // glibc 2.36 does not say so itself
+#include <sys/pidfd.h>
+}
 #include "sumo/files/sumo_home.hpp"
 
 namespace pedzone {
@@ -40,7 +41,7 @@ std::vector<std::string> command_of(const OwnSumo& own, int port, const std::str
   std::vector<std::string> command{own.gui ? "sumo-gui" : "sumo", "-c", config};
   command.insert(command.end(), words.begin(), words.end());
   command.insert(command.end(), {"--remote-port", std::to_string(port), "--num-clients",
-                                 std::to_string(own.clients + 1)});
+                                 std::to_string(own.all_clients() + 1)});
   if (own.gui) {
     command.insert(command.end(),
                    {"--start", "--quit-on-end", "--delay", std::to_string(own.delay)});
@@ -52,56 +53,49 @@ std::vector<std::string> command_of(const OwnSumo& own, int port, const std::str
   return command;
 }
 
-/// Never returns.
-[[noreturn]] void become(const std::vector<std::string>& command, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);
-  setpgid(0, 0);  // Ctrl-C is pedzone's: SUMO is closed, not interrupted
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  execvp(words.front(), words.data());
-  std::perror(words.front());
-  _exit(127);
+/// Ctrl-C is pedzone's, since it has a group of its own: SUMO is closed, not interrupted.
+std::unique_ptr<Child> start(const std::vector<std::string>& command) {
+  return std::make_unique<Child>([&] { return become(command); });
 }
 
-class SumoProcess {
- public:
-  explicit SumoProcess(const std::vector<std::string>& command) {
-    std::fflush(nullptr);
-    const pid_t parent = getpid();
-    pid_ = fork();
-    if (pid_ < 0) throw SumoError("cannot start a process for SUMO");
-    if (pid_ == 0) become(command, parent);
+/// Until it has ended by itself, for a while.
+void wait_for(Child& process) {
+  const auto until = std::chrono::steady_clock::now() + kToEnd;
+  while (!process.poll() && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(kLook);
   }
-  ~SumoProcess() {
-    if (ended()) return;
-    kill(pid_, SIGKILL);
-    waitpid(pid_, nullptr, 0);
-  }
-  SumoProcess(const SumoProcess&) = delete;
-  SumoProcess& operator=(const SumoProcess&) = delete;
+}
 
-  bool ended() {
-    if (!over_) over_ = waitpid(pid_, nullptr, WNOHANG) == pid_;
-    return over_;
+std::string with_port(std::string command, int port) {
+  const std::string place = "{port}";
+  for (std::size_t at = 0; (at = command.find(place, at)) != std::string::npos;) {
+    command.replace(at, place.size(), std::to_string(port));
   }
-  /// Until it has ended by itself, for a while.
-  void wait() {
-    const auto until = std::chrono::steady_clock::now() + kToEnd;
-    while (!ended() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(kLook);
-  }
+  return command;
+}
 
- private:
-  pid_t pid_ = -1;
-  bool over_ = false;
-};
+/// SUMO waits for a client that does not come, and one that breaks off ends it anyhow.
+std::unique_ptr<Child> start_client(const std::string& command, const Child& sumo) {
+  return std::make_unique<Child>([&] {
+    const int process = pidfd_open(sumo.id(), 0);
+    const Ending ending = run_program({"sh", "-c", command}, ".");
+    if (!ending.good()) pidfd_send_signal(process, SIGKILL, nullptr, 0);
+    return ending.exit_code();
+  });
+}
 
-/// What a joined SUMO does; and its process ends with it.
+/// Throws where it has ended by itself, and not well.
+void require_good_end(Child& client) {
+  const auto ending = client.poll();
+  if (ending && !ending->good()) throw SumoError("The client that was started " + ending->text());
+}
+
+/// What a joined SUMO does; and its process ends with it, and that of a client.
 class OwnSession final : public Session {
  public:
-  OwnSession(std::unique_ptr<SumoProcess> process, std::unique_ptr<Session> joined)
-      : process_(std::move(process)), joined_(std::move(joined)) {}
+  OwnSession(std::unique_ptr<Child> process, std::unique_ptr<Child> client,
+             std::unique_ptr<Session> joined)
+      : process_(std::move(process)), client_(std::move(client)), joined_(std::move(joined)) {}
 
   SumoPersons& persons() override { return joined_->persons(); }
   SumoVehicles& vehicles() override { return joined_->vehicles(); }
@@ -109,7 +103,9 @@ class OwnSession final : public Session {
   void step() override { joined_->step(); }
   void close() override {
     joined_->close();
-    process_->wait();
+    if (client_) wait_for(*client_);
+    wait_for(*process_);
+    if (client_) require_good_end(*client_);
   }
   double time() const override { return joined_->time(); }
   double step_length() const override { return joined_->step_length(); }
@@ -129,7 +125,7 @@ class OwnSession final : public Session {
   }
 
  private:
-  std::unique_ptr<SumoProcess> process_;
+  std::unique_ptr<Child> process_, client_;  ///< no client: null
   std::unique_ptr<Session> joined_;
 };
 
@@ -140,13 +136,23 @@ std::unique_ptr<Session> start_own(const OwnSumo& own, const std::string& config
                                    const DesiredSpeeds& speeds) {
   find_sumo_data();
   const int port = own.port > 0 ? own.port : free_port();
-  auto process = std::make_unique<SumoProcess>(command_of(own, port, config, words));
+  auto process = start(command_of(own, port, config, words));
   TraciAddress address;
   address.port = port;
-  address.order = own.clients + 1;
+  address.order = own.all_clients() + 1;
   address.patience = kPatience;
-  auto joined = join_over_traci(address, speeds, [&] { return !process->ended(); });
-  return std::make_unique<OwnSession>(std::move(process), std::move(joined));
+  std::unique_ptr<Child> client;
+  if (!own.client.empty()) client = start_client(with_port(own.client, port), *process);
+  try {
+    auto joined = join_over_traci(address, speeds, [&] { return !process->poll(); });
+    return std::make_unique<OwnSession>(std::move(process), std::move(client), std::move(joined));
+  } catch (const SumoError&) {
+    if (!client) throw;
+    wait_for(*process);  // the client ends it
+    wait_for(*client);
+    require_good_end(*client);
+    throw;
+  }
 }
 
 }  // namespace pedzone

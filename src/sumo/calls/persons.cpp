@@ -94,6 +94,7 @@ class PersonCalls final : public SumoPersons {
       return true;
     }
     if (plan.remove_stage) api::Person::removeStage(id, 0);
+    if (plan.begin_anew) api::Person::replaceStage(id, 0, api::Person::getStage(id));
     for (const LaneMove& move : plan.moves) {
       if (move.lateral) {
         api::Person::moveTo(id, move.lane, move.position, *move.lateral);

@@ -6,6 +6,7 @@
 
 #include "sumo/calls/move_batch.hpp"
 #include "sumo/calls/session.hpp"
+#include "sumo/calls/wire.hpp"
 
 namespace pedzone::remembered {
 namespace {
@@ -71,7 +72,6 @@ class Received {
 
 DesiredSpeeds desired_speeds;
 MoveBatch moves;
-int the_wire = -1;
 Received<libtraci::Person> persons;
 Received<libtraci::Vehicle> vehicles;
 TraCIResults counts;
@@ -95,7 +95,6 @@ const auto& once(Map& map, const std::string& key, Ask ask) {
 }  // namespace
 
 void know(const DesiredSpeeds& speeds) { desired_speeds = speeds; }
-void know_wire(int wire) { the_wire = wire; }
 
 TraCIPosition Person::getPosition(const std::string& id) {
   return persons.get<TraCIPosition>(id, libsumo::VAR_POSITION, kPlace);
@@ -117,10 +116,10 @@ int Person::getRemainingStages(const std::string& id) {
 }
 void Person::moveToXY(const std::string& id, const std::string& edge, double x, double y,
                       double angle, int keep_route, double match_threshold) {
-  if (the_wire < 0) {
-    libtraci::Person::moveToXY(id, edge, x, y, angle, keep_route, match_threshold);
-  } else {
+  if (has_wire()) {
     moves.add(id, x, y, angle, keep_route, match_threshold);
+  } else {
+    libtraci::Person::moveToXY(id, edge, x, y, angle, keep_route, match_threshold);
   }
 }
 double Person::getMaxSpeed(const std::string& id) {
@@ -180,7 +179,7 @@ std::string VehicleType::getParameter(const std::string& id, const std::string& 
 /// rest is then asked for anew. Whatever else goes wrong here, SUMO is there no more.
 void Simulation::step() {
   try {
-    if (!moves.empty()) moves.send(the_wire);
+    if (!moves.empty()) moves.send();
   } catch (const libsumo::TraCIException&) {
     throw;
   } catch (const std::exception& error) {

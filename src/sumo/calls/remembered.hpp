@@ -16,8 +16,6 @@ namespace pedzone::remembered {
 
 /// From now on, of the types that persons have.
 void know(const DesiredSpeeds& speeds);
-/// The socket of the connection, for what libtraci cannot send; -1: everything by libtraci.
-void know_wire(int wire);
 
 struct Person : libtraci::Person {
   static libsumo::TraCIPosition getPosition(const std::string& id);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string_view>
 
+#include "sumo/files/truth.hpp"
+
 namespace pedzone {
 namespace {
-
-constexpr std::string_view kTrue[] = {"1", "yes", "true", "on", "x", "t"};  // as SUMO reads them
 
 bool is_name_of(const SumoOption& option, std::string_view name) {
   return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
@@ -54,9 +54,7 @@ bool SaidOptions::on_command_line(const SumoOption& option) const {
 }
 
 bool SaidOptions::is_true(const SumoOption& option) const {
-  std::string said = value(option).value_or("");
-  std::ranges::transform(said, said.begin(), [](unsigned char c) { return std::tolower(c); });
-  return std::ranges::find(kTrue, said) != std::end(kTrue);
+  return pedzone::is_true(value(option).value_or(""));
 }
 
 InputError SaidOptions::error(const SumoOption& option, const std::string& problem,

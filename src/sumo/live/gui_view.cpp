@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/error.hpp"
 #include "world/activities.hpp"
 
 namespace pedzone {
@@ -38,7 +39,11 @@ GuiView::GuiView(SumoView* sumo, SumoPersons& persons,
       persons_(persons),
       crowds_(crowds),
       takeover_(takeover),
-      screenshots_(std::move(screenshots)) {}
+      screenshots_(std::move(screenshots)) {
+  if (sumo_ != nullptr || screenshots_.empty()) return;
+  throw InputError("cannot be taken: the SUMO that runs has no window",
+                   {"", 0, "--screenshots", screenshots_, "a sumo-gui"});
+}
 
 void GuiView::begin(const std::vector<Zone>& zones, const std::vector<WaypointPath>& paths) {
   if (sumo_ == nullptr) return;

@@ -18,7 +18,8 @@ TraciColour colour_of(const PersonView& person);
 class GuiView {
  public:
   /// All must outlive it. `sumo`: null where there can be no window.
-  /// `screenshots`: the folder for a picture of each step; empty: none.
+  /// `screenshots`: the folder for a picture of each step; empty: none. Throws InputError where
+  /// they are wanted without a window.
   GuiView(SumoView* sumo, SumoPersons& persons, const std::vector<std::unique_ptr<Crowd>>& crowds,
           const Takeover& takeover, std::string screenshots);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sumo/files/truth.hpp"
 #include "sumo/live/person_hints.hpp"
 
 namespace pedzone {
@@ -71,7 +72,7 @@ bool Takeover::is_moved(const Guest& guest) const {
 }
 
 bool Takeover::is_declared(const std::string& id) const {
-  return sumo_.parameter(id, "pedzone.external") == "true";
+  return is_true(sumo_.parameter(id, "pedzone.external"));
 }
 
 void Takeover::leave_to_others(const std::string& id, bool declared, double time) {
@@ -118,9 +119,7 @@ void Takeover::show_bystanders(const Fleet& fleet) {
     for (Bystander* person : in_sight_) {
       if (!sumo_.vehicle(person->id).empty()) continue;  // rides
       if (person->radius == 0.0) measure(*person, sumo_.size(person->id));
-      const double heading = sumo_.heading(person->id);
-      seen_[z].push_back({person->position, unit(heading) * sumo_.speed(person->id), person->radius,
-                          person->key, heading, person->turns});
+      seen_[z].push_back(seen(*person, sumo_.speed(person->id), sumo_.heading(person->id)));
     }
     crowds_[z]->see(seen_[z]);
   }

@@ -1,14 +1,9 @@
 #include "sumo/live/vehicle_reader.hpp"
 
+#include "sumo/files/truth.hpp"
 #include "sumo/plan/zone_route.hpp"
 
 namespace pedzone {
-namespace {
-
-bool is_true(const std::string& text) { return text == "true" || text == "1" || text == "yes"; }
-bool is_false(const std::string& text) { return text == "false" || text == "0" || text == "no"; }
-
-}  // namespace
 
 const VehicleTraits& VehicleReader::traits(const std::string& id, double grip) {
   const auto [entry, is_new] = traits_.try_emplace(id);

@@ -35,6 +35,11 @@ void measure(Bystander& person, const BodySize& size) {
   person.key = person_key(person.id);
 }
 
+SeenPerson seen(const Bystander& person, double speed, double heading) {
+  const Vec2 velocity = person.external ? person.velocity : Vec2(unit(heading) * speed);
+  return {person.position, velocity, person.radius, person.key, heading, person.turns};
+}
+
 Bystanders::Bystanders(const std::vector<Zone>& zones) : zones_(zones) {
   for (const Zone& zone : zones) distances_.emplace_back(zone);
 }

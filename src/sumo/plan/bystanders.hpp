@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "crowd/state/person.hpp"
 #include "sumo/files/body_sizes.hpp"
 #include "zone/zone_distance.hpp"
 
@@ -34,6 +35,10 @@ struct Bystander {
 
 /// Once its length and width are known.
 void measure(Bystander& person, const BodySize& size);
+
+/// It as people see it. SUMO tells `speed` [m/s] and `heading` [rad]. Of whom another program moves
+/// SUMO knows the speed along a lane at best: there the last two places count.
+SeenPerson seen(const Bystander& person, double speed, double heading);
 
 class Bystanders {
  public:

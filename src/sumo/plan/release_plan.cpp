@@ -88,8 +88,9 @@ std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector
   ReleasePlan plan;
   if (present_lane == lane.id) {
     const int hop = hop_beside(network, route, best);
-    if (hop < 0) return std::nullopt;
-    plan.moves.push_back({network.lanes[hop].id, 0.5 * network.lanes[hop].length, {}});
+    plan.begin_anew = hop < 0;
+    if (hop >= 0)
+      plan.moves.push_back({network.lanes[hop].id, 0.5 * network.lanes[hop].length, {}});
   }
   const auto [offset, lateral] = project_on_lane(lane, position);
   const double side = std::max(0.0, 0.5 * lane.width - radius);

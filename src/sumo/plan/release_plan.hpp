@@ -22,6 +22,7 @@ struct LaneMove {
 /// The calls that give a person back.
 struct ReleasePlan {
   bool remove_stage = false;    ///< this alone
+  bool begin_anew = false;      ///< its walk, before it is moved: tripinfo then has two
   std::vector<LaneMove> moves;  ///< in this order, with no step between them
 };
 
@@ -39,7 +40,8 @@ ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, con
 
 /// How a person in the middle of its stretch, at `position` [m] with `radius` [m], is given back at
 /// once: on the lane of its `route` (Network edges) up to index `last` that is nearest to it.
-/// Nothing where SUMO has no lane to put it on: a route of one edge with one lane.
+/// A route of one edge with one lane begins anew there, since there is no lane to hop over. Nothing
+/// where SUMO has no lane to put it on.
 std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector<int>& route,
                                        int last, const Vec2& position, double radius,
                                        const std::string& present_lane);

@@ -259,11 +259,11 @@ TEST_F(StudyFile, factors_that_are_none_are_refused) {
   EXPECT_EQ(message("<factor id='a' values='1'/>"),
             factor +
                 ": does not say what it sets; allowed: one of the attributes sumo, panel, "
-                "parameter, zone");
+                "parameter, zone, client");
   EXPECT_EQ(message("<factor id='a' sumo='scale' panel='number' values='1'/>"),
             factor +
                 ": sets several things; allowed: one of the attributes sumo, panel, "
-                "parameter, zone");
+                "parameter, zone, client");
   EXPECT_EQ(message("<factor id='a' sumo='scale'><level name='x'/></factor>"),
             factor +
                 " attribute sumo: 'scale' needs attribute values; allowed: values=\"...\" with "

@@ -34,7 +34,10 @@ TEST_F(StudySchema, takes_what_the_reader_takes) {
             plaza_ + factor_ +
             "<factor id='b'><level name='x'/><level name='y'><set panel='number' value='3' "
             "scenario='plaza'/><set zone='weather' value='ice'/></level></factor>"
-            "<combination levels='1 x'/><combination levels='2 y'/></study>"}) {
+            "<combination levels='1 x'/><combination levels='2 y'/></study>",
+        "<study models='heuristic'>" +
+            scenario("plaza/plaza-low.sumocfg", "client='drive {port} {folder}'") +
+            "<factor id='a' client='--range' values='5 10'/></study>"}) {
     EXPECT_EQ(error(text), "no error") << text;
     EXPECT_TRUE(schema_takes(text)) << text;
   }
@@ -58,6 +61,8 @@ TEST_F(StudySchema, refuses_what_the_reader_refuses) {
         open + "<factor sumo='scale' values='1'/></study>",
         open + "<factor id='a' sumo='scale' values=' '/></study>",
         open + "<factor id='a' zone='model' values='orca'/></study>",
+        "<study models='heuristic'>" + scenario("plaza/plaza-low.sumocfg", "client=''") +
+            "</study>",
         open + "<factor id='a'><level/></factor></study>",
         open + "<factor id='a'><level name='x y'/></factor></study>",
         open + "<factor id='a'><level name='x'><set sumo='scale'/></level></factor></study>",

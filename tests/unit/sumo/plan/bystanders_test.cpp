@@ -133,6 +133,16 @@ TEST_F(BystandersTest, who_is_near_another_zone_is_not_seen_from_this_one) {
   EXPECT_THAT(seen_by({{311.0, 0.0}}), IsEmpty());
 }
 
+TEST_F(BystandersTest, of_whom_another_program_moves_the_last_two_places_tell_the_speed) {
+  stand({{"a", {100.0, 0.0}}}, 0.0);
+  stand({{"a", {100.0, 0.6}}}, 0.5);
+  const double along_lane = 0.0, heading = 0.0;
+  EXPECT_EQ(seen(person("a"), along_lane, heading).velocity, Vec2(0.0, 0.0));
+  person("a").external = true;
+  EXPECT_NEAR((seen(person("a"), along_lane, heading).velocity - Vec2(0.0, 1.2)).norm(), 0.0, 1e-9);
+  EXPECT_EQ(seen(person("a"), along_lane, heading).position, Vec2(100.0, 0.6));
+}
+
 TEST_F(BystandersTest, who_is_longer_than_wide_does_not_turn_its_shoulders) {
   Bystander walker, pram;
   walker.id = "walker";

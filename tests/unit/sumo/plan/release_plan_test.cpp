@@ -176,9 +176,11 @@ TEST_F(LetGoTest, never_to_a_place_that_the_route_comes_by_a_second_time) {
               ElementsAre(LaneMove{"e1_0", 20.0, 0.5}));
 }
 
-TEST_F(LetGoTest, a_route_of_one_edge_with_one_lane_has_nothing_to_hop_over) {
-  EXPECT_FALSE(let_go({70.0, 0.5}, "e1_0", {e1}));
-  EXPECT_TRUE(let_go({70.0, 0.5}, "", {e1}));
+TEST_F(LetGoTest, a_route_of_one_edge_with_one_lane_begins_anew) {
+  EXPECT_TRUE(let_go({70.0, 0.5}, "e1_0", {e1})->begin_anew);
+  EXPECT_THAT(let_go({70.0, 0.5}, "e1_0", {e1})->moves, ElementsAre(LaneMove{"e1_0", 20.0, 0.5}));
+  EXPECT_FALSE(let_go({70.0, 0.5}, "", {e1})->begin_anew) << "SUMO has it on another lane";
+  EXPECT_FALSE(let_go({70.0, 0.5}, "e1_0", {e0, e1})->begin_anew);
 }
 
 }  // namespace

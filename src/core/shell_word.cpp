@@ -1,10 +1,10 @@
-#include "study/run/shell_word.hpp"
+#include "core/shell_word.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <string_view>
 
-namespace pedzone::study {
+namespace pedzone {
 
 std::string shell_word(const std::string& text) {
   constexpr std::string_view kPlain = "._-/+=:,@%";
@@ -23,4 +23,4 @@ std::string shell_command(const std::vector<std::string>& words) {
   return text;
 }
 
-}  // namespace pedzone::study
+}  // namespace pedzone

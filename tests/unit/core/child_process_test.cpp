@@ -1,4 +1,4 @@
-#include "study/run/process.hpp"
+#include "core/child_process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -8,7 +8,7 @@
 #include <csignal>
 #include <stdexcept>
 
-namespace pedzone::study {
+namespace pedzone {
 namespace {
 
 Ending ending_of(Child& child) {
@@ -125,4 +125,4 @@ TEST(RunProgram, that_is_not_there_has_the_code_of_shells) {
 }
 
 }  // namespace
-}  // namespace pedzone::study
+}  // namespace pedzone
