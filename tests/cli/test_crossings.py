@@ -14,7 +14,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 PEDZONE = PROJECT = None
-HOSTILE = 'p<&"\'%#'
+HOSTILE = 'p#%(]=ö'  # what SUMO allows
 
 
 def rows(path):
@@ -32,8 +32,7 @@ class Crossings(unittest.TestCase):
         cls.addClassCleanup(directory.cleanup)
         cls.folder = Path(directory.name)
         routes = street.demand(1, 1200, 300, 400)
-        escaped = HOSTILE.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
-        first = f'<person id="{escaped}" type="person" depart="0" departPos="50"><walk ' \
+        first = f'<person id="{HOSTILE}" type="person" depart="0" departPos="50"><walk ' \
                 'edges="eastward westward" arrivalPos="150"/></person>'
         street.write_scenario(cls.folder, routes.replace("\n", "\n" + first + "\n", 1), 600)
         street.run_pedzone(cls.folder, PEDZONE, 1, "--crossing-output", "crossings.csv")
@@ -102,7 +101,7 @@ class Crossings(unittest.TestCase):
         (self.folder / "wrong.zone.xml").write_text(
             '<zones><zone id="z" edges="eastward westward" crossing="sometimes"/></zones>')
         told = self.pedzone("run", "s.sumocfg", "--zone", "wrong.zone.xml", code=2)
-        self.assertRegex(told, r'wrong.zone.xml:1: .*crossing.*"sometimes".*nodes, anywhere')
+        self.assertRegex(told, r"wrong.zone.xml:1: .*crossing.*'sometimes'.*nodes, anywhere")
 
     def test_where_it_changes_nothing_a_warning_says_so(self):
         (self.folder / "one.zone.xml").write_text(
