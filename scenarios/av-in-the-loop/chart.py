@@ -12,12 +12,16 @@ import sys
 SHOWN = {"conflict.clearance": "least clearance of a run [m]",
          "conflict.serious": "serious conflicts of a run",
          "conflict.ttc": "median time to contact [s]"}
-STUDENT = {2: 4.30, 3: 3.18, 4: 2.78, 9: 2.26, 19: 2.09, 29: 2.05}  # by degrees of freedom
+# Student's t, two-sided 95 %, for 1, 2, ... degrees of freedom.
+STUDENT = (12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31, 2.26, 2.23, 2.20, 2.18, 2.16, 2.14,
+           2.13, 2.12, 2.11, 2.10, 2.09)
 
 
 def interval(values):
-    """Mean, and half of its 95 % confidence interval."""
-    half = STUDENT[len(values) - 1] * statistics.stdev(values) / math.sqrt(len(values))
+    """Mean, and half of its 95 % confidence interval; of one value there is none."""
+    if len(values) == 1:
+        return values[0], 0.0
+    half = STUDENT[min(len(values) - 1, len(STUDENT)) - 1] * statistics.stdev(values) / math.sqrt(len(values))
     return statistics.mean(values), half
 
 
@@ -28,7 +32,7 @@ def read(results):
         for run in csv.DictReader(file):
             for measure in SHOWN:
                 if run.get(measure):
-                    values = found[measure].setdefault(float(run["range"]), [])
+                    values = found[measure].setdefault(float(run["factor.range"]), [])
                     values.append(float(run[measure]))
     return found
 

@@ -126,9 +126,9 @@ def drive(options, log):
     step = traci.simulation.getDeltaT()
     way = Way(traci.route.getEdges(options.route))
     sensor = Sensor(options.sensor_range, options.opening)
-    cruise = options.speed / 3.6
+    cruise, end = options.speed / 3.6, traci.simulation.getEndTime()
     trips, me, s, speed, driver = 0, None, 0.0, 0.0, None
-    while traci.simulation.getTime() < options.end:
+    while traci.simulation.getTime() < end:
         time = traci.simulation.getTime()
         if me is None and options.begin <= time < options.last:
             me, s, speed, driver, trips = f"shuttle{trips}", 0.5, 0.0, Driver(step, cruise), trips + 1
@@ -159,7 +159,6 @@ def main():
     parser.add_argument("--opening", type=float, default=120.0, help="degrees")
     parser.add_argument("--begin", type=float, default=60.0, help="s, of the first trip")
     parser.add_argument("--last", type=float, default=220.0, help="s, no trip begins later")
-    parser.add_argument("--end", type=float, default=300.0, help="s, when it leaves SUMO")
     parser.add_argument("--log", default=os.devnull, help="CSV of what it did")
     options = parser.parse_args()
     traci.init(options.port, numRetries=60)
