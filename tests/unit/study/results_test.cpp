@@ -17,7 +17,7 @@ using testing::HasSubstr;
 Study two_levels(std::vector<std::uint64_t> seeds) {
   Study study;
   study.id = "test";
-  study.scenarios = {{"town, \"old\"", PEDZONE_SCENARIOS "/plaza/plaza-low.sumocfg", "", {}}};
+  study.scenarios = {{"town, \"old\"", PEDZONE_SCENARIOS "/plaza/plaza-low.sumocfg", "", {}, {}}};
   study.models = {"striping", "heuristic", "orca"};
   study.reference = "striping";
   study.seeds = std::move(seeds);
