@@ -11,6 +11,7 @@ namespace {
 constexpr double kBeside = 0.3;       // [m] assumed: nobody lets a car pass nearer
 constexpr double kAlong = 0.5;        // [m] assumed: and none stop nearer to the line
 constexpr double kPast = 0.1;         // [m] assumed: gap to one that is parked
+constexpr double kTouch = 0.1;        // [m] assumed: nobody stands nearer to where a car drives
 constexpr double kAfter = 0.2;        // [s] assumed: after it has passed
 constexpr double kReaction = 1.5;     // [s] assumed: of a driver who sees somebody step out
 constexpr double kComfort = 2.5;      // [m/s²] assumed: that it brakes with
@@ -34,6 +35,12 @@ Inside inside(const CrossingWalk& walk, const StreetVehicle& vehicle) {
 /// Whether it drives beyond where the walk ends: a refuge.
 bool is_beyond(const CrossingWalk& walk, const StreetVehicle& vehicle) {
   return walk.to > walk.from ? vehicle.low > walk.to : vehicle.high < walk.to;
+}
+
+/// Whether the body is in the way already, or so nearly that there is no standing before it.
+bool is_in_the_way(const CrossingWalk& walk, const StreetVehicle& vehicle) {
+  const double room = walk.radius + kTouch;
+  return walk.to > walk.from ? walk.from > vehicle.low - room : walk.from < vehicle.high + room;
 }
 
 bool can_stop(const StreetVehicle& vehicle, double distance) {
@@ -87,11 +94,12 @@ Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, do
     if (rear < 0.0 || person.leave < 0.0) continue;
     const double arrives = distance <= 0.0 ? 0.0 : time_to_drive(vehicle, distance);
     if (!std::isfinite(arrives)) continue;
-    if (person.enter > 0.0 && !sees(vehicle.vehicle)) continue;
+    const bool in_the_way = is_in_the_way(walk, vehicle);
+    if (!in_the_way && !sees(vehicle.vehicle)) continue;
     const double in_time = arrives - walk.margin;
     if (person.leave <= in_time) continue;
     const double needed = in_time > 0.0 ? person.leave / in_time : fastest;
-    if (person.enter <= 0.0) {
+    if (in_the_way) {
       passage.hurry = std::max(passage.hurry, std::min(needed, fastest));
     } else if (needed < fastest) {
       passage.hurry = std::max(passage.hurry, needed);

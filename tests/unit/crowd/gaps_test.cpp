@@ -156,6 +156,13 @@ TEST_F(OnTheWay, they_stand_between_the_lanes_where_it_is_not) {
   EXPECT_NEAR(pass().room, 0.85 - 0.54 + 1.0, 1e-9);
 }
 
+TEST_F(OnTheWay, whoever_stands_before_one_stays_there) {
+  walk_.from = 0.85 - 0.24 - 0.2;  // 0.2 m beside where it drives
+  add({false, 10.0, 10.0});
+  EXPECT_DOUBLE_EQ(pass().hurry, 1.0);
+  EXPECT_DOUBLE_EQ(pass().room, 0.0);
+}
+
 TEST_F(OnTheWay, whoever_is_in_the_way_of_one_runs) {
   walk_.from = 1.0;
   add({false, 10.0, 10.0});
