@@ -17,7 +17,7 @@ constexpr double kAway = 1.5;          // [m] assumed: who was pushed so far goe
 constexpr double kSaves = 10.0;        // [m] assumed: for less nobody leaves its way to a junction
 constexpr double kOnTheWay = 0.3;      // [s] assumed: margin of who is on the carriageway
 constexpr double kFastest = 1.5;       // assumed: of its speed, for a few steps
-constexpr double kBraking = 1.5;       // [s] assumed: in which a walker comes to stand. Drivers
+constexpr double kBraking = 2.5;       // [s] assumed: in which a walker comes to stand. Drivers
                                        // expect people to walk on for 1 s
 constexpr double kOnGround = 0.05;     // [m] numerical: beyond the kerb
 constexpr double kLargeVehicle = 6.0;  // [m] assumed: longer vehicles are too high to see over
