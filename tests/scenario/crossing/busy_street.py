@@ -84,6 +84,8 @@ def crossing_of(walk, passes):
 
 def difference(first, second):
     """Mean of the first less that of the second, and half its 95 % interval."""
+    if min(len(first), len(second)) < 2:
+        return 0.0, math.inf
     mean = statistics.mean(first) - statistics.mean(second)
     half = 1.96 * math.sqrt(statistics.variance(first) / len(first) +
                             statistics.variance(second) / len(second))
@@ -120,7 +122,7 @@ def main():
     median = statistics.median(gap for _, _, gap, _ in known)
     soon = [gap for _, waited, gap, _ in known if waited < SHORT]
     late = [gap for _, waited, gap, _ in known if waited > LONG]
-    by_wait = difference(soon, late) if min(len(soon), len(late)) > 1 else (0.0, math.inf)
+    by_wait = difference(soon, late)
     seniors = [gap for _, _, gap, kind in known if kind == "senior"]
     adults = [gap for _, _, gap, kind in known if kind == "adult"]
     by_age = difference(seniors, adults)
