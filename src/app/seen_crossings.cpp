@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "pages/palette.hpp"
 #include "results/table.hpp"
 #include "sumo/files/place_reader.hpp"
 #include "sumo/files/scenario.hpp"
@@ -20,15 +21,6 @@ constexpr double kBin = 1.0;       // [s] of the chart
 constexpr double kMostGap = 20.0;  // [s] of the chart: longer ones are all taken
 constexpr double kCurveStep = 0.1; // [s]
 
-std::string gaps_text(const std::vector<double>& gaps) {
-  std::string text;
-  for (const double gap : gaps) {
-    if (!text.empty()) text += ' ';
-    append_number(text, gap, kDigits);
-  }
-  return text;
-}
-
 const Table<SeenCrossing>& table() {
   using Row = SeenCrossing;
   static const Table<Row> table(
@@ -38,8 +30,7 @@ const Table<SeenCrossing>& table() {
        number_column({"waited", "s", "standing at the kerb"}, &Row::waited, kDigits),
        number_column({"gap", "s", "that was taken; empty: no vehicle came after"}, &Row::gap,
                      kDigits),
-       {{"let_pass", "s", "gaps, one after the other", ColumnKind::kText},
-        [](std::string& line, const Row& row) { line += gaps_text(row.let_pass); }}});
+       list_column({"let_pass", "s", "gaps, one after the other"}, &Row::let_pass, kDigits)});
   return table;
 }
 
@@ -64,13 +55,15 @@ std::string chart_of(std::span<const GapChoice> choices, const std::optional<Gap
   chart.title = "Gaps between vehicles that people take";
   chart.x_label = "gap [s]";
   chart.y_label = "share taken";
-  chart.lines.push_back({"counted, by seconds", "#1f77b4", "4 3", {observed_shares(choices)}});
+  chart.lines.push_back(
+      {"counted, by seconds", std::string(colours::kBlue.light), "4 3", {observed_shares(choices)}});
   if (fit && std::isfinite(fit->slope)) {
     Polyline curve;
     for (double gap = 0.0; gap <= kMostGap; gap += kCurveStep) {
-      curve.emplace_back(gap, 1.0 / (1.0 + std::exp(-(fit->intercept + fit->slope * gap))));
+      curve.emplace_back(gap, fit->share(gap));
     }
-    chart.lines.push_back({"logistic regression", "#d62728", "", {curve}});
+    chart.lines.push_back(
+        {"logistic regression", std::string(colours::kVermilion.light), "", {curve}});
     chart.note = fmt::format("half of them take {:.1f} s [{:.1f}, {:.1f}]; {} taken, {} let pass",
                              fit->median, fit->low, fit->high, fit->taken, fit->left);
   }

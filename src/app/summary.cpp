@@ -16,6 +16,10 @@ std::string metres(double value) {
   return std::isfinite(value) ? fmt::format("{:.2f} m", value) : "no vehicle came near";
 }
 
+void add_line(std::string& text, const std::string& name, const std::string& value) {
+  text += fmt::format("  {:<34}{}\n", name, value);
+}
+
 constexpr std::size_t kNamed = Standstills::kNamed;  // events that the table names, too
 
 std::string push_text(const RunSummary& summary) {
@@ -89,7 +93,7 @@ nlohmann::ordered_json stuck_json(const Stuck& stuck) {
 std::string crossing_text(const CrossingTotals& crossings) {
   std::string text = "Crossed streets between the junctions\n";
   const auto line = [&text](const std::string& name, const std::string& value) {
-    text += fmt::format("  {:<34}{}\n", name, value);
+    add_line(text, name, value);
   };
   line("stepped out", std::to_string(crossings.crossings));
   line("  without looking", std::to_string(crossings.without_looking));
@@ -140,7 +144,7 @@ std::string summary_table(const RunSummary& summary) {
   const auto& time = summary.time;
   std::string text;
   const auto line = [&text](const std::string& name, const std::string& value) {
-    text += fmt::format("  {:<34}{}\n", name, value);
+    add_line(text, name, value);
   };
   text += "Persons\n";
   line("seen", std::to_string(persons.seen));

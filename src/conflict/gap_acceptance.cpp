@@ -17,10 +17,10 @@ struct Derivatives {
   double g0 = 0.0, g1 = 0.0, h00 = 0.0, h01 = 0.0, h11 = 0.0;
 };
 
-Derivatives derivatives(std::span<const GapChoice> choices, double intercept, double slope) {
+Derivatives derivatives(std::span<const GapChoice> choices, const GapAcceptance& fit) {
   Derivatives d;
   for (const GapChoice& choice : choices) {
-    const double p = 1.0 / (1.0 + std::exp(-(intercept + slope * choice.gap)));
+    const double p = fit.share(choice.gap);
     const double rest = (choice.taken ? 1.0 : 0.0) - p, weight = p * (1.0 - p);
     d.g0 += rest;
     d.g1 += rest * choice.gap;
@@ -44,6 +44,10 @@ std::optional<double> parting_gap(std::span<const GapChoice> choices) {
 
 }  // namespace
 
+double GapAcceptance::share(double gap) const {
+  return 1.0 / (1.0 + std::exp(-(intercept + slope * gap)));
+}
+
 std::optional<GapAcceptance> fit_gap_acceptance(std::span<const GapChoice> choices) {
   GapAcceptance fit;
   fit.taken = static_cast<std::size_t>(std::ranges::count(choices, true, &GapChoice::taken));
@@ -56,7 +60,7 @@ std::optional<GapAcceptance> fit_gap_acceptance(std::span<const GapChoice> choic
   }
   Derivatives d;
   for (int step = 0; step < kSteps; ++step) {
-    d = derivatives(choices, fit.intercept, fit.slope);
+    d = derivatives(choices, fit);
     const double determinant = d.h00 * d.h11 - d.h01 * d.h01;
     if (!(determinant > 0.0)) return std::nullopt;
     const double by0 = (d.h11 * d.g0 - d.h01 * d.g1) / determinant;

@@ -19,6 +19,9 @@ struct GapAcceptance {
   double median = 0.0;                  ///< [s] the gap that half of them take: the critical gap
   double low = 0.0, high = 0.0;         ///< [s] its 95 % interval (delta method)
   std::size_t taken = 0, left = 0;      ///< gaps
+
+  /// P(taken) of a gap [s].
+  double share(double gap) const;
 };
 
 /// Greatest likelihood by Newton's method. Nothing where gaps are too few (under 5 of either kind),

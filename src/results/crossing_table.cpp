@@ -1,35 +1,11 @@
 #include "results/crossing_table.hpp"
 
-#include "core/xml.hpp"
-
 namespace pedzone {
 namespace {
 
 using Row = StreetCrossed;
 using Column = TableColumn<Row>;
 constexpr int kDigits = 2;  // of all numbers
-
-/// One gap after the other, with blanks between.
-std::string gaps_text(const std::vector<float>& gaps) {
-  std::string text;
-  for (const float gap : gaps) {
-    if (!text.empty()) text += ' ';
-    append_number(text, gap, kDigits);
-  }
-  return text;
-}
-
-std::vector<float> gaps_of(const CsvRow& fields, std::size_t column) {
-  std::vector<float> gaps;
-  for (const std::string& word : split_words(std::string(fields[column]))) {
-    double gap = 0.0;
-    if (!parse_number(word, gap)) {
-      throw fields.error("is no list of gaps", column, "numbers with blanks between");
-    }
-    gaps.push_back(static_cast<float>(gap));
-  }
-  return gaps;
-}
 
 std::vector<Column> columns() {
   return {number_column({"time", "s", "when it stepped out"}, &Row::time, kDigits),
@@ -48,9 +24,8 @@ std::vector<Column> columns() {
           {{"looked", "", "false: stepped out without looking", ColumnKind::kTruth},
            [](std::string& line, const Row& row) { line += row.looked ? "true" : "false"; },
            [](Row& row, const CsvRow& fields, std::size_t c) { row.looked = fields[c] == "true"; }},
-          {{"rejected", "s", "gaps that it had let pass, one after the other", ColumnKind::kText},
-           [](std::string& line, const Row& row) { line += gaps_text(row.rejected); },
-           [](Row& row, const CsvRow& fields, std::size_t c) { row.rejected = gaps_of(fields, c); }}};
+          list_column({"rejected", "s", "gaps that it had let pass, one after the other"},
+                      &Row::rejected, kDigits)};
 }
 
 }  // namespace

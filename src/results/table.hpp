@@ -11,6 +11,7 @@
 
 #include "core/csv_stream.hpp"
 #include "core/text.hpp"
+#include "core/xml.hpp"
 
 namespace pedzone {
 
@@ -118,6 +119,29 @@ TableColumn<Row> number_column(ColumnInfo info, double Row::*member, int digits,
           [=](std::string& line, const Row& row) { append_number(line, row.*member, digits); },
           [=](Row& row, const CsvRow& fields, std::size_t c) {
             row.*member = fields.number(c, range);
+          }};
+}
+
+/// Numbers, one after the other with blanks between.
+template <class Row, class Number>
+TableColumn<Row> list_column(ColumnInfo info, std::vector<Number> Row::*member, int digits) {
+  info.kind = ColumnKind::kText;
+  return {std::move(info),
+          [=](std::string& line, const Row& row) {
+            const char* blank = "";
+            for (const Number number : row.*member) {
+              line += std::exchange(blank, " ");
+              append_number(line, static_cast<double>(number), digits);
+            }
+          },
+          [=](Row& row, const CsvRow& fields, std::size_t c) {
+            for (const std::string& word : split_words(fields[c])) {
+              double number = 0.0;
+              if (!parse_number(word, number)) {
+                throw fields.error("is no list of numbers", c, "numbers with blanks between");
+              }
+              (row.*member).push_back(static_cast<Number>(number));
+            }
           }};
 }
 

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
 
 #include "core/error.hpp"
 #include "model/walking_model.hpp"
 #include "sumo/files/hint_values.hpp"
 #include "sumo/files/path_vehicles.hpp"
-#include "sumo/files/people_file.hpp"
 #include "sumo/live/gui_view.hpp"
 #include "sumo/live/stuck_watch.hpp"
 #include "sumo/live/vehicle_reader.hpp"
 #include "sumo/live/zone_marks.hpp"
+#include "sumo/panel_people.hpp"
 #include "sumo/plan/insertions.hpp"
 #include "sumo/plan/stand_off.hpp"
 #include "sumo/plan/steering.hpp"
@@ -36,31 +34,6 @@ double number_option(const Session& session, const std::string& name) {
 }
 
 std::string time_text(double time) { return std::to_string(time) + " s"; }
-
-/// The panels' people as a file that SUMO reads when it starts. It has no name, so that nothing of
-/// it is left however the process ends.
-class PanelPeople {
- public:
-  PanelPeople(const SimulationOptions& options, const Network& network,
-              const std::vector<Zone>& zones)
-      : scenario_(options.scenario) {
-    if (options.panels.empty()) return;
-    const std::string text =
-        people_file({scenario_, network, zones, options.profiles, options.panels, options.seed});
-    file_.reset(std::tmpfile());
-    if (!file_ || std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
-        std::fflush(file_.get()) != 0) {
-      throw std::runtime_error("cannot write people to a temporary file");
-    }
-    add_additional_file(scenario_, "/proc/self/fd/" + std::to_string(fileno(file_.get())));
-  }
-
-  const Scenario& scenario() const { return scenario_; }
-
- private:
-  Scenario scenario_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
-};
 
 /// The specs themselves, once their models are known to be there.
 const std::vector<ZoneSpec>& with_models(const std::vector<ZoneSpec>& specs) {

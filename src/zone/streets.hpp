@@ -30,6 +30,10 @@ struct CrossingPlace {
   double low = 0.0, high = 0.0;  ///< [m] t where people's ground begins on either side
   bool open = false;             ///< there is ground on both sides
   bool near_signal = false;      ///< a signalled crossing is so near that most people use it
+
+  double width() const { return high - low; }  ///< [m]
+  /// Whether people cross here, who act on impulses or not.
+  bool open_to(bool impulsive) const { return open && (impulsive || !near_signal); }
 };
 
 /// A point by a street's axis, which goes on straight beyond its ends.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+
+#include "crowd/behaviour/families.hpp"
 
 namespace pedzone {
 namespace {
@@ -34,18 +35,9 @@ Vec2 beyond(const Street& street, double s, int side, double radius) {
   return street.point(s, kerb_of(street.at(s), -side) + side * (radius + kKerb));
 }
 
-double width_at(const Street& street, double s) { return street.at(s).high - street.at(s).low; }
-
-bool is_impulsive(const CrowdState& crowd, std::size_t i) {
-  const Profile* profile = crowd.walkers[i].profile;
-  return profile != nullptr && profile->impulsiveness > 0.0;
-}
-
 /// A child with no adult does not cross alone where it has another way.
 bool goes_alone_as_child(const CrowdState& crowd, std::size_t i) {
-  const Profile* profile = crowd.walkers[i].profile;
-  if (profile == nullptr || (profile->guarded <= 0.0 && profile->id != "child")) return false;
-  return crowd.groups[crowd.handle(i)].group == 0;
+  return goes_with_adult(crowd.walkers[i].profile) && crowd.groups[crowd.handle(i)].group == 0;
 }
 
 /// The best place of a street as the crow flies.
@@ -56,10 +48,10 @@ Candidate best_place(const Street& street, std::uint32_t index, int side, const 
   const double end = street.place(to).s;
   for (std::size_t k = 0; k < street.places.size(); ++k) {
     const CrossingPlace& place = street.places[k];
-    if (!place.open || (place.near_signal && !impulsive)) continue;
+    if (!place.open_to(impulsive)) continue;
     const double s = static_cast<double>(k) * kStreetStep;
     const double length = (before(street, s, side, radius) - from).norm() +
-                          width_at(street, s) + (to - beyond(street, s, side, radius)).norm();
+                          place.width() + (to - beyond(street, s, side, radius)).norm();
     const double cost = length + kLater * std::abs(end - s);
     if (cost >= least) continue;
     least = cost;
@@ -114,8 +106,7 @@ void head_for_kerb(CrowdState& crowd, std::size_t i) {
   Route& route = crowd.walkers[i].route;
   const Vec2 kerb = kerb_before(crowd, i, crossing.at);
   plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], {kerb, kerb}, route);
-  route.beyond =
-      width_at(crowd.zone.streets[crossing.street], crossing.at) + crossing.beyond;
+  route.beyond = crowd.zone.streets[crossing.street].at(crossing.at).width() + crossing.beyond;
   go_on_to(route, route.next);
 }
 
@@ -127,7 +118,7 @@ std::unique_ptr<StreetCrossing> best_crossing(const CrowdState& crowd, std::size
   for (const Candidate& candidate : candidates(crowd, i, to, length)) {
     if (candidate.least >= length - kWorthWhile) break;
     const Ways ways = ways_over(crowd, i, candidate, to);
-    const double width = width_at(crowd.zone.streets[candidate.street], candidate.s);
+    const double width = crowd.zone.streets[candidate.street].at(candidate.s).width();
     const double over = ways.to_kerb + width + ways.on;
     if (!std::isfinite(over) || over > length - kWorthWhile) continue;
     length = over;
@@ -142,7 +133,7 @@ std::unique_ptr<StreetCrossing> best_crossing(const CrowdState& crowd, std::size
 
 /// [s] that it takes row i beside the way: the wait to be expected, and its aversion.
 double cost_of_crossing(const CrowdState& crowd, std::size_t i, const StreetCrossing& crossing) {
-  const double width = width_at(crowd.zone.streets[crossing.street], crossing.at);
+  const double width = crowd.zone.streets[crossing.street].at(crossing.at).width();
   const bool known = crossing.street < crowd.street_traffic.size();
   const double flow = known ? crowd.street_traffic[crossing.street].flow : 0.0;
   const CrossingWalk walk = walk_across(crowd, i, crossing.at);
@@ -151,6 +142,11 @@ double cost_of_crossing(const CrowdState& crowd, std::size_t i, const StreetCros
 }
 
 }  // namespace
+
+bool is_impulsive(const CrowdState& crowd, std::size_t i) {
+  const Profile* profile = crowd.walkers[i].profile;
+  return profile != nullptr && profile->impulsiveness > 0.0;
+}
 
 Vec2 kerb_before(const CrowdState& crowd, std::size_t i, double s) {
   const StreetCrossing& crossing = *crowd.crossing(i);
@@ -238,8 +234,7 @@ void move_along_kerb(CrowdState& crowd, std::size_t i,
   for (double way = kStreetStep; way <= street.length; way += kStreetStep) {
     for (const double s : {crossing.at - way, crossing.at + way}) {
       if (s < 0.0 || s > street.length) continue;
-      const CrossingPlace& place = street.at(s);
-      if (!place.open || (place.near_signal && !impulsive) || is_barred(s)) continue;
+      if (!street.at(s).open_to(impulsive) || is_barred(s)) continue;
       crossing.at = s;
       crossing.at_kerb = false;
       crossing.beyond += way;

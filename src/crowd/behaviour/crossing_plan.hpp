@@ -8,6 +8,9 @@
 
 namespace pedzone {
 
+/// Whether row i crosses near a signal, too.
+bool is_impulsive(const CrowdState& crowd, std::size_t i);
+
 /// After row i has planned its way to `destination` [m]: weighs crossing one street of the zone
 /// between the junctions against that. Where this takes less time, the route leads to the kerb
 /// first. Else it crosses only if a gap comes while it walks along.

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <ranges>
 
 #include "crowd/behaviour/crossing_plan.hpp"
+#include "crowd/behaviour/groups.hpp"
 #include "crowd/behaviour/path_walk.hpp"
+#include "crowd/sense/perception.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
 #include "world/speeds.hpp"
 
@@ -20,7 +23,6 @@ constexpr double kFastest = 1.5;       // assumed: of its speed, for a few steps
 constexpr double kBraking = 2.5;       // [s] assumed: in which a walker comes to stand. Drivers
                                        // expect people to walk on for 1 s
 constexpr double kOnGround = 0.05;     // [m] numerical: beyond the kerb
-constexpr double kLargeVehicle = 6.0;  // [m] assumed: longer vehicles are too high to see over
 constexpr double kGroupPatience = 30.0;  // [s] assumed: so long a group waits for a common gap
 constexpr double kTogether = 6.0;        // [m] assumed: who is nearer crosses with its group
 
@@ -32,25 +34,37 @@ bool looks(const CrowdState& crowd, std::size_t i) {
   return crowd.model->minds_vehicles() && crowd.traffic[crowd.handle(i)].aware;
 }
 
-/// Whether a line from row i to the vehicle's front or middle is free of buildings, and of vehicles
-/// that stand or are too high.
-bool sees_vehicle(const CrowdState& crowd, std::size_t i, std::uint32_t v) {
-  const VehicleState& vehicle = crowd.vehicles[v];
-  const Vec2 here = crowd.position(i);
-  const Vec2 front = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
-  const auto in_view = [&](const Vec2& point) {
-    if (!crowd.zone.obstacles.empty() && !crowd.zone.sight_walls.free_line(here, point)) {
-      return false;
-    }
+/// Who sees which vehicles. Those that stand or are too high, and buildings, hide others.
+class Lookout {
+ public:
+  explicit Lookout(const CrowdState& crowd) : crowd_(crowd) {
     for (std::uint32_t k = 0; k < crowd.vehicles.size(); ++k) {
-      const VehicleState& other = crowd.vehicles[k];
-      const bool hides = other.velocity.norm() < kHaltingSpeed || other.length > kLargeVehicle;
-      if (k != v && hides && runs_through(rectangle_of(other), here, point)) return false;
+      const VehicleState& vehicle = crowd.vehicles[k];
+      const bool stands = vehicle.velocity.norm() < kHaltingSpeed;
+      if (stands || vehicle.length > kLargeVehicle) hiding_.push_back(k);
     }
-    return true;
-  };
-  return in_view(front) || in_view(vehicle.centre);
-}
+  }
+
+  /// Whether row i sees the vehicle's front or middle.
+  bool sees(std::size_t i, std::uint32_t v) const {
+    const VehicleState& vehicle = crowd_.vehicles[v];
+    const Vec2 front = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
+    return in_view(i, front, v) || in_view(i, vehicle.centre, v);
+  }
+
+ private:
+  bool in_view(std::size_t i, const Vec2& point, std::uint32_t v) const {
+    const Vec2 here = crowd_.position(i);
+    const Zone& zone = crowd_.zone;
+    if (!zone.obstacles.empty() && !zone.sight_walls.free_line(here, point)) return false;
+    return std::ranges::none_of(hiding_, [&](std::uint32_t k) {
+      return k != v && runs_through(rectangle_of(crowd_.vehicles[k]), here, point);
+    });
+  }
+
+  const CrowdState& crowd_;
+  std::vector<std::uint32_t> hiding_;
+};
 
 /// Where it is along its street; whether it may cross there.
 struct Alongside {
@@ -63,9 +77,7 @@ Alongside alongside(const CrowdState& crowd, std::size_t i, const StreetCrossing
   const StreetPlace at = street.place(crowd.position(i));
   if (at.s < 0.0 || at.s > street.length) return {};
   const CrossingPlace& place = street.at(at.s);
-  const Profile* profile = crowd.walkers[i].profile;
-  const bool impulsive = profile != nullptr && profile->impulsiveness > 0.0;
-  if (!place.open || (place.near_signal && !impulsive)) return {at.s, false};
+  if (!place.open_to(is_impulsive(crowd, i))) return {at.s, false};
   const double kerb = crossing.side > 0 ? place.low - at.t : at.t - place.high;
   return {at.s, kerb > -kOnGround && kerb < kKerbReach};
 }
@@ -73,8 +85,7 @@ Alongside alongside(const CrowdState& crowd, std::size_t i, const StreetCrossing
 /// [m] saved by crossing at s instead of going on by the junctions.
 double saving(const CrowdState& crowd, std::size_t i, const StreetCrossing& crossing, double s) {
   const CrossingPlace& place = street_of(crowd, crossing).at(s);
-  const double across =
-      place.high - place.low + std::abs(crossing.at - s) + crossing.beyond;
+  const double across = place.width() + std::abs(crossing.at - s) + crossing.beyond;
   return way_left(crowd.walkers[i].route, crowd.position(i)) - across;
 }
 
@@ -94,7 +105,7 @@ struct Choice {
 };
 
 Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
-                const StreetCrossing& crossing) {
+                const StreetCrossing& crossing, const Lookout& lookout) {
   const Alongside place = alongside(crowd, i, crossing);
   Choice choice;
   if (!place.open) return choice;
@@ -106,8 +117,8 @@ Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
   choice.walk = walk_across(crowd, i, place.s);
   choice.walk.speed = std::min(choice.walk.speed, slowest);
   if (crowd.persons.preferred_speed[i] * 0.5 < crowd.velocity(i).norm()) choice.walk.start_up = 0.0;
-  const auto sees = [&](std::uint32_t v) { return sees_vehicle(crowd, i, v); };
-  choice.view = look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, choice.walk, sees);
+  choice.view = look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, choice.walk,
+                            [&](std::uint32_t v) { return lookout.sees(i, v); });
   const bool waits_elsewhere = crossing.phase == CrossingPhase::kByNodes && !choice.looked;
   choice.ready = !waits_elsewhere && !choice.view.barred && (choice.view.enough || !choice.looked);
   return choice;
@@ -116,11 +127,9 @@ Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
 void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
               std::vector<CrossingBegun>& begun) {
   StreetCrossing& crossing = *crowd.crossing(i);
-  const CrossingPlace& place = street_of(crowd, crossing).at(choice.walk.s);
   if (choice.looked) note_gap(choice.view, crossing);
   CrossingBegun event;
   event.handle = crowd.handle(i);
-  event.person = crowd.persons.key[i];
   event.street = crossing.street;
   event.s = choice.walk.s;
   event.position = crowd.position(i);
@@ -128,12 +137,11 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
   event.waited = crossing.waited;
   event.gap = choice.view.next;
   event.needed = critical_gap(choice.walk);
-  event.width = place.high - place.low;
+  event.width = street_of(crowd, crossing).at(choice.walk.s).width();
   event.looked = choice.looked;
   event.rejected = std::move(crossing.rejected);
   begun.push_back(std::move(event));
   crossing.phase = CrossingPhase::kOver;
-  crossing.left = choice.walk.s;
   head_across(crowd, i, choice.walk.s);
   WalkState& walker = crowd.walkers[i];
   walker.wall_room = {};
@@ -143,8 +151,7 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
 
 bool is_barred(const CrowdState& crowd, std::size_t i, double s) {
   const StreetCrossing& crossing = *crowd.crossing(i);
-  CrossingWalk walk = walk_across(crowd, i, s);
-  return look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, walk,
+  return look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, walk_across(crowd, i, s),
                      [](std::uint32_t) { return true; })
       .barred;
 }
@@ -174,7 +181,7 @@ bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing&
 }
 
 /// Of who is on the carriageway: how fast, or that it has got over.
-void go_over(CrowdState& crowd, std::size_t i) {
+void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout) {
   StreetCrossing& crossing = *crowd.crossing(i);
   if (has_come_over(crowd, i, crossing)) {
     const Destination destination = crossing.destination;
@@ -197,47 +204,49 @@ void go_over(CrowdState& crowd, std::size_t i) {
       profile != nullptr ? std::min(kFastest, profile->top_speed / walk.speed) : kFastest;
   const Passage passage =
       pass_vehicles(crowd.street_traffic[crossing.street], walk, std::max(1.0, fastest),
-                    [&](std::uint32_t v) { return sees_vehicle(crowd, i, v); });
+                    [&](std::uint32_t v) { return lookout.sees(i, v); });
   crossing.hurry = passage.hurry;
   crossing.room = passage.room;
 }
 
-/// Calls what(first, last) for the members of each group in crowd.members.
-std::span<const GroupMember> group_of(const CrowdState& crowd, const GroupMember& member) {
-  const auto same = std::ranges::equal_range(crowd.members, member.group, {}, &GroupMember::group);
-  return {same.begin(), same.end()};
-}
-
 /// The slowest speed of each walker's group [m/s]; its own, of who is alone.
 std::vector<double> slowest_speeds(const CrowdState& crowd) {
-  std::vector<double> speeds(crowd.persons.preferred_speed.begin(),
-                             crowd.persons.preferred_speed.begin() +
-                                 static_cast<std::ptrdiff_t>(crowd.persons.walking));
-  for (const GroupMember& member : crowd.members) {
-    for (const GroupMember& other : group_of(crowd, member)) {
-      speeds[member.row] = std::min(speeds[member.row], crowd.persons.preferred_speed[other.row]);
-    }
-  }
+  const std::vector<double>& own = crowd.persons.preferred_speed;
+  std::vector<double> speeds(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(
+                                                            crowd.persons.walking));
+  for_each_group(crowd.members, [&](std::span<const GroupMember> group) {
+    const auto speed_of = [&](const GroupMember& member) { return own[member.row]; };
+    const double slowest = std::ranges::min(group | std::views::transform(speed_of));
+    for (const GroupMember& member : group) speeds[member.row] = slowest;
+  });
   return speeds;
+}
+
+/// Whether row j of the same group has the same street still to cross, and cannot step out with
+/// row i now.
+bool holds_back(const CrowdState& crowd, std::size_t j, std::size_t i,
+                const std::vector<Choice>& choices) {
+  const StreetCrossing *const theirs = crowd.crossing(j), *const own = crowd.crossing(i);
+  if (j == i || theirs == nullptr || theirs->street != own->street) return false;
+  if (theirs->phase == CrossingPhase::kOver) return false;
+  return !choices[j].ready || (crowd.position(j) - crowd.position(i)).norm() > kTogether;
 }
 
 /// A group steps out together: nobody who has one that is not ready yet does.
 void hold_groups_together(const CrowdState& crowd, std::vector<Choice>& choices) {
-  std::vector<std::uint8_t> held(choices.size(), 0);
-  for (const GroupMember& member : crowd.members) {
-    const StreetCrossing* const own = crowd.crossing(member.row);
-    if (own == nullptr || !choices[member.row].ready || own->waited > kGroupPatience) continue;
-    for (const GroupMember& other : group_of(crowd, member)) {
-      const StreetCrossing* const theirs = crowd.crossing(other.row);
-      if (other.row == member.row || theirs == nullptr || theirs->street != own->street) continue;
-      if (theirs->phase == CrossingPhase::kOver) continue;
-      const double gap = (crowd.position(other.row) - crowd.position(member.row)).norm();
-      if (!choices[other.row].ready || gap > kTogether) held[member.row] = 1;
+  std::vector<std::size_t> held;
+  for_each_group(crowd.members, [&](std::span<const GroupMember> group) {
+    for (const GroupMember& member : group) {
+      const std::size_t i = member.row;
+      const StreetCrossing* const own = crowd.crossing(i);
+      if (own == nullptr || !choices[i].ready || own->waited > kGroupPatience) continue;
+      const auto holds = [&](const GroupMember& other) {
+        return holds_back(crowd, other.row, i, choices);
+      };
+      if (std::ranges::any_of(group, holds)) held.push_back(i);
     }
-  }
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (held[i] != 0) choices[i].ready = false;
-  }
+  });
+  for (const std::size_t i : held) choices[i].ready = false;
 }
 
 }  // namespace
@@ -254,19 +263,20 @@ void come_to_kerb(CrowdState& crowd, std::size_t i) { crowd.crossing(i)->at_kerb
 void cross_streets(CrowdState& crowd, double dt, std::vector<CrossingBegun>& begun) {
   if (crowd.zone.streets.empty()) return;
   const std::size_t walking = crowd.persons.walking;
+  const Lookout lookout(crowd);
   const std::vector<double> slowest = slowest_speeds(crowd);
   std::vector<Choice> choices(walking);
   for (std::size_t i = 0; i < walking; ++i) {
     const StreetCrossing* const crossing = crowd.crossing(i);
     if (crossing == nullptr || crossing->phase == CrossingPhase::kOver) continue;
-    choices[i] = consider(crowd, i, slowest[i], *crossing);
+    choices[i] = consider(crowd, i, slowest[i], *crossing, lookout);
   }
   hold_groups_together(crowd, choices);
   for (std::size_t i = 0; i < walking; ++i) {
     const StreetCrossing* const crossing = crowd.crossing(i);
     if (crossing == nullptr) continue;
     if (crossing->phase == CrossingPhase::kOver) {
-      go_over(crowd, i);
+      go_over(crowd, i, lookout);
     } else if (choices[i].ready) {
       step_out(crowd, i, choices[i], begun);
     } else {

@@ -32,11 +32,6 @@ constexpr double kRound = kPi / 3.0;       // [rad] numerical: of the way round 
 
 Vec2 facing(const CrowdState& crowd, std::size_t i) { return unit(crowd.persons.heading[i]); }
 
-/// Nobody without a profile is a child.
-bool goes_with_adult(const Profile* profile) {
-  return profile != nullptr && (profile->guarded > 0.0 || profile->id == "child");
-}
-
 /// The adult with whom the child went until now, or else the nearest: who has let a child walk
 /// beside it is not left for another who comes by. One adult may have several children.
 const GroupMember* adult_of(const CrowdState& crowd, std::span<const GroupMember> group,
@@ -187,6 +182,10 @@ void guide(const CrowdState& crowd, std::span<const GroupMember> group, std::siz
 }
 
 }  // namespace
+
+bool goes_with_adult(const Profile* profile) {
+  return profile != nullptr && (profile->guarded > 0.0 || profile->id == "child");
+}
 
 void guide_children(const CrowdState& crowd, double dt, ByHandle<ChildMemory>& children) {
   for_each_group(crowd.members, [&](std::span<const GroupMember> group) {

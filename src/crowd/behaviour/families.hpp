@@ -5,6 +5,9 @@
 
 namespace pedzone {
 
+/// Whether that is a child, who does not go about alone. Nobody without a profile is one.
+bool goes_with_adult(const Profile* profile);
+
 /// Finds each child's adult, takes its hand or lets it go in a substep of `dt` [s], and says
 /// whether it is led: by the hand, or back to an adult that is too far away. A child is one whose
 /// profile is guarded, or "child".

@@ -20,7 +20,6 @@ constexpr double kMemory = 2.0;        // [s] assumed: so long a vehicle is mind
 constexpr double kForget = 10.0;       // [s] ... and known, so that no new reaction time begins
 constexpr float kStartled = 1.5F;      // [m] assumed: who is unaware jumps aside this near
 constexpr float kDisturbs = 5.0F;      // [m] assumed: who stands makes room for a vehicle this near
-constexpr double kLargeVehicle = 6.0;  // [m] assumed: longer vehicles are too high to see over
 constexpr double kWarnedField = 180.0;  // [deg] who hears a horn looks round
 
 /// [m] side of the tiles that list vehicles, and at most so many of them. Numerical.

@@ -5,6 +5,9 @@
 
 namespace pedzone {
 
+/// [m] assumed: longer vehicles are too high to see over.
+constexpr double kLargeVehicle = 6.0;
+
 /// Whether anybody perceives otherwise than the zone's parameters say.
 bool perceives_otherwise(const CrowdState& crowd);
 

@@ -98,7 +98,6 @@ struct StreetCrossing {
   double detour = 0.0;       ///< [s] that the way by the junctions takes longer; infinity: none
   bool at_kerb = false;      ///< it has come to where it crosses at last
   double waited = 0.0;       ///< [s] at the kerb
-  double left = 0.0;         ///< [m] s where it stepped out
   double hurry = 1.0;        ///< of its speed, while a vehicle comes
   double room = std::numeric_limits<double>::infinity();  ///< [m] to go before it lets one pass
   std::uint64_t next = 0;    ///< key of the vehicle that comes next; 0: none, or not looked yet

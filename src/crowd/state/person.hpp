@@ -102,7 +102,6 @@ struct VehiclePush {
 /// Somebody who stepped out to cross a street between the junctions.
 struct CrossingBegun {
   PersonHandle handle = 0;
-  std::uint64_t person = 0;  ///< key
   std::uint32_t street = 0;  ///< index in Zone::streets
   double s = 0.0;            ///< [m] place along the street
   Vec2 position = Vec2::Zero();  ///< [m]

@@ -1,6 +1,5 @@
 #include "sumo/live/crossing_records.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pedzone {
@@ -26,10 +25,8 @@ CrossingTotals totals_of(const std::vector<StreetCrossed>& crossings) {
 void CrossingRecords::take(double time) {
   for (std::size_t z = 0; z < crowds_.size(); ++z) {
     for (const CrossingBegun& begun : crowds_[z]->crossings()) {
-      const auto guest = std::ranges::find_if(takeover_.guests(), [&](const Guest& one) {
-        return one.zone == static_cast<int>(z) && one.handle == begun.handle;
-      });
-      if (guest == takeover_.guests().end()) continue;
+      const Guest* const guest = takeover_.guest(z, begun.handle);
+      if (guest == nullptr) continue;
       const Street& street = zones_[z].streets[begun.street];
       StreetCrossed row;
       row.time = time;

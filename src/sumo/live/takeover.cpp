@@ -256,16 +256,18 @@ void Takeover::count(const Guest& guest, const PersonView& view, double dt) {
   if (view.motion != Motion::kWalking) totals_.waiting += dt;
 }
 
-/// The crowds know handles only.
+const Guest* Takeover::guest(std::size_t zone, Crowd::Handle handle) const {
+  const auto found = std::ranges::find_if(guests_, [&](const Guest& one) {
+    return one.zone == static_cast<int>(zone) && one.handle == handle;
+  });
+  return found == guests_.end() ? nullptr : &*found;
+}
+
 void Takeover::list_jams(double time) {
   for (std::size_t z = 0; z < crowds_.size(); ++z) {
     for (const JamNotice& jam : crowds_[z]->jams()) {
-      const auto found = std::ranges::find_if(guests_, [&](const Guest& guest) {
-        return guest.zone == static_cast<int>(z) && guest.handle == jam.handle;
-      });
-      if (found != guests_.end()) {
-        jams_.push_back({time, found->id, zones_[z].id, jam.position});
-      }
+      const Guest* const found = guest(z, jam.handle);
+      if (found != nullptr) jams_.push_back({time, found->id, zones_[z].id, jam.position});
     }
   }
 }

@@ -84,6 +84,8 @@ class Takeover {
   const std::vector<Guest>& guests() const { return guests_; }
   /// The guest of that id; nullptr: SUMO walks it.
   const Guest* guest(const std::string& id) const;
+  /// The guest whom the crowd of a zone knows by that handle; nullptr: none.
+  const Guest* guest(std::size_t zone, Crowd::Handle handle) const;
   const WalkTotals& totals() const { return totals_; }
   /// Of all steps so far, in time.
   const std::vector<JamRecord>& jams() const { return jams_; }

@@ -10,11 +10,8 @@ From SUMO's own outputs of each seed:
 - people's mean way is at most 1.1 of the straight one (plain SUMO: at least 2)
 `--model constant-velocity` must fail: it does not look.
 """
-import argparse
 import statistics
 import sys
-import tempfile
-from pathlib import Path
 
 import street
 
@@ -52,20 +49,11 @@ def share(walks):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program", type=Path)
-    parser.add_argument("--seeds", type=int, default=20)
-    parser.add_argument("--model")
-    parser.add_argument("--keep", type=Path)
-    given = parser.parse_args()
-    options = ["--model", given.model] if given.model else []
-    scratch = tempfile.TemporaryDirectory()
-    root = given.keep or Path(scratch.name)
+    given = street.options(__doc__, seeds=20)
     walks, plain_walks, all_faults, times = [], [], 0, []
     for seed in range(1, given.seeds + 1):
-        faults, seen, seen_plain, ours, plain = one_seed(root / str(seed), given.program.resolve(),
-                                                         seed, options)
+        faults, seen, seen_plain, ours, plain = one_seed(given.keep / str(seed), given.program,
+                                                         seed, given.model)
         walks += seen.walks.values()
         plain_walks += seen_plain.walks.values()
         times += [(plain[k][1], ours[k][1]) for k in ours if ours[k][0] and plain[k][0]]

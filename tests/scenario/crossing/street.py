@@ -1,9 +1,11 @@
 """A street of 7 m with sidewalks between two zebra crossings 200 m apart: demand, runs, and what is
 read from SUMO's own outputs. Shares nothing with src/."""
+import argparse
 import math
 import os
 import random
 import subprocess
+import tempfile
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -66,6 +68,21 @@ def write_scenario(folder, routes, end, zone=ANYWHERE, network=NETWORK):
     (folder / "s.sumocfg").write_text(
         f'<configuration><input><net-file value="{network}"/><route-files value="s.rou.xml"/>'
         f'</input><time><end value="{end}"/><step-length value="{STEP}"/></time></configuration>')
+
+
+def options(usage, seeds):
+    """What the command line says, and the folder to work in."""
+    parser = argparse.ArgumentParser(description=usage,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=lambda path: Path(path).resolve())
+    parser.add_argument("--seeds", type=int, default=seeds, help="how many, from 1 on")
+    parser.add_argument("--model", help="of walking")
+    parser.add_argument("--keep", type=Path, help="folder in which runs stay")
+    given = parser.parse_args()
+    given.model = ["--model", given.model] if given.model else []
+    given.scratch = tempfile.TemporaryDirectory()
+    given.keep = given.keep or Path(given.scratch.name)
+    return given
 
 
 def run(folder, name, *command):

@@ -33,6 +33,16 @@ class Crossing : public ::testing::Test {
     return {};
   }
 
+  /// People at many doors, and cars that come on both lanes `apart` [m] from each other.
+  void fill(Scene& scene, double apart) const {
+    for (double x = 20.0; x <= 180.0; x += 20.0) scene.add(across(x, x));
+    for (double away = 30.0; away < 400.0; away += apart) {
+      scene.vehicles.push_back(car_before(100.0, away, 12.0));
+      scene.vehicles.push_back(car_before(100.0, away + 13.0, 12.0, false));
+    }
+    scene.crowd.let_vehicles_through();
+  }
+
   const Zone zone_ = street_zone();
 };
 
@@ -80,12 +90,7 @@ TEST_F(Crossing, does_not_wait_for_a_car_of_the_far_lane_that_is_past_before) {
 
 TEST_F(Crossing, keeps_a_body_clear_of_cars_that_come_on_both_lanes) {
   Scene scene(zone_);
-  for (double x = 20.0; x <= 180.0; x += 20.0) scene.add(across(x, x));
-  for (double away = 30.0; away < 400.0; away += 55.0) {
-    scene.vehicles.push_back(car_before(100.0, away, 12.0));
-    scene.vehicles.push_back(car_before(100.0, away + 13.0, 12.0, false));
-  }
-  scene.crowd.let_vehicles_through();
+  fill(scene, 55.0);
   scene.run(120.0);
   EXPECT_EQ(scene.arrived(), scene.people.size());
   EXPECT_GT(scene.least_vehicle_gap(), 0.1);
@@ -95,12 +100,7 @@ TEST_F(Crossing, of_a_model_that_minds_nothing_meets_cars) {
   Zone blind = zone_;
   blind.model = "constant-velocity";
   Scene scene(blind);
-  for (double x = 20.0; x <= 180.0; x += 20.0) scene.add(across(x, x));
-  for (double away = 30.0; away < 400.0; away += 25.0) {
-    scene.vehicles.push_back(car_before(100.0, away, 12.0));
-    scene.vehicles.push_back(car_before(100.0, away + 13.0, 12.0, false));
-  }
-  scene.crowd.let_vehicles_through();
+  fill(scene, 25.0);
   scene.run(60.0);
   EXPECT_LT(scene.least_vehicle_gap(), -0.05);
 }
@@ -118,8 +118,7 @@ TEST_F(Crossing, of_who_is_unaware_is_without_looking) {
 }
 
 TEST_F(Crossing, is_left_for_the_junction_by_who_has_waited_as_long_as_that_takes) {
-  Zone busy = zone_;
-  Scene scene(busy);
+  Scene scene(zone_);
   const std::size_t i = scene.add(across(20.0, 20.0));
   for (double away = 5.0; away < 2000.0; away += 30.0) {
     scene.vehicles.push_back(car_before(20.0, away, 10.0));
