@@ -24,6 +24,7 @@ constexpr double kMostRadius = 1.0;    // [m] as Persons::radius
 constexpr double kLeastSpeed = 1e-3;   // [m/s] numerical: models divide by the preferred speed;
                                        // at this one a person stands
 constexpr double kMostSpeed = 5.0;     // [m/s] as Persons::preferred_speed
+constexpr double kAtHand = 2.0;        // [m] assumed: who waits at a kerb steps to and fro so far
 
 bool finite(const VehicleState& v) {
   return pedzone::finite(v.centre) && pedzone::finite(v.velocity) && std::isfinite(v.heading) &&
@@ -32,6 +33,18 @@ bool finite(const VehicleState& v) {
 
 void require(bool good, const char* what) {
   if (!good) throw std::invalid_argument(std::string("crowd: ") + what + " is not a finite number");
+}
+
+/// The zebra crossing that row i uses: by where its way leads beyond the corners at hand.
+std::optional<Zebra> zebra_used(const CrowdState& crowd, std::size_t i) {
+  if (crowd.zone.zebras.empty()) return std::nullopt;
+  const Route& route = crowd.walkers[i].route;
+  const Vec2 here = crowd.position(i);
+  for (std::size_t k = route.next; k + 1 < route.points.size(); ++k) {
+    if ((route.points[k] - here).norm() < kAtHand) continue;
+    return zebra_of(crowd.zone.zebras, here, route.points[k]);
+  }
+  return zebra_of(crowd.zone.zebras, here, nearest_on_segment(here, route.aim_a, route.aim_b));
 }
 
 double speed_in_range(double speed) { return std::clamp(speed, kLeastSpeed, kMostSpeed); }
@@ -222,6 +235,7 @@ PersonView Crowd::view(Handle handle) const {
           i < state.proposals.size() && state.proposals.best(i).by == Behaviour::kClaim,
           state.children[handle].holds_hand,
           state.is_over(i),
+          zebra_used(state, i),
           !state.zone.streets.empty() && state.crossings[handle].stays_outside,
           state.persons.present_radius[i]};
 }

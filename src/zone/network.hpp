@@ -36,6 +36,7 @@ struct Edge {
   std::vector<int> lanes;            ///< indices into Network::lanes, rightmost first
   std::vector<std::string> crossed;  ///< crossings: ids of the edges they lead over
   bool signalled = false;            ///< crossings: under a traffic light
+  bool priority = false;             ///< crossings: vehicles give way to people, without a light
   int line = 0;                      ///< in the network file, for messages
 };
 

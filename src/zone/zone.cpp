@@ -43,6 +43,7 @@ void add_streets(const Network& network, const Draft& draft, Zone& zone) {
   for (const auto& link : linked_across(network, zone.streets, selection.edges)) {
     zone.links.insert(link);
   }
+  zone.zebras = find_zebras(network, zone.lanes);
   zone.crossable = subtract(crossable_ground(zone.streets), zone.obstacles);
   zone.street_walls = WallIndex(unite(zone.walkable, zone.crossable));
 }

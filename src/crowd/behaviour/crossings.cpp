@@ -18,9 +18,8 @@ namespace {
 constexpr double kKerbReach = 3.0;     // [m] assumed: who walks farther from the kerb does not look
 constexpr double kAway = 1.5;          // [m] assumed: who was pushed so far goes back to the kerb
 constexpr double kSaves = 10.0;        // [m] assumed: for less nobody leaves its way to a junction
-constexpr double kOnTheWay = 0.3;      // [s] assumed: margin of who is on the carriageway
 constexpr double kFastest = 1.5;       // assumed: of its speed, for a few steps
-constexpr double kBraking = 2.5;       // [s] assumed: in which a walker comes to stand. Drivers
+constexpr double kBraking = 4.0;       // [s] assumed: in which a walker comes to stand. Drivers
                                        // expect people to walk on for 1 s
 constexpr double kOnGround = 0.05;     // [m] numerical: beyond the kerb
 constexpr double kGroupPatience = 30.0;  // [s] assumed: so long a group waits for a common gap
@@ -108,7 +107,7 @@ Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
                 const StreetCrossing& crossing, const Lookout& lookout) {
   const Alongside place = alongside(crowd, i, crossing);
   Choice choice;
-  if (!place.open) return choice;
+  if (!place.open || crossing.turned_back) return choice;
   if (crossing.phase == CrossingPhase::kByNodes && saving(crowd, i, crossing, place.s) < kSaves) {
     return choice;
   }
@@ -180,15 +179,34 @@ bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing&
   return past > kOnGround && crowd.zone.walls.inside(crowd.position(i));
 }
 
+/// Back to the kerb that it has left, to go by the junctions: for as long as it stood beside parked
+/// cars, the gap that it hoped for did not come.
+void turn_back(CrowdState& crowd, std::size_t i, double s) {
+  StreetCrossing& crossing = *crowd.crossing(i);
+  crossing.side = -crossing.side;
+  crossing.turned_back = true;
+  head_across(crowd, i, s);
+}
+
+/// It is on the ground again, on the other side or where it came from.
+void end_crossing(CrowdState& crowd, std::size_t i) {
+  const Destination destination = crowd.crossing(i)->destination;
+  const bool turned_back = crowd.crossing(i)->turned_back;
+  crowd.crossings[crowd.handle(i)].now.reset();
+  crowd.walkers[i].wall_room = {};
+  const PathMemory& path = crowd.paths[crowd.handle(i)];
+  start_way(crowd, i, path != nullptr ? path->destination : destination);
+  StreetCrossing* const again = crowd.crossing(i);
+  if (!turned_back || again == nullptr) return;
+  again->turned_back = true;
+  if (again->phase == CrossingPhase::kToKerb) go_by_nodes(crowd, i);
+}
+
 /// Of who is on the carriageway: how fast, or that it has got over.
-void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout) {
+void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt) {
   StreetCrossing& crossing = *crowd.crossing(i);
   if (has_come_over(crowd, i, crossing)) {
-    const Destination destination = crossing.destination;
-    crowd.crossings[crowd.handle(i)].now.reset();
-    crowd.walkers[i].wall_room = {};
-    const PathMemory& path = crowd.paths[crowd.handle(i)];
-    start_way(crowd, i, path != nullptr ? path->destination : destination);
+    end_crossing(crowd, i);
     return;
   }
   crossing.hurry = 1.0;
@@ -197,7 +215,6 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout) {
   const Street& street = street_of(crowd, crossing);
   CrossingWalk walk = walk_across(crowd, i, street.place(crowd.position(i)).s);
   walk.start_up = 0.0;
-  walk.margin = kOnTheWay;
   walk.speed = crowd.walkers[i].own_speed;
   const Profile* profile = crowd.walkers[i].profile;
   const double fastest =
@@ -207,6 +224,9 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout) {
                     [&](std::uint32_t v) { return lookout.sees(i, v); });
   crossing.hurry = passage.hurry;
   crossing.room = passage.room;
+  if (crowd.velocity(i).norm() >= kHaltingSpeed) return;
+  crossing.waited += dt;
+  if (!passage.committed && crossing.waited > crossing.detour) turn_back(crowd, i, walk.s);
 }
 
 /// The slowest speed of each walker's group [m/s]; its own, of who is alone.
@@ -276,7 +296,7 @@ void cross_streets(CrowdState& crowd, double dt, std::vector<CrossingBegun>& beg
     const StreetCrossing* const crossing = crowd.crossing(i);
     if (crossing == nullptr) continue;
     if (crossing->phase == CrossingPhase::kOver) {
-      go_over(crowd, i, lookout);
+      go_over(crowd, i, lookout, dt);
     } else if (choices[i].ready) {
       step_out(crowd, i, choices[i], begun);
     } else {

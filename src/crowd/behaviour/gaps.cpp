@@ -13,7 +13,9 @@ constexpr double kAlong = 0.5;        // [m] assumed: and none stop nearer to th
 constexpr double kPast = 0.1;         // [m] assumed: gap to one that is parked
 constexpr double kTouch = 0.1;        // [m] assumed: nobody stands nearer to where a car drives
 constexpr double kAfter = 0.2;        // [s] assumed: after it has passed
+constexpr double kOnTheWay = 0.3;     // [s] assumed: margin of who has stepped before vehicles
 constexpr double kReaction = 1.5;     // [s] assumed: of a driver who sees somebody step out
+constexpr double kPrepared = 0.7;     // [s] assumed: ... whom it has seen stand on the carriageway
 constexpr double kComfort = 2.5;      // [m/s²] assumed: that it brakes with
 constexpr double kLongestWait = 3600.0;  // [s] numerical: an hour is for ever
 
@@ -43,9 +45,17 @@ bool is_in_the_way(const CrossingWalk& walk, const StreetVehicle& vehicle) {
   return walk.to > walk.from ? walk.from > vehicle.low - room : walk.from < vehicle.high + room;
 }
 
-bool can_stop(const StreetVehicle& vehicle, double distance) {
+/// Whether the body is where vehicles drive. One that has come by parked cars to the edge of a lane
+/// is not yet.
+bool is_committed(const StreetTraffic& traffic, const CrossingWalk& walk) {
+  return std::ranges::any_of(traffic.vehicles, [&](const StreetVehicle& vehicle) {
+    return vehicle.speed >= kStaticSpeed && is_in_the_way(walk, vehicle);
+  });
+}
+
+bool can_stop(const StreetVehicle& vehicle, double distance, double reaction) {
   const double v = vehicle.speed;
-  return distance > v * kReaction + v * v / (2.0 * kComfort) + kAlong;
+  return distance > v * reaction + v * v / (2.0 * kComfort) + kAlong;
 }
 
 }  // namespace
@@ -77,7 +87,7 @@ GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState
       view.vehicle = vehicles[vehicle.vehicle].key;
     }
     const bool before = arrives >= person.leave + walk.margin;
-    const bool stops = walk.insists && can_stop(vehicle, distance);
+    const bool stops = walk.insists && can_stop(vehicle, distance, kReaction);
     if (!after && !before && !stops) view.enough = false;
   }
   return view;
@@ -86,6 +96,9 @@ GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState
 Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, double fastest,
                       const std::function<bool(std::uint32_t vehicle)>& sees) {
   Passage passage;
+  const bool committed = is_committed(traffic, walk);
+  const double margin = committed ? kOnTheWay : walk.margin;
+  passage.committed = committed;
   for (const StreetVehicle& vehicle : traffic.vehicles) {
     const double reach = walk.radius + kAlong;
     const double distance = vehicle.distance_to(walk.s) - reach;
@@ -96,12 +109,13 @@ Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, do
     if (!std::isfinite(arrives)) continue;
     const bool in_the_way = is_in_the_way(walk, vehicle);
     if (!in_the_way && !sees(vehicle.vehicle)) continue;
-    const double in_time = arrives - walk.margin;
+    const double in_time = arrives - margin;
     if (person.leave <= in_time) continue;
+    if (!in_the_way && walk.insists && can_stop(vehicle, distance, kPrepared)) continue;
     const double needed = in_time > 0.0 ? person.leave / in_time : fastest;
     if (in_the_way) {
       passage.hurry = std::max(passage.hurry, std::min(needed, fastest));
-    } else if (needed < fastest) {
+    } else if (committed && needed < fastest) {
       passage.hurry = std::max(passage.hurry, needed);
     } else if (time_to_drive(vehicle, rear) + kAfter > person.enter) {
       passage.room = std::min(passage.room, person.enter * walk.speed);

@@ -38,12 +38,14 @@ GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState
 
 /// What who is on the carriageway does about vehicles that come.
 struct Passage {
-  double hurry = 1.0;  ///< share of its speed that gets it past them in time
+  bool committed = false;  ///< it is where vehicles drive
+  double hurry = 1.0;      ///< share of its speed that gets it past them in time
   double room = std::numeric_limits<double>::infinity();  ///< [m] to go before it lets one pass
 };
 
-/// As look_at_gap(), for who is on its way: it hurries, by at most `fastest` times its speed, or
-/// stands between the lanes.
+/// As look_at_gap(), for who is on its way. Where vehicles drive already, it hurries, by at most
+/// `fastest` times its speed, or stands between the lanes. Before, as beside parked cars, it stands
+/// until there is a gap as at the kerb.
 Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, double fastest,
                       const std::function<bool(std::uint32_t vehicle)>& sees);
 

@@ -97,7 +97,8 @@ struct StreetCrossing {
   double beyond = 0.0;       ///< [m] way from the other side to there
   double detour = 0.0;       ///< [s] that the way by the junctions takes longer; infinity: none
   bool at_kerb = false;      ///< it has come to where it crosses at last
-  double waited = 0.0;       ///< [s] at the kerb
+  double waited = 0.0;       ///< [s] for a gap
+  bool turned_back = false;  ///< on the carriageway, in vain: goes by the junctions
   double hurry = 1.0;        ///< of its speed, while a vehicle comes
   double room = std::numeric_limits<double>::infinity();  ///< [m] to go before it lets one pass
   std::uint64_t next = 0;    ///< key of the vehicle that comes next; 0: none, or not looked yet

@@ -11,6 +11,7 @@
 #include "world/activities.hpp"
 #include "world/profiles.hpp"
 #include "zone/paths.hpp"
+#include "zone/zebras.hpp"
 
 namespace pedzone {
 
@@ -75,6 +76,7 @@ struct PersonView {
   bool makes_way;        ///< goes out of the room that a vehicle claims
   bool holds_hand;       ///< a child whom an adult leads by the hand
   bool crosses;          ///< a street, between the junctions
+  std::optional<Zebra> zebra;  ///< that it is on or about to enter, from where it comes
   bool stays_outside;    ///< would rather go by SUMO's junctions (NewPerson::by_junctions)
   double radius;         ///< [m] of the body as it holds its shoulders now
 };

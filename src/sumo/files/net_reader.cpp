@@ -164,6 +164,10 @@ class NetworkReader {
         if (edge.function == EdgeFunction::kCrossing) edge.signalled = true;
       }
     }
+    Edge& entered = network_.edges[network_.lanes[connection.to].edge];
+    if (entered.function == EdgeFunction::kCrossing) {
+      entered.priority = std::string_view(node.attribute("state").value()) == "M";
+    }
     network_.connections.push_back(connection);
   }
 

@@ -331,7 +331,7 @@ void Takeover::people(std::vector<PersonAhead>& out) const {
   out.clear();
   for (const Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
-    out.push_back({view.position, view.velocity, guest.radius});
+    out.push_back({view.position, view.velocity, guest.radius, view.zebra});
   }
 }
 

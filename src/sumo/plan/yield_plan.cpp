@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sumo/plan/late_braking.hpp"
+#include "sumo/plan/right_of_way.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
@@ -103,6 +104,17 @@ std::optional<YieldOrder> let_go(FleetVehicle& vehicle, double dt) {
   return comfortable_order(vehicle, vehicle.allowed_speed, dt);
 }
 
+/// Before a zebra crossing that people use: it waits, and claims nothing, where it can in comfort.
+std::optional<YieldOrder> give_way(FleetVehicle& vehicle, double way, const SafeSpeeds& safe_speeds,
+                                   double dt) {
+  const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
+  if (braking > way + kSample) return std::nullopt;
+  const double safe = safe_speeds.stop(vehicle, way);
+  vehicle.creeping = false;
+  vehicle.held_up = vehicle.slowed = 0.0;
+  return comfortable_order(vehicle, std::min(safe, vehicle.allowed_speed), dt);
+}
+
 /// [m/s] at most creepSpeed: past people who have stepped aside where there is little room. Whom
 /// the body would touch, or nearly so, it stops for all the same.
 double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
@@ -154,6 +166,10 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   const double distance = look_ahead(vehicle, parameters);
   const auto ahead = first_in_way(
       vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin, distance);
+  const auto zebra = way_to_used_zebra(vehicle, people, distance);
+  if (zebra && (!ahead || *zebra <= ahead->distance)) {
+    if (const auto order = give_way(vehicle, *zebra, safe_speeds, dt)) return order;
+  }
   if (!ahead) {
     vehicle.creeping = false;
     vehicle.held_up = 0.0;

@@ -8,6 +8,7 @@
 
 #include "sumo/plan/vehicle.hpp"
 #include "world/parameters.hpp"
+#include "zone/zebras.hpp"
 
 namespace pedzone {
 
@@ -15,6 +16,7 @@ namespace pedzone {
 struct PersonAhead {
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
   double radius = 0.24;
+  std::optional<Zebra> zebra = {};  ///< that it is on or about to enter, from where it comes
 };
 
 /// The first person in a vehicle's way.
@@ -44,7 +46,7 @@ struct YieldOrder {
 };
 
 /// Looks for people as far ahead as the vehicle needs to stop from its speed v, braking as it likes
-/// to, and v·1 s + yieldHorizon farther. Counts for how long people hold it up: from creepAfter on
+/// to, and v·1 s + yieldHorizon farther. Lets those on zebra crossings go first. Counts for how long people hold it up: from creepAfter on
 /// it creeps. No order: nothing but its own traffic holds it, and it is SUMO's. `dt` [s]: of the
 /// step.
 std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const PersonAhead> people,

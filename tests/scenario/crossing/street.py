@@ -135,7 +135,6 @@ class Walk:
 class Seen:
     """What the floating-car data of a run hold."""
     walks: dict = field(default_factory=dict)
-    types: dict = field(default_factory=dict)  # of persons
     cars: dict = field(default_factory=dict)  # id -> [(time, x), ...]
     contacts: list = field(default_factory=list)  # (time, person, vehicle, its speed)
     brakings: list = field(default_factory=list)  # (time, vehicle, deceleration)
@@ -162,7 +161,6 @@ def read_fcd(path):
         if element.tag == "person":
             place = (float(element.get("x")), float(element.get("y")))
             people[element.get("id")] = place
-            seen.types[element.get("id")] = element.get("type")
             seen.walks.setdefault(element.get("id"), Walk()).track.append((now, *place))
         elif element.tag == "vehicle":
             name, speed = element.get("id"), float(element.get("speed"))
@@ -190,6 +188,12 @@ def read_trips(path):
         trips[person.get("id")] = (min(arrivals_) >= 0, max(arrivals_) - float(person.get("depart")),
                                    [stage.tag for stage in person])
     return trips
+
+
+def read_types(path):
+    """Of each person its vType."""
+    return {person.get("id"): person.get("type")
+            for person in xml.parse(path).getroot().iter("personinfo")}
 
 
 def read_collisions(path):

@@ -143,6 +143,7 @@ TEST_F(OnTheWay, people_walk_on_where_they_are_past_in_time) {
 
 TEST_F(OnTheWay, they_hurry_where_that_is_enough) {
   walk_.from = -1.0;
+  add({true, 200.0, 10.0});  // it is where vehicles drive
   add({false, 40.0, 10.0});  // 4.2 s of walking, 3.6 s left
   EXPECT_GT(pass().hurry, 1.1);
   EXPECT_LT(pass().hurry, 1.4);
@@ -154,6 +155,29 @@ TEST_F(OnTheWay, they_stand_between_the_lanes_where_it_is_not) {
   add({false, 20.0, 10.0});
   EXPECT_DOUBLE_EQ(pass().hurry, 1.0);
   EXPECT_NEAR(pass().room, 0.85 - 0.54 + 1.0, 1e-9);
+}
+
+TEST_F(OnTheWay, they_wait_for_a_gap_as_at_the_kerb_where_no_vehicle_drives_yet) {
+  walk_.from = -1.0;  // the near lane is full of parked cars
+  walk_.margin = 2.0;
+  add({true, 5.0, 0.0});
+  add({false, 50.0, 10.0});  // 4.2 s of walking, 5 s left
+  EXPECT_FALSE(pass().committed);
+  EXPECT_NEAR(pass().room, 0.85 - 0.54 + 1.0, 1e-9);
+  EXPECT_DOUBLE_EQ(pass().hurry, 1.0);
+  add({true, 200.0, 10.0});
+  EXPECT_TRUE(pass().committed);
+  EXPECT_TRUE(std::isinf(pass().room));
+}
+
+TEST_F(OnTheWay, whoever_has_waited_for_long_steps_before_one_that_can_stop) {
+  walk_.from = 0.3;
+  add({false, 18.0, 6.0});
+  EXPECT_LT(pass().room, 0.1);
+  walk_.insists = true;
+  EXPECT_TRUE(std::isinf(pass().room));
+  add({false, 10.0, 6.0});
+  EXPECT_LT(pass().room, 0.1);
 }
 
 TEST_F(OnTheWay, whoever_stands_before_one_stays_there) {

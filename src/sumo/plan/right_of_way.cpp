@@ -1,0 +1,66 @@
+#include "sumo/plan/right_of_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pedzone {
+namespace {
+
+constexpr double kFastWalk = 2.0;  // [m/s] assumed: nobody comes over a crossing faster
+constexpr double kSlowest = 3.0;   // [m/s] assumed: a vehicle that is let through speeds up to it
+constexpr double kBefore = 1.0;    // [s] assumed: left between the vehicle's rear and the person
+constexpr double kBeside = 0.5;    // [m] assumed: between the body and who has come past it
+
+struct Meeting {
+  double way = 0.0;     ///< [m] of the front to the crossing
+  double across = 0.0;  ///< [m] along the crossing from its begin to the vehicle's way
+};
+
+/// Where the way leads over the crossing; nothing: it does not, or the front is on it already.
+std::optional<Meeting> meeting(const FleetVehicle& vehicle, const Zebra& zebra) {
+  const Vec2 line = zebra.end - zebra.begin;
+  const double length = line.norm();
+  double driven = -vehicle.traits.length;  // the way begins at the rear
+  for (std::size_t k = 1; k < vehicle.way.size(); ++k) {
+    const Vec2 piece = vehicle.way[k] - vehicle.way[k - 1];
+    const double turn = cross(piece, line);
+    const Vec2 between = zebra.begin - vehicle.way[k - 1];
+    const double share = turn == 0.0 ? -1.0 : cross(between, line) / turn;
+    const double across = turn == 0.0 ? -1.0 : cross(between, piece) / turn;
+    if (share >= 0.0 && share <= 1.0 && across >= 0.0 && across <= 1.0) {
+      const double way = driven + share * piece.norm() - 0.5 * zebra.width;
+      if (way < 0.0) return std::nullopt;
+      return Meeting{way, across * length};
+    }
+    driven += piece.norm();
+  }
+  return std::nullopt;
+}
+
+/// Whether the person comes to the vehicle's way before the vehicle is over the crossing.
+bool comes_first(const FleetVehicle& vehicle, const PersonAhead& person, const Meeting& at) {
+  const Zebra& zebra = *person.zebra;
+  const Vec2 along = (zebra.end - zebra.begin).normalized();
+  const double left = at.across - (person.position - zebra.begin).dot(along);
+  const double room = 0.5 * vehicle.traits.width + person.radius + kBeside;
+  if (left < -room) return false;  // has come past
+  const double over = (at.way + zebra.width + vehicle.traits.length) /
+                      std::max(vehicle.speed, kSlowest);
+  return (left - room) / kFastWalk < over + kBefore;
+}
+
+}  // namespace
+
+std::optional<double> way_to_used_zebra(const FleetVehicle& vehicle,
+                                        std::span<const PersonAhead> people, double distance) {
+  std::optional<double> nearest;
+  for (const PersonAhead& person : people) {
+    if (!person.zebra) continue;
+    const auto at = meeting(vehicle, *person.zebra);
+    if (!at || at->way > distance || (nearest && at->way >= *nearest)) continue;
+    if (comes_first(vehicle, person, *at)) nearest = at->way;
+  }
+  return nearest;
+}
+
+}  // namespace pedzone
