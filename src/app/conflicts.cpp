@@ -160,7 +160,8 @@ void add_conflicts(CLI::App& app, int& code) {
   auto* zone = command
                    ->add_option("--zone", options->crossings.zone_file,
                                 "Zone file with crossing=\"anywhere\": who crosses its streets "
-                                "where, and the gaps that people take (with --scenario)")
+                                "where, conflicts on their near and far half, and the gaps that "
+                                "people take (with --scenario)")
                    ->type_name(kFile);
   command->add_option("--crossing-csv", options->crossings.csv, "Write these crossings as a table")
       ->type_name(kFile)
