@@ -74,6 +74,10 @@ void measure(const ConflictsOptions& options) {
   const std::optional<WalkedByPedzone> walked = read_walked(options.trajectories);
   std::vector<Conflict> over, printed;
   std::size_t others = 0;
+  std::unique_ptr<SeenCrossings> crossings;
+  if (!options.crossings.zone_file.empty()) {
+    crossings = std::make_unique<SeenCrossings>(options.scenario, options.crossings);
+  }
   const auto write = [&] {
     for (const Conflict& conflict : over) {
       if (!options.conflicts.takes(conflict)) {
@@ -81,14 +85,11 @@ void measure(const ConflictsOptions& options) {
         continue;
       }
       writer.write(conflict);
+      if (crossings) crossings->add(conflict);
       if (options.json) printed.push_back(conflict);
     }
     over.clear();
   };
-  std::unique_ptr<SeenCrossings> crossings;
-  if (!options.crossings.zone_file.empty()) {
-    crossings = std::make_unique<SeenCrossings>(options.scenario, options.crossings);
-  }
   std::vector<PersonSample> told;
   ShareBar bar("measuring conflicts");
   const std::unordered_set<std::string> as_persons(options.as_persons.begin(),
@@ -159,7 +160,8 @@ void add_conflicts(CLI::App& app, int& code) {
   auto* zone = command
                    ->add_option("--zone", options->crossings.zone_file,
                                 "Zone file with crossing=\"anywhere\": who crosses its streets "
-                                "where, and the gaps that people take (with --scenario)")
+                                "where, conflicts on their near and far half, and the gaps that "
+                                "people take (with --scenario)")
                    ->type_name(kFile);
   command->add_option("--crossing-csv", options->crossings.csv, "Write these crossings as a table")
       ->type_name(kFile)

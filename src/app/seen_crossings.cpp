@@ -7,7 +7,6 @@
 
 #include "core/error.hpp"
 #include "pages/palette.hpp"
-#include "results/table.hpp"
 #include "sumo/files/place_reader.hpp"
 #include "sumo/files/scenario.hpp"
 #include "view/line_chart.hpp"
@@ -15,38 +14,12 @@
 namespace pedzone {
 namespace {
 
-using study::SeenCrossing;
-constexpr int kDigits = 2;         // of all numbers
-constexpr double kBin = 1.0;       // [s] of the chart
-constexpr double kMostGap = 20.0;  // [s] of the chart: longer ones are all taken
-constexpr double kCurveStep = 0.1; // [s]
-
-const Table<SeenCrossing>& table() {
-  using Row = SeenCrossing;
-  static const Table<Row> table(
-      {text_column({"person", "", "id"}, &Row::person),
-       {{"place", "", "between the junctions, or at a junction", ColumnKind::kText},
-        [](std::string& line, const Row& row) { line += row.between ? "between" : "junction"; }},
-       number_column({"waited", "s", "standing at the kerb"}, &Row::waited, kDigits),
-       number_column({"gap", "s", "that was taken; empty: no vehicle came after"}, &Row::gap,
-                     kDigits),
-       list_column({"let_pass", "s", "gaps, one after the other"}, &Row::let_pass, kDigits)});
-  return table;
-}
+constexpr double kCurveStep = 0.1;  // [s]
 
 /// Share of the gaps in each second that were taken.
-Polyline observed_shares(std::span<const GapChoice> choices) {
-  std::vector<double> taken(static_cast<std::size_t>(kMostGap / kBin)), all(taken.size());
-  for (const GapChoice& choice : choices) {
-    if (choice.gap < 0.0 || choice.gap >= kMostGap) continue;
-    const auto bin = static_cast<std::size_t>(choice.gap / kBin);
-    all[bin] += 1.0;
-    if (choice.taken) taken[bin] += 1.0;
-  }
+Polyline counted(std::span<const GapChoice> choices) {
   Polyline line;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k] > 0.0) line.emplace_back((static_cast<double>(k) + 0.5) * kBin, taken[k] / all[k]);
-  }
+  for (const GapShare& one : shares_taken(choices)) line.emplace_back(one.gap, one.share);
   return line;
 }
 
@@ -56,10 +29,10 @@ std::string chart_of(std::span<const GapChoice> choices, const std::optional<Gap
   chart.x_label = "gap [s]";
   chart.y_label = "share taken";
   chart.lines.push_back(
-      {"counted, by seconds", std::string(colours::kBlue.light), "4 3", {observed_shares(choices)}});
+      {"counted, by seconds", std::string(colours::kBlue.light), "4 3", {counted(choices)}});
   if (fit && std::isfinite(fit->slope)) {
     Polyline curve;
-    for (double gap = 0.0; gap <= kMostGap; gap += kCurveStep) {
+    for (double gap = 0.0; gap <= kLongestGap; gap += kCurveStep) {
       curve.emplace_back(gap, fit->share(gap));
     }
     chart.lines.push_back(
@@ -71,9 +44,13 @@ std::string chart_of(std::span<const GapChoice> choices, const std::optional<Gap
 }
 
 std::string told(std::span<const SeenCrossing> all, const std::optional<GapAcceptance>& fit) {
-  double waited = 0.0;
+  double waited = 0.0, near = 0.0, far = 0.0;
   const auto between = std::ranges::count(all, true, &SeenCrossing::between);
-  for (const SeenCrossing& one : all) waited += one.waited;
+  for (const SeenCrossing& one : all) {
+    waited += one.waited;
+    near += one.near_conflicts;
+    far += one.far_conflicts;
+  }
   std::string text = fmt::format("Streets were crossed {} times, {} of them between the junctions",
                                  all.size(), between);
   if (between > 0) {
@@ -82,6 +59,12 @@ std::string told(std::span<const SeenCrossing> all, const std::optional<GapAccep
                         waited / static_cast<double>(between));
   }
   text += ".\n";
+  if (between > 0) {
+    text += fmt::format(
+        "Conflicts of these with moving vehicles: {:.0f} on the near half of the "
+        "carriageway, seen from the kerb that they come from, {:.0f} on the far one.\n",
+        near, far);
+  }
   if (fit) {
     text += fmt::format("Half of the people take a gap of {:.1f} s [{:.1f}, {:.1f}]: {} gaps were "
                         "taken, {} let pass.\n",
@@ -123,14 +106,11 @@ void SeenCrossings::step(double time, std::span<const PersonSample> persons,
 }
 
 std::string SeenCrossings::finish() {
+  crossings_.count_conflicts(conflicts_);
   const std::vector<SeenCrossing> all = crossings_.all();
   const std::vector<GapChoice> choices = study::gap_choices(all);
   const std::optional<GapAcceptance> fit = fit_gap_acceptance(choices);
-  if (csv_) {
-    std::string text = table().header();
-    for (const SeenCrossing& one : all) table().append(text, one);
-    csv_->write(text);
-  }
+  if (csv_) csv_->write(study::crossings_csv(all));
   if (svg_) svg_->write(chart_of(choices, fit));
   if (csv_) csv_->finish();
   if (svg_) svg_->finish();

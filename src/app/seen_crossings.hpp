@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "conflict/tracker.hpp"
 #include "results/complete_file.hpp"
@@ -24,6 +25,8 @@ class SeenCrossings {
 
   void step(double time, std::span<const PersonSample> persons,
             std::span<const VehicleSample> vehicles);
+  /// Conflicts that are told by lane.
+  void add(const Conflict& conflict) { conflicts_.push_back(conflict); }
 
   /// Writes the files; what there is to tell.
   std::string finish();
@@ -31,6 +34,7 @@ class SeenCrossings {
  private:
   std::unique_ptr<Place> place_;
   study::StreetCrossings crossings_;
+  std::vector<Conflict> conflicts_;
   std::unique_ptr<CompleteFile> csv_, svg_;
   double time_ = 0.0;
   bool begun_ = false;

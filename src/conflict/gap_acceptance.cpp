@@ -1,6 +1,7 @@
 #include "conflict/gap_acceptance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -80,6 +81,23 @@ std::optional<GapAcceptance> fit_gap_acceptance(std::span<const GapChoice> choic
   fit.low = fit.median - half;
   fit.high = fit.median + half;
   return fit;
+}
+
+std::vector<GapShare> shares_taken(std::span<const GapChoice> choices) {
+  std::array<std::size_t, static_cast<std::size_t>(kLongestGap)> taken{}, all{};
+  for (const GapChoice& choice : choices) {
+    if (choice.gap < 0.0 || choice.gap >= kLongestGap) continue;
+    const auto second = static_cast<std::size_t>(choice.gap);
+    ++all[second];
+    if (choice.taken) ++taken[second];
+  }
+  std::vector<GapShare> shares;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k] == 0) continue;
+    const double share = static_cast<double>(taken[k]) / static_cast<double>(all[k]);
+    shares.push_back({static_cast<double>(k) + 0.5, share, all[k]});
+  }
+  return shares;
 }
 
 }  // namespace pedzone

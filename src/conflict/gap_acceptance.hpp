@@ -30,4 +30,17 @@ struct GapAcceptance {
 /// Source: Brewer, Fitzpatrick, Whitacre and Lord 2006 fit pedestrians' gaps so.
 std::optional<GapAcceptance> fit_gap_acceptance(std::span<const GapChoice> choices);
 
+/// Of the gaps of about a length, how many were taken.
+struct GapShare {
+  double gap = 0.0;      ///< [s] middle of a whole second
+  double share = 0.0;    ///< [0, 1] taken
+  std::size_t gaps = 0;  ///< > 0
+};
+
+/// [s] assumed: longer ones are all taken, pictures end here.
+inline constexpr double kLongestGap = 20.0;
+
+/// By seconds below kLongestGap; those without a gap are left out.
+std::vector<GapShare> shares_taken(std::span<const GapChoice> choices);
+
 }  // namespace pedzone

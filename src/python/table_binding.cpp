@@ -11,6 +11,7 @@
 #include "python/bindings.hpp"
 #include "python/table_reader.hpp"
 #include "results/conflict_table.hpp"
+#include "results/crossing_table.hpp"
 #include "results/run_tables.hpp"
 #include "results/trajectories.hpp"
 #include "study/compare/results.hpp"
@@ -31,7 +32,8 @@ Columns columns_of(const std::string& file, const std::vector<std::string>& head
   std::erase_if(names, is_factor);
   for (const Columns& known :
        {trajectory_table().infos(), conflict_table().infos(), series_table().infos(),
-        density_table().infos(), study::runs_columns(), study::summary_columns()}) {
+        density_table().infos(), seen_crossing_table().infos(), study::runs_columns(),
+        study::summary_columns()}) {
     if (!std::ranges::equal(names, known, {}, {}, &ColumnInfo::name)) continue;
     Columns columns;
     auto next = known.begin();
@@ -42,10 +44,12 @@ Columns columns_of(const std::string& file, const std::vector<std::string>& head
     }
     return columns;
   }
-  throw InputError("is none of pedzone's tables",
-                   {.file = file,
-                    .line = 1,
-                    .allowed = "trajectories, conflicts, series, density, runs or summary as CSV"});
+  throw InputError(
+      "is none of pedzone's tables",
+      {.file = file,
+       .line = 1,
+       .allowed = "trajectories, conflicts, series, density, crossings that were seen, "
+                  "runs or summary as CSV"});
 }
 
 /// What is read of a column. Texts are kept once each: most are repeated in many rows.

@@ -3,11 +3,10 @@
 namespace pedzone {
 namespace {
 
-using Row = StreetCrossed;
-using Column = TableColumn<Row>;
 constexpr int kDigits = 2;  // of all numbers
 
-std::vector<Column> columns() {
+std::vector<TableColumn<StreetCrossed>> walked_columns() {
+  using Row = StreetCrossed;
   return {number_column({"time", "s", "when it stepped out"}, &Row::time, kDigits),
           text_column({"person", "", "id"}, &Row::person),
           text_column({"zone", "", "id"}, &Row::zone),
@@ -28,10 +27,34 @@ std::vector<Column> columns() {
                       &Row::rejected, kDigits)};
 }
 
+std::vector<TableColumn<SeenCrossing>> seen_columns() {
+  using Row = SeenCrossing;
+  return {
+      text_column({"person", "", "id"}, &Row::person),
+      {{"place", "", "`between` the junctions, or at a `junction`", ColumnKind::kText},
+       [](std::string& line, const Row& row) { line += row.between ? "between" : "junction"; },
+       [](Row& row, const CsvRow& fields, std::size_t c) { row.between = fields[c] == "between"; }},
+      number_column({"begin", "s", "when it came to the one side"}, &Row::begin, kDigits),
+      number_column({"end", "s", "when it came to the other"}, &Row::end, kDigits),
+      number_column({"waited", "s", "standing at the kerb"}, &Row::waited, kDigits),
+      number_column({"gap", "s", "that was taken; empty: no vehicle came after"}, &Row::gap,
+                    kDigits),
+      list_column({"let_pass", "s", "gaps, one after the other"}, &Row::let_pass, kDigits),
+      number_column({"near_conflicts", "",
+                     "with moving vehicles, on the half of the carriageway that it came to first"},
+                    &Row::near_conflicts, 0),
+      number_column({"far_conflicts", "", "the same on the other half"}, &Row::far_conflicts, 0)};
+}
+
 }  // namespace
 
 const Table<StreetCrossed>& crossing_table() {
-  static const Table<StreetCrossed> table(columns());
+  static const Table<StreetCrossed> table(walked_columns());
+  return table;
+}
+
+const Table<SeenCrossing>& seen_crossing_table() {
+  static const Table<SeenCrossing> table(seen_columns());
   return table;
 }
 

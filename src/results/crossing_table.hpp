@@ -1,4 +1,4 @@
-// The table of those who crossed streets between the junctions.
+// The tables of those who crossed streets: as pedzone walked them, and as an observer sees them.
 #pragma once
 
 #include <optional>
@@ -24,5 +24,19 @@ struct StreetCrossed {
 };
 
 const Table<StreetCrossed>& crossing_table();
+
+/// Somebody who got from one side of a street to the other, whoever walked it.
+struct SeenCrossing {
+  std::string person;
+  bool between = false;               ///< the junctions; false: at one of them
+  double begin = 0.0, end = 0.0;      ///< [s] when it came to the one side, and to the other
+  double waited = 0.0;                ///< [s] standing at the kerb before
+  std::optional<double> gap = {};     ///< [s] that was taken; unset: no vehicle came after
+  std::vector<double> let_pass = {};  ///< [s] gaps
+  double near_conflicts = 0.0;  ///< with moving vehicles, on the half of the carriageway beside
+                                ///< the kerb that it came from
+  double far_conflicts = 0.0;   ///< ... and on the other
+};
+const Table<SeenCrossing>& seen_crossing_table();
 
 }  // namespace pedzone

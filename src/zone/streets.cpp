@@ -182,6 +182,13 @@ Ring ring_of(const Street& street, std::size_t first, std::size_t last) {
 
 }  // namespace
 
+double Street::divide() const {
+  const auto before =
+      std::ranges::adjacent_find(lanes, std::ranges::not_equal_to{}, &StreetLane::direction);
+  if (before == lanes.end()) return 0.5 * (low + high);
+  return 0.5 * (before->high + std::next(before)->low);
+}
+
 const CrossingPlace& Street::at(double s) const {
   const auto last = static_cast<double>(places.size() - 1);
   return places[static_cast<std::size_t>(std::clamp(std::round(s / kStreetStep), 0.0, last))];

@@ -54,6 +54,9 @@ struct Street {
                                       ///< wide enough to wait on, ascending
   std::vector<CrossingPlace> places;  ///< at s = 0, kStreetStep, ...
 
+  /// [m] t between its near and its far half: where the direction of traffic changes, else the
+  /// middle.
+  double divide() const;
   /// The place nearest to s [m].
   const CrossingPlace& at(double s) const;
   Vec2 point(double s, double t) const;  ///< [m]

@@ -21,6 +21,9 @@ PEDZONE = SCENARIOS = None  # set from the command line
 
 HOSTILE = """</script><script>window.injected = 1</script><img src=x onerror="window.injected=2">"""
 HOSTILE_NAME = HOSTILE.replace("<img ", "<img/").replace(" onerror", "/onerror").replace(" ", "")
+STREET = """<study id="street" seeds="1-2" end="200">
+  <scenario id="cars" file="@folder@/cars-1200.sumocfg" zone="@folder@/cross-anywhere.zone.xml"/>
+</study>"""
 SEEDS = (1, 2, 3, 4)
 MODELS = ("striping", "heuristic")
 LEVELS = ("normal", HOSTILE_NAME)
@@ -59,9 +62,9 @@ class Report(unittest.TestCase):
         cls.browser = Browser().__enter__()
         cls.addClassCleanup(cls.browser.__exit__, None, None, None)
 
-    def open(self, width=1280, height=900, mobile=False):
+    def open(self, width=1280, height=900, mobile=False, page=None):
         self.browser.resize(width, height, mobile)
-        self.browser.open(self.page)
+        self.browser.open(page or self.page)
         self.browser.run(READY)
 
     def ask(self, expression, *arguments):
@@ -186,6 +189,42 @@ class Report(unittest.TestCase):
                 self.assertLessEqual(set(picture["fills"]), set(figure["colours"]))
         density = maps[0]["pictures"]
         self.assertTrue(all(one["fills"] for one in density), "somebody was everywhere")
+
+    def test_gaps_are_not_spoken_of_where_no_street_may_be_crossed_anywhere(self):
+        self.open()
+        self.assertIsNone(self.ask("document.getElementById('gaps')"))
+        self.assertNotIn("kerb", self.ask("document.querySelector('main').textContent"))
+
+    def test_gaps_are_drawn_of_all_seeds(self):
+        (self.folder / "street.study.xml").write_text(
+            STREET.replace("@folder@", str(SCENARIOS / "cross-anywhere")))
+        call(PEDZONE, "study", "run", "street.study.xml", "--out", "street", "--jobs", "2",
+             folder=self.folder)
+        taken, left, seconds = 0, 0, set()
+        for file in self.folder.glob("street/runs/*/crossings.csv"):
+            with open(file, newline="") as table:
+                for row in csv.DictReader(table):
+                    passed = [float(gap) for gap in row["let_pass"].split()]
+                    own = [float(row["gap"])] if row["gap"] else []
+                    if row["place"] != "between":
+                        continue
+                    taken, left = taken + len(own), left + len(passed)
+                    seconds |= {int(gap) for gap in passed + own if gap < 20}
+        self.assertGreater(min(taken, left), 5)
+        for width, mobile in ((1280, False), (390, True)):
+            self.open(width, 844, mobile, page=self.folder / "street/report.html")
+            self.assertEqual(self.browser.messages(), [])
+            dots, curves, diamonds = (self.ask(
+                f"document.querySelectorAll('#gap-charts .{marks} path').length")
+                for marks in ("layer_0_marks", "layer_1_marks", "layer_3_marks"))
+            self.assertEqual((dots, curves, diamonds), (len(seconds), 1, 1))
+            self.assertEqual(self.ask("document.querySelector('#gap-keys').textContent"),
+                             "heuristic")
+            row = self.ask("[...document.querySelectorAll('#gaps tbody td')].map((cell) => "
+                           "cell.textContent)")
+            self.assertRegex(row[0], r"^\d+\.\d \[−?\d+\.\d, \d+\.\d\]$")
+            self.assertEqual(row[1:], [str(taken), str(left)])
+            self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), width)
 
     # It plays
 

@@ -81,6 +81,35 @@ class Crossings(unittest.TestCase):
         self.assertGreater(len(seen), 0.9 * len(stepped_out))
         self.assertTrue(xml.parse(self.folder / "seen.svg").getroot().tag.endswith("svg"))
 
+    def test_conflicts_are_told_by_the_half_of_the_street(self):
+        told = self.observed("--crossing-csv", "seen.csv", "--conflict-csv", "conflicts.csv")
+        crossings = [row for row in rows(self.folder / "seen.csv") if row["place"] == "between"]
+        begins = {(row["person"], float(row["begin"])): row for row in crossings}
+        self.assertEqual(len(begins), len(crossings))
+        seen = self.street.read_fcd(self.folder / "pedzone.fcd.xml")
+        found = {key: [0, 0] for key in begins}
+        for row in rows(self.folder / "conflicts.csv"):
+            moment = next(name for name in ("contact", "minTTC", "PET") if row[name])
+            put = row["contact"] and float(row["contact_time"]) <= float(row["begin"])
+            x, y, time, speed = (float(row[f"{moment}_{what}"])
+                                 for what in ("x", "y", "time", "vehicleSpeed"))
+            if put or speed <= 0.5 or not 0 <= x <= self.street.LENGTH or abs(y) > 3.5:
+                continue
+            if moment == "PET" and row["first"] == "person":
+                time -= float(row["PET"])  # when the person was there
+            for (person, begin), crossing in begins.items():
+                if person != row["person"] or not begin <= time <= float(crossing["end"]):
+                    continue
+                came_from = min(seen.walks[person].track, key=lambda one: abs(one[0] - begin))[2]
+                found[person, begin][y * came_from < 0] += 1
+        self.assertEqual(found, {key: [int(row["near_conflicts"]), int(row["far_conflicts"])]
+                                 for key, row in begins.items()})
+        near, far = (sum(one[half] for one in found.values()) for half in (0, 1))
+        self.assertGreater(min(near, far), 0)
+        self.assertNotEqual(near, far)  # else nobody would see them swapped
+        self.assertIn(f"{near} on the near half", told)
+        self.assertIn(f"{far} on the far one", told)
+
     def test_plain_sumo_crosses_at_the_junctions(self):
         self.street.run_sumo(self.folder, 1)
         told = self.pedzone("conflicts", "sumo.fcd.xml", "--scenario", "s.sumocfg", "--zone",

@@ -83,6 +83,13 @@ class Tables(unittest.TestCase):
         self.check(self.folder / "conflicts.csv", [name for name in table if name in (
             "person", "vehicle", "type", "first", "aware") or name.endswith("_type")])
 
+    def test_crossings(self):
+        file = self.folder / "seen.csv"
+        file.write_text("person,place,begin,end,waited,gap,let_pass,near_conflicts,far_conflicts\n"
+                        "p,between,1.5,9.0,2.0,,1.5 2.5,1,0\nq,junction,3.0,11.0,0.0,4.5,,0,2\n",
+                        encoding="utf-8")
+        self.check(file, ["person", "place", "let_pass"])
+
     def test_a_study(self):
         study = pedzone.Study(self.folder / "results")
         self.assertEqual(study.models, ["striping", "heuristic"])

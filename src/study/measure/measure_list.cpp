@@ -49,14 +49,20 @@ constexpr Measure kMeasures[] = {
      "(crossing=\"anywhere\").",
      "Crossing", false, true},
     {"crossing.between", "Between the junctions", "",
-     "Share of those between the junctions and not at one of them.", "Crossing", false,
-     true},
+     "Share of those between the junctions and not at one of them.", "Crossing", false, true},
     {"crossing.wait", "Wait at the kerb", "s",
      "Mean time standing there (slower than 0.3 m/s) before crossing between the junctions.",
      "Crossing", false, true},
     {"crossing.gap", "Gap that half of them take", "s",
      "Of the gaps between vehicles that were taken and let pass, by a logistic regression.",
      "Crossing", false, true},
+    {"crossing.near", "Conflicts on the near half", "",
+     "Of the conflicts, those of people who cross between the junctions, on the half of the "
+     "carriageway beside the kerb that they come from. With two directions that half is one of "
+     "them.",
+     "Crossing", false, true},
+    {"crossing.far", "Conflicts on the far half", "", "The same on the other half.", "Crossing",
+     false, true},
     {"space.density", "Density met", "1/m²",
      "Mean density that those who walk in the zone are in: people on foot within 2 m of the "
      "person, itself too, over that circle's area.",

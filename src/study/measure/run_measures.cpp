@@ -87,7 +87,7 @@ class Observer {
     writer_.finish();
     count_conflicts(values);
     walks_.finish(values);
-    crossings_.finish(values);
+    finish_crossings(values);
     crowding_.finish(values);
     series_.finish(values);
     write_file(folder_ + "/series.csv", series_.csv());
@@ -111,19 +111,28 @@ class Observer {
   }
 
   /// Those of people in the zones: elsewhere SUMO walks everybody, with every model.
-  void count_conflicts(std::map<std::string, double>& values) const {
+  void count_conflicts(std::map<std::string, double>& values) {
     ConflictMeasures conflicts;
     ConflictWriter writer({.xml = {},
                            .xml_option = {},
                            .csv = folder_ + "/" + kZoneConflicts,
                            .csv_option = kFolder});
+    std::erase_if(told_, [&](const Conflict& conflict) {
+      return !stays_.cover(conflict.person, moment_of(conflict).time);
+    });
     for (const Conflict& conflict : told_) {
-      if (!stays_.cover(conflict.person, moment_of(conflict).time)) continue;
       conflicts.add(conflict);
       writer.write(conflict);
     }
     writer.finish();
     conflicts.finish(values);
+  }
+
+  void finish_crossings(std::map<std::string, double>& values) {
+    if (!crossings_.watch_any()) return;
+    crossings_.count_conflicts(told_);
+    crossings_.finish(values);
+    write_file(folder_ + "/" + kCrossings, crossings_csv(crossings_.all()));
   }
 
   std::string folder_;
@@ -137,7 +146,7 @@ class Observer {
   VehicleStops stops_;
   ConflictWriter writer_;
   ConflictTracker tracker_;
-  std::vector<Conflict> over_, told_;
+  std::vector<Conflict> over_, told_;  ///< told_: in the end those of people in the zones
   bool begun_ = false;
   double time_ = 0.0, dt_ = 0.0;  ///< [s] of the latest step
 };

@@ -9,6 +9,7 @@
 namespace pedzone::study {
 
 inline constexpr const char* kZoneConflicts = "zone-conflicts.csv";
+inline constexpr const char* kCrossings = "crossings.csv";
 
 /// Where a run's outputs lie, and what says how large everybody is.
 struct RunOutputs {
@@ -29,6 +30,8 @@ struct RunMeasures {
 ///   zone-conflicts.csv  those of them that count: of people in the zones (zone_stays.hpp)
 ///   series.csv          see run_series.hpp
 ///   density.csv         see results/density_grid.hpp
+///   crossings.csv       as `pedzone conflicts --crossing-csv`, where streets may be crossed
+///   anywhere
 /// The same outputs give the same bytes. Throws InputError where outputs are missing, cut off, or
 /// not of one run.
 RunMeasures measure_run(const RunOutputs& outputs, const Place& place);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "study/measure/conflict_measures.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone::study {
@@ -13,6 +14,14 @@ constexpr double kKerb = 3.0;        // [m] assumed: who is nearer to the carria
 constexpr double kWaits = 0.3;       // [m/s] assumed: who is slower waits
 constexpr double kOnRoad = 0.3;      // [m] assumed: a step beside the kerb is no crossing
 constexpr double kUpstream = 30.0;   // [m] numerical: how far beyond its ends vehicles are followed
+
+/// [s] When the person was at the conflict's place, or on its way there: after a PET that may be
+/// long ago.
+double presence(const Conflict& conflict) {
+  const Extreme moment = moment_of(conflict);
+  const bool by_pet = !conflict.contact && !conflict.ttc && conflict.pet;
+  return by_pet && conflict.first == First::kPerson ? moment.time - moment.value : moment.time;
+}
 
 }  // namespace
 
@@ -55,10 +64,11 @@ void StreetWatch::note_passes(double time, std::span<const VehicleSample> vehicl
 }
 
 /// It is on the ground of one side: has it come from the other?
-void StreetWatch::stand_on(Side side, Pedestrian& pedestrian, const std::string& id) {
+void StreetWatch::stand_on(double time, Side side, Pedestrian& pedestrian, const std::string& id) {
   const bool crossed = pedestrian.side != Side::kUnknown && pedestrian.side != side;
   if (crossed) {
-    SeenCrossing crossing{id, pedestrian.on_road, 0.0, {}, {}};
+    SeenCrossing crossing{
+        .person = id, .between = pedestrian.on_road, .begin = pedestrian.since, .end = time};
     if (crossing.between) {
       crossing.waited = pedestrian.waited;
       crossing.gap = pedestrian.gap;
@@ -66,6 +76,7 @@ void StreetWatch::stand_on(Side side, Pedestrian& pedestrian, const std::string&
       if (!crossing.gap) awaited_[id] = all_.size();
     }
     all_.push_back(std::move(crossing));
+    from_.push_back(pedestrian.side);
   }
   if (crossed || pedestrian.on_road) {
     const Pedestrian before = std::exchange(pedestrian, {});
@@ -73,6 +84,27 @@ void StreetWatch::stand_on(Side side, Pedestrian& pedestrian, const std::string&
     pedestrian.ready = before.ready;
   }
   pedestrian.side = side;
+  pedestrian.since = time;
+}
+
+void StreetWatch::count_conflict(const Conflict& conflict, Side from,
+                                 SeenCrossing& crossing) const {
+  const double time = presence(conflict);
+  if (time < crossing.begin || time > crossing.end) return;
+  const StreetPlace at = street_->place(moment_of(conflict).position);
+  if (at.s < 0.0 || at.s > street_->length) return;
+  const CrossingPlace& place = street_->at(at.s);
+  if (at.t < place.low || at.t > place.high) return;
+  const Side half = at.t < street_->divide() ? Side::kLow : Side::kHigh;
+  (half == from ? crossing.near_conflicts : crossing.far_conflicts) += 1.0;
+}
+
+void StreetWatch::count_conflicts(const ConflictsOf& conflicts) {
+  for (std::size_t k = 0; k < all_.size(); ++k) {
+    if (!all_[k].between) continue;
+    const auto [first, last] = conflicts.equal_range(all_[k].person);
+    for (auto one = first; one != last; ++one) count_conflict(*one->second, from_[k], all_[k]);
+  }
 }
 
 void StreetWatch::step(double time, double dt, std::span<const PersonSample> persons,
@@ -93,7 +125,7 @@ void StreetWatch::step(double time, double dt, std::span<const PersonSample> per
       continue;
     }
     const Side side = at.t < 0.5 * (place.low + place.high) ? Side::kLow : Side::kHigh;
-    if (side != pedestrian.side || pedestrian.on_road) stand_on(side, pedestrian, id);
+    if (side != pedestrian.side || pedestrian.on_road) stand_on(time, side, pedestrian, id);
     if (awaited_.contains(id)) continue;  // its next vehicle first
     if (!pedestrian.at_kerb) pedestrian.ready = time;
     pedestrian.at_kerb = true;
@@ -119,12 +151,27 @@ void StreetCrossings::step(double time, double dt, std::span<const PersonSample>
   for (StreetWatch& street : streets_) street.step(time, dt, persons, vehicles);
 }
 
+void StreetCrossings::count_conflicts(std::span<const Conflict> conflicts) {
+  ConflictsOf of;
+  for (const Conflict& conflict : conflicts) {
+    if (is_insertion(conflict) || !with_moving_vehicle(conflict)) continue;
+    of.emplace(conflict.person, &conflict);
+  }
+  for (StreetWatch& street : streets_) street.count_conflicts(of);
+}
+
 std::vector<SeenCrossing> StreetCrossings::all() const {
   std::vector<SeenCrossing> all;
   for (const StreetWatch& street : streets_) {
     all.insert(all.end(), street.all().begin(), street.all().end());
   }
   return all;
+}
+
+std::string crossings_csv(std::span<const SeenCrossing> crossings) {
+  std::string text = seen_crossing_table().header();
+  for (const SeenCrossing& one : crossings) seen_crossing_table().append(text, one);
+  return text;
 }
 
 std::vector<GapChoice> gap_choices(std::span<const SeenCrossing> crossings) {
@@ -140,15 +187,19 @@ std::vector<GapChoice> gap_choices(std::span<const SeenCrossing> crossings) {
 void StreetCrossings::finish(std::map<std::string, double>& values) const {
   if (streets_.empty()) return;
   const std::vector<SeenCrossing> seen = all();
-  double between = 0.0, waited = 0.0;
+  double between = 0.0, waited = 0.0, near = 0.0, far = 0.0;
   for (const SeenCrossing& crossing : seen) {
     if (!crossing.between) continue;
     between += 1.0;
     waited += crossing.waited;
+    near += crossing.near_conflicts;
+    far += crossing.far_conflicts;
   }
   values["crossing.count"] = static_cast<double>(seen.size());
   if (!seen.empty()) values["crossing.between"] = between / static_cast<double>(seen.size());
   if (between > 0.0) values["crossing.wait"] = waited / between;
+  values["crossing.near"] = near;
+  values["crossing.far"] = far;
   if (const auto fit = fit_gap_acceptance(gap_choices(seen))) values["crossing.gap"] = fit->median;
 }
 

@@ -15,18 +15,13 @@
 
 #include "conflict/gap_acceptance.hpp"
 #include "conflict/tracker.hpp"
+#include "results/crossing_table.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone::study {
 
-/// Somebody who got from one side of a street to the other.
-struct SeenCrossing {
-  std::string person;
-  bool between = false;          ///< the junctions; false: at one of them
-  double waited = 0.0;           ///< [s] standing at the kerb before
-  std::optional<double> gap;     ///< [s] that was taken; unset: no vehicle came after
-  std::vector<double> let_pass;  ///< [s] gaps
-};
+/// Conflicts with moving vehicles, by person.
+using ConflictsOf = std::unordered_multimap<std::string_view, const Conflict*>;
 
 /// The crossings of one street.
 class StreetWatch {
@@ -37,6 +32,8 @@ class StreetWatch {
   /// A step at `time` [s], `dt` [s] after the one before.
   void step(double time, double dt, std::span<const PersonSample> persons,
             std::span<const VehicleSample> vehicles);
+  /// Counts those of who crosses between the junctions. To be called once, after the last step.
+  void count_conflicts(const ConflictsOf& conflicts);
 
   const std::vector<SeenCrossing>& all() const { return all_; }
 
@@ -45,6 +42,7 @@ class StreetWatch {
   /// Somebody who has been beside the street.
   struct Pedestrian {
     Side side = Side::kUnknown;  ///< of the ground where it was last
+    double since = 0.0;          ///< [s] on that side
     bool on_road = false;
     double s = 0.0;       ///< [m] where it is, or where it stepped out
     double ready = 0.0;   ///< [s] since when there is a gap: its arrival at the kerb, or the last
@@ -57,7 +55,8 @@ class StreetWatch {
 
   void note_passes(double time, std::span<const VehicleSample> vehicles);
   void pass(double time, double from, double to);
-  void stand_on(Side side, Pedestrian& pedestrian, const std::string& id);
+  void stand_on(double time, Side side, Pedestrian& pedestrian, const std::string& id);
+  void count_conflict(const Conflict& conflict, Side from, SeenCrossing& crossing) const;
 
   const Street* street_;
   std::unordered_map<std::string, Pedestrian> people_;
@@ -65,6 +64,7 @@ class StreetWatch {
   std::unordered_map<std::string, std::size_t> awaited_;  ///< of who has crossed, in all_: whose
                                                           ///< next vehicle is still to come
   std::vector<SeenCrossing> all_;
+  std::vector<Side> from_;  ///< which side, of each of them
 };
 
 /// Those of all streets.
@@ -76,6 +76,11 @@ class StreetCrossings {
   void step(double time, double dt, std::span<const PersonSample> persons,
             std::span<const VehicleSample> vehicles);
 
+  /// Those of people who cross between the junctions, on either half of the carriageway. To be
+  /// called once, after the last step.
+  void count_conflicts(std::span<const Conflict> conflicts);
+
+  bool watch_any() const { return !streets_.empty(); }
   std::vector<SeenCrossing> all() const;
   /// Adds its measures, where there are streets that may be crossed anywhere.
   void finish(std::map<std::string, double>& values) const;
@@ -83,6 +88,9 @@ class StreetCrossings {
  private:
   std::vector<StreetWatch> streets_;
 };
+
+/// As a table (results/crossing_table.hpp).
+std::string crossings_csv(std::span<const SeenCrossing> crossings);
 
 /// Gaps that were taken and let pass between the junctions.
 std::vector<GapChoice> gap_choices(std::span<const SeenCrossing> crossings);

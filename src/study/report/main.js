@@ -11,6 +11,7 @@ function draw_lines() {
 
 palette.show_keys(palette.named(report.data), document.getElementById("model-keys"));
 distributions.draw_all(report.data, document.getElementById("distribution-charts"));
+gaps.draw_all(report.data);
 draw_lines();
 for (const details of document.querySelectorAll("details.condition")) {
   details.addEventListener("toggle", draw_lines);

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "conflict/gap_acceptance.hpp"
 #include "core/shell_word.hpp"
 #include "pages/page_builder.hpp"
 #include "study/report/report_numbers.hpp"
@@ -88,17 +89,19 @@ Json scene_list(const std::vector<Scene>& scenes) {
   return all;
 }
 
-Json script_data(const Input& input, const Json& lines) {
+Json script_data(const Input& input, const Json& lines, const Json& gaps) {
   Json names = Json::array();
   for (const Condition& one : input.plan.conditions) names.push_back(one.name);
-  return {{"models", input.plan.study.models},
-          {"reference", input.plan.study.reference},
-          {"conditions", names},
-          {"distributions", distributions(input)},
-          {"series", lines}};
+  Json data{{"models", input.plan.study.models},
+            {"reference", input.plan.study.reference},
+            {"conditions", names},
+            {"distributions", distributions(input)},
+            {"series", lines}};
+  if (!gaps.empty()) data["gaps"] = {{"longest", kLongestGap}, {"groups", gaps}};
+  return data;
 }
 
-Json page_data(const Input& input, const Json& lines) {
+Json page_data(const Input& input, const Json& lines, const Json& gaps) {
   const Study& study = input.plan.study;
   Json data;
   data["title"] = study.title.empty() ? study.id : study.title;
@@ -113,6 +116,7 @@ Json page_data(const Input& input, const Json& lines) {
   data["demand"] = demand_part(input);
   data["made"] = made_text(input);
   data["conditions"] = conditions(input, maps["conditions"], lines);
+  data["gaps"] = gaps_part(input, gaps);
   data["pictured"] = pictured(input.plan);
   data["cut"] = pictured(input.plan) < input.plan.conditions.size();
   data["several"] = input.plan.conditions.size() > 1;
@@ -166,15 +170,16 @@ std::string report_page(const Store& store, const Plan& plan, const Records& rec
                         const std::vector<FreeSpeed>& speeds) {
   using namespace report;
   const Input input{store, plan, records, comparisons, speeds};
-  const Json lines = series(input);
+  const Json lines = series(input), crossing_gaps = gaps(input);
   const std::vector<Scene> scenes = report_scenes(store, plan, records);
-  Json data = page_data(input, lines);
+  Json data = page_data(input, lines, crossing_gaps);
   data["scenes"] = scene_list(scenes);
   data["played"] = !scenes.empty();
   Json pages = Json::array();
   for (const Scene& one : scenes) pages.push_back(one.page);
   return rendered_page({kReportPage, kReportStyles, kReportScripts}, data,
-                       script_data(input, lines), {{"scene_pages", script_json(pages)}});
+                       script_data(input, lines, crossing_gaps),
+                       {{"scene_pages", script_json(pages)}});
 }
 
 }  // namespace study

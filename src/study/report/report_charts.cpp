@@ -17,14 +17,6 @@ constexpr std::size_t kMostChartPoints = 1500;  // of all boxes of a chart
 constexpr std::size_t kMostMoments = 150;       // of a line over time
 constexpr double kLow = 0.1, kHigh = 0.9;       // what lies between is the band
 
-/// As many digits as a picture can show.
-double rounded(double value) {
-  constexpr int kDigits = 5;
-  if (value == 0.0 || !std::isfinite(value)) return 0.0;
-  const double scale = std::pow(10.0, kDigits - 1 - std::floor(std::log10(std::abs(value))));
-  return std::round(value * scale) / scale;
-}
-
 struct SeedValue {
   double value;
   std::uint64_t seed;
@@ -139,6 +131,13 @@ Json model_series(const Input& input, std::size_t condition, std::size_t model) 
 }
 
 }  // namespace
+
+double rounded(double value) {
+  constexpr int kDigits = 5;
+  if (value == 0.0 || !std::isfinite(value)) return 0.0;
+  const double scale = std::pow(10.0, kDigits - 1 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * scale) / scale;
+}
 
 Json distributions(const Input& input) {
   Json all = Json::array();

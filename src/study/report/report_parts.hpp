@@ -49,8 +49,15 @@ Json tables_part(const Input& input);
 Json maps_part(const Input& input);
 Json failures_part(const Input& input);
 
-/// For the scripts: distributions of measures, and means over time. Of bounded size.
+/// For the scripts: distributions of measures, means over time, and the gaps between vehicles that
+/// people take, where streets may be crossed anywhere. Of bounded size.
 Json distributions(const Input& input);
 Json series(const Input& input);
+Json gaps(const Input& input);
+/// The same in numbers, for the template; false where there are none.
+Json gaps_part(const Input& input, const Json& groups);
+
+/// With as many digits as a picture can show.
+double rounded(double value);
 
 }  // namespace pedzone::study::report

@@ -172,9 +172,13 @@ Json everything(const Input& input) {
           {"shown", rows.size()}};
 }
 
-Json glossary() {
+Json glossary(const Input& input) {
   Json groups = Json::array();
   for (const Measure& one : measure_list()) {
+    const bool taken = std::ranges::any_of(input.comparisons, [&](const Comparison& comparison) {
+      return comparison.measure == one.key;
+    });
+    if (one.optional && !taken) continue;
     if (groups.empty() || groups.back()["group"] != one.group) {
       groups.push_back({{"group", std::string(one.group)}, {"measures", Json::array()}});
     }
@@ -191,7 +195,7 @@ Json glossary() {
 Json tables_part(const Input& input) {
   return {{"differences", differences(input)},
           {"everything", everything(input)},
-          {"glossary", glossary()}};
+          {"glossary", glossary(input)}};
 }
 
 }  // namespace pedzone::study::report

@@ -42,6 +42,22 @@ TEST(GapAcceptance, is_one_gap_where_that_parts_what_was_taken_from_what_was_lef
   EXPECT_TRUE(std::isinf(fit->slope));
 }
 
+TEST(GapShares, are_of_each_second_that_has_gaps) {
+  const auto shares = shares_taken(std::vector<GapChoice>{{2.0, false},
+                                                          {2.9, true},
+                                                          {2.4, false},
+                                                          {2.5, false},
+                                                          {7.1, true},
+                                                          {20.0, true},
+                                                          {-0.1, false}});
+  ASSERT_EQ(shares.size(), 2U);
+  EXPECT_EQ(shares[0].gap, 2.5);
+  EXPECT_EQ(shares[0].share, 0.25);
+  EXPECT_EQ(shares[0].gaps, 4U);
+  EXPECT_EQ(shares[1].gap, 7.5);
+  EXPECT_EQ(shares[1].share, 1.0);
+}
+
 TEST(GapAcceptance, is_nothing_where_gaps_are_few_or_the_short_ones_are_taken) {
   EXPECT_FALSE(fit_gap_acceptance({}));
   EXPECT_FALSE(fit_gap_acceptance(std::span(kChoices).first(8)));

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "results/crossing_table.hpp"
 #include "results/run_tables.hpp"
 #include "results/trajectories.hpp"
 
@@ -66,6 +67,33 @@ TEST(Table, leaves_fields_empty_where_there_is_no_number_and_reads_none_there) {
   });
 }
 
+TEST(Table, gives_crossings_back_as_they_were_written) {
+  const SeenCrossing one{.person = "a,\"b\"",
+                         .between = true,
+                         .begin = 3.5,
+                         .end = 12.25,
+                         .waited = 2.0,
+                         .let_pass = {1.5, 3.0},
+                         .near_conflicts = 2.0,
+                         .far_conflicts = 1.0};
+  std::string text = seen_crossing_table().header();
+  seen_crossing_table().append(text, one);
+  int rows = 0;
+  seen_crossing_table().visit(file_with(text), [&](const SeenCrossing& row, const CsvRow&) {
+    ++rows;
+    EXPECT_EQ(row.person, one.person);
+    EXPECT_TRUE(row.between);
+    EXPECT_EQ(row.begin, one.begin);
+    EXPECT_EQ(row.end, one.end);
+    EXPECT_EQ(row.waited, one.waited);
+    EXPECT_EQ(row.gap, std::nullopt);
+    EXPECT_EQ(row.let_pass, one.let_pass);
+    EXPECT_EQ(row.near_conflicts, one.near_conflicts);
+    EXPECT_EQ(row.far_conflicts, one.far_conflicts);
+  });
+  EXPECT_EQ(rows, 1);
+}
+
 TEST(Table, names_file_line_and_column_of_what_a_column_does_not_hold) {
   const std::string path = file_with(density_table().header() + "0,2,1\n0,2,-1\n");
   try {
@@ -89,6 +117,7 @@ TEST(Table, is_described_in_the_readme) {
   EXPECT_THAT(readme.str(), HasSubstr("\n\n" + described(trajectory_table().infos()) + "\n"));
   EXPECT_THAT(readme.str(), HasSubstr("\n\n" + described(series_table().infos()) + "\n"));
   EXPECT_THAT(readme.str(), HasSubstr("\n\n" + described(density_table().infos()) + "\n"));
+  EXPECT_THAT(readme.str(), HasSubstr("\n\n" + described(seen_crossing_table().infos()) + "\n"));
 }
 
 }  // namespace

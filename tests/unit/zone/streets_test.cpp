@@ -43,6 +43,18 @@ TEST_F(Streets, are_found_between_two_sidewalks_with_their_lanes_and_directions)
   EXPECT_NEAR(middle.high, street.high, 0.15);
 }
 
+TEST_F(Streets, have_two_halves_that_meet_where_the_direction_changes) {
+  EXPECT_NEAR(zone_.streets.front().divide(),
+              0.5 * (zone_.streets.front().low + zone_.streets.front().high), 1e-9);
+  pedzone::Street three_lanes;
+  three_lanes.low = -6.5;
+  three_lanes.high = 4.0;
+  three_lanes.lanes = {{0, -6.5, -3.0, 1}, {1, -3.0, 0.5, 1}, {2, 0.7, 4.0, -1}};
+  EXPECT_NEAR(three_lanes.divide(), 0.6, 1e-9);
+  three_lanes.lanes.back().direction = 1;  // one way
+  EXPECT_NEAR(three_lanes.divide(), -1.25, 1e-9);
+}
+
 TEST_F(Streets, have_places_along_and_beside_the_axis_and_beyond_its_ends) {
   const pedzone::Street& street = zone_.streets.front();
   const StreetPlace here = street.place(street.point(30.0, 2.0));
