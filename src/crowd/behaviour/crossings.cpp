@@ -226,7 +226,8 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt
   crossing.room = passage.room;
   if (crowd.velocity(i).norm() >= kHaltingSpeed) return;
   crossing.waited += dt;
-  if (!passage.committed && crossing.waited > crossing.detour) turn_back(crowd, i, walk.s);
+  const bool in_vain = !passage.committed && crossing.waited > crossing.detour;
+  if (in_vain && !crossing.turned_back) turn_back(crowd, i, walk.s);
 }
 
 /// The slowest speed of each walker's group [m/s]; its own, of who is alone.

@@ -34,6 +34,17 @@ Inside inside(const CrossingWalk& walk, const StreetVehicle& vehicle) {
   return {enter, far <= here ? -1.0 : walk.start_up + (far - here) / walk.speed};
 }
 
+/// How far it has to drive.
+struct Ahead {
+  double front, rear;  ///< [m] until it comes to the body, and has passed it; negative: has
+};
+
+Ahead ahead(const CrossingWalk& walk, const StreetVehicle& vehicle) {
+  const double reach = walk.radius + (vehicle.speed < kStaticSpeed ? kPast : kAlong);
+  const double front = vehicle.distance_to(walk.s) - reach;
+  return {front, front + vehicle.length + 2.0 * reach};
+}
+
 /// Whether it drives beyond where the walk ends: a refuge.
 bool is_beyond(const CrossingWalk& walk, const StreetVehicle& vehicle) {
   return walk.to > walk.from ? vehicle.low > walk.to : vehicle.high < walk.to;
@@ -65,9 +76,7 @@ GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState
                     const std::function<bool(std::uint32_t vehicle)>& sees) {
   GapView view;
   for (const StreetVehicle& vehicle : traffic.vehicles) {
-    const double reach = walk.radius + (vehicle.speed < kStaticSpeed ? kPast : kAlong);
-    const double distance = vehicle.distance_to(walk.s) - reach;
-    const double rear = distance + vehicle.length + 2.0 * reach;
+    const auto [distance, rear] = ahead(walk, vehicle);
     if (rear < 0.0) continue;  // it has passed
     const Inside person = inside(walk, vehicle);
     if (person.leave < 0.0 || is_beyond(walk, vehicle)) continue;
@@ -100,9 +109,7 @@ Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, do
   const double margin = committed ? kOnTheWay : walk.margin;
   passage.committed = committed;
   for (const StreetVehicle& vehicle : traffic.vehicles) {
-    const double reach = walk.radius + kAlong;
-    const double distance = vehicle.distance_to(walk.s) - reach;
-    const double rear = distance + vehicle.length + 2.0 * reach;
+    const auto [distance, rear] = ahead(walk, vehicle);
     const Inside person = inside(walk, vehicle);
     if (rear < 0.0 || person.leave < 0.0) continue;
     const double arrives = distance <= 0.0 ? 0.0 : time_to_drive(vehicle, distance);

@@ -171,6 +171,28 @@ TEST_F(Crossing, avoids_a_parked_car_at_the_kerb) {
   EXPECT_GE(scene.least_vehicle_gap(), 0.0);
 }
 
+TEST_F(Crossing, is_given_up_at_the_edge_of_a_lane_where_no_gap_comes) {
+  Scene scene(zone_);
+  const std::size_t i = scene.add(across(20.0, 20.0));
+  // Parked cars hide those that come.
+  for (const double x : {-22.0, -16.0, -10.0, 3.0, 8.0, 14.0}) {
+    scene.vehicles.push_back(vehicle_at({x, -2.5}, 0.0, 0.0));
+  }
+  for (double away = 5.0; away < 2000.0; away += 16.0) {
+    VehicleState car = car_before(20.0, away, 10.0);
+    car.centre.y() = 0.0;
+    scene.vehicles.push_back(car);
+  }
+  bool stepped_out = false;
+  while (scene.time < 400.0 && scene.people[i].here) {
+    scene.step();
+    stepped_out = stepped_out || scene.people[i].view.crosses;
+  }
+  EXPECT_TRUE(stepped_out);
+  EXPECT_GT(scene.people[i].walked, 40.0);
+  EXPECT_GE(scene.people[i].arrival_time, 0.0);
+}
+
 TEST_F(Crossing, is_over_once_the_other_side_is_reached) {
   Scene scene(zone_);
   const std::size_t i = scene.add(across(100.0, 150.0));

@@ -170,6 +170,14 @@ TEST_F(OnTheWay, they_wait_for_a_gap_as_at_the_kerb_where_no_vehicle_drives_yet)
   EXPECT_TRUE(std::isinf(pass().room));
 }
 
+TEST_F(OnTheWay, people_walk_past_the_end_of_a_parked_car) {
+  walk_.from = -1.0;
+  add({false, -5.5, 0.0});  // its rear is 0.5 m away
+  EXPECT_TRUE(std::isinf(pass().room));
+  add({false, -5.2, 0.0});
+  EXPECT_NEAR(pass().room, 0.85 - 0.54 + 1.0, 1e-9);
+}
+
 TEST_F(OnTheWay, whoever_has_waited_for_long_steps_before_one_that_can_stop) {
   walk_.from = 0.3;
   add({false, 18.0, 6.0});
