@@ -21,6 +21,8 @@ constexpr double kSaves = 10.0;        // [m] assumed: for less nobody leaves it
 constexpr double kFastest = 1.5;       // assumed: of its speed, for a few steps
 constexpr double kBraking = 4.0;       // [s] assumed: in which a walker comes to stand. Drivers
                                        // expect people to walk on for 1 s
+constexpr double kAside = 0.25;        // [m] numerical: between lines that are tried
+constexpr double kFarAside = 15.0;     // [m] assumed: nobody walks farther along standing vehicles
 constexpr double kOnGround = 0.05;     // [m] numerical: beyond the kerb
 constexpr double kGroupPatience = 30.0;  // [s] assumed: so long a group waits for a common gap
 constexpr double kTogether = 6.0;        // [m] assumed: who is nearer crosses with its group
@@ -179,6 +181,17 @@ bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing&
   return past > kOnGround && crowd.zone.walls.inside(crowd.position(i));
 }
 
+/// To the nearest line on which no vehicle stands: between parked cars, or those of a queue.
+void step_aside(CrowdState& crowd, std::size_t i, double s) {
+  for (double way = kAside; way <= kFarAside; way += kAside) {
+    for (const double other : {s - way, s + way}) {
+      if (is_barred(crowd, i, other)) continue;
+      head_across(crowd, i, other);
+      return;
+    }
+  }
+}
+
 /// Back to the kerb that it has left, to go by the junctions: for as long as it stood beside parked
 /// cars, the gap that it hoped for did not come.
 void turn_back(CrowdState& crowd, std::size_t i, double s) {
@@ -215,6 +228,7 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt
   const Street& street = street_of(crowd, crossing);
   CrossingWalk walk = walk_across(crowd, i, street.place(crowd.position(i)).s);
   walk.start_up = 0.0;
+  walk.drift = street.place(crowd.walkers[i].route.points.back()).s - walk.s;
   walk.speed = crowd.walkers[i].own_speed;
   const Profile* profile = crowd.walkers[i].profile;
   const double fastest =
@@ -224,6 +238,7 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt
                     [&](std::uint32_t v) { return lookout.sees(i, v); });
   crossing.hurry = passage.hurry;
   crossing.room = passage.room;
+  if (passage.barred) step_aside(crowd, i, walk.s);
   if (crowd.velocity(i).norm() >= kHaltingSpeed) return;
   crossing.waited += dt;
   const bool in_vain = !passage.committed && crossing.waited > crossing.detour;

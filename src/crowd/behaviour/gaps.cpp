@@ -40,8 +40,12 @@ struct Ahead {
 };
 
 Ahead ahead(const CrossingWalk& walk, const StreetVehicle& vehicle) {
-  const double reach = walk.radius + (vehicle.speed < kStaticSpeed ? kPast : kAlong);
-  const double front = vehicle.distance_to(walk.s) - reach;
+  const bool stands = vehicle.speed < kStaticSpeed;
+  const double reach = walk.radius + (stands ? kPast : kAlong);
+  // One that stands is where it is once the body gets there.
+  const double middle = 0.5 * (vehicle.low + vehicle.high), across = walk.to - walk.from;
+  const double share = across != 0.0 ? std::clamp((middle - walk.from) / across, 0.0, 1.0) : 0.0;
+  const double front = vehicle.distance_to(walk.s + (stands ? share * walk.drift : 0.0)) - reach;
   return {front, front + vehicle.length + 2.0 * reach};
 }
 
@@ -115,6 +119,7 @@ Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, do
     const double arrives = distance <= 0.0 ? 0.0 : time_to_drive(vehicle, distance);
     if (!std::isfinite(arrives)) continue;
     const bool in_the_way = is_in_the_way(walk, vehicle);
+    if (vehicle.speed < kStaticSpeed) passage.barred = true;
     if (!in_the_way && !sees(vehicle.vehicle)) continue;
     const double in_time = arrives - margin;
     if (person.leave <= in_time) continue;

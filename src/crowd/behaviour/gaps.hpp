@@ -12,6 +12,7 @@ namespace pedzone {
 /// A walk straight across a street, at s.
 struct CrossingWalk {
   double s = 0.0;           ///< [m]
+  double drift = 0.0;       ///< [m] s on the other side less s
   double from = 0.0;        ///< [m] t where the body is
   double to = 0.0;          ///< [m] t where the ground on the other side begins, or of a refuge
   double radius = 0.24;     ///< [m] of the body
@@ -39,6 +40,7 @@ GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState
 /// What who is on the carriageway does about vehicles that come.
 struct Passage {
   bool committed = false;  ///< it is where vehicles drive
+  bool barred = false;     ///< a vehicle stands on its line
   double hurry = 1.0;      ///< share of its speed that gets it past them in time
   double room = std::numeric_limits<double>::infinity();  ///< [m] to go before it lets one pass
 };

@@ -193,6 +193,17 @@ TEST_F(Crossing, is_given_up_at_the_edge_of_a_lane_where_no_gap_comes) {
   EXPECT_GE(scene.people[i].arrival_time, 0.0);
 }
 
+TEST_F(Crossing, goes_round_a_car_that_has_come_to_stand_on_the_other_side) {
+  Scene scene(zone_);
+  const std::size_t i = scene.add(across(100.0, 100.0));
+  while (scene.people[i].view.position.y() < -1.5) scene.step();
+  scene.vehicles = {vehicle_at({102.6, 2.5}, 0.0, 0.0)};  // its rear is at 100.1 m
+  scene.run(40.0);
+  ASSERT_GE(scene.people[i].arrival_time, 0.0);
+  EXPECT_LT(scene.people[i].walked, 20.0);
+  EXPECT_GE(scene.least_vehicle_gap(), 0.0);
+}
+
 TEST_F(Crossing, is_over_once_the_other_side_is_reached) {
   Scene scene(zone_);
   const std::size_t i = scene.add(across(100.0, 150.0));

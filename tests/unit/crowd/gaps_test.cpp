@@ -178,6 +178,15 @@ TEST_F(OnTheWay, people_walk_past_the_end_of_a_parked_car) {
   EXPECT_NEAR(pass().room, 0.85 - 0.54 + 1.0, 1e-9);
 }
 
+TEST_F(OnTheWay, people_walk_between_parked_cars_to_where_their_line_leads) {
+  walk_.from = -1.0;
+  add({false, -3.0, 0.0});  // stands on the line
+  EXPECT_TRUE(pass().barred);
+  walk_.drift = 5.5;  // 3.4 m by there
+  EXPECT_FALSE(pass().barred);
+  EXPECT_TRUE(std::isinf(pass().room));
+}
+
 TEST_F(OnTheWay, whoever_has_waited_for_long_steps_before_one_that_can_stop) {
   walk_.from = 0.3;
   add({false, 18.0, 6.0});
