@@ -152,9 +152,9 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
 
 bool is_barred(const CrowdState& crowd, std::size_t i, double s) {
   const StreetCrossing& crossing = *crowd.crossing(i);
-  return look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, walk_across(crowd, i, s),
-                     [](std::uint32_t) { return true; })
-      .barred;
+  const StreetTraffic& traffic = crowd.street_traffic[crossing.street];
+  const auto all = [](std::uint32_t) { return true; };
+  return look_at_gap(traffic, crowd.vehicles, walk_across(crowd, i, s), all).barred;
 }
 
 /// Of who has not stepped out.
@@ -192,8 +192,8 @@ void step_aside(CrowdState& crowd, std::size_t i, double s) {
   }
 }
 
-/// Back to the kerb that it has left, to go by the junctions: for as long as it stood beside parked
-/// cars, the gap that it hoped for did not come.
+/// Back to the kerb that it has left, to go by the junctions: it has stood at a lane's edge for as
+/// long as they take, and no gap came.
 void turn_back(CrowdState& crowd, std::size_t i, double s) {
   StreetCrossing& crossing = *crowd.crossing(i);
   crossing.side = -crossing.side;

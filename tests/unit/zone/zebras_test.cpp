@@ -1,5 +1,5 @@
-// Zebra crossings, and who uses them, on a network built by netconvert with a zebra crossing of 4 m at
-// either end of a street of 7 m.
+// Zebra crossings, and who uses them, on a network built by netconvert with a zebra crossing of 4 m
+// at either end of a street of 7 m.
 #include "zone/zebras.hpp"
 
 #include <gmock/gmock.h>
