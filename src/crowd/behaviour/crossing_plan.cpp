@@ -226,22 +226,29 @@ void head_across(CrowdState& crowd, std::size_t i, double s) {
   go_on_to(route, 0);
 }
 
+std::optional<CrossingLine> nearest_line(double s, double step, double farthest,
+                                         const std::function<bool(double s)>& suits) {
+  for (double way = step; way <= farthest; way += step) {
+    for (const double other : {s - way, s + way}) {
+      if (suits(other)) return CrossingLine{other, way};
+    }
+  }
+  return std::nullopt;
+}
+
 void move_along_kerb(CrowdState& crowd, std::size_t i,
                      const std::function<bool(double s)>& is_barred) {
   StreetCrossing& crossing = *crowd.crossing(i);
   const Street& street = crowd.zone.streets[crossing.street];
   const bool impulsive = is_impulsive(crowd, i);
-  for (double way = kStreetStep; way <= street.length; way += kStreetStep) {
-    for (const double s : {crossing.at - way, crossing.at + way}) {
-      if (s < 0.0 || s > street.length) continue;
-      if (!street.at(s).open_to(impulsive) || is_barred(s)) continue;
-      crossing.at = s;
-      crossing.at_kerb = false;
-      crossing.beyond += way;
-      head_for_kerb(crowd, i);
-      return;
-    }
-  }
+  const auto line = nearest_line(crossing.at, kStreetStep, street.length, [&](double s) {
+    return s >= 0.0 && s <= street.length && street.at(s).open_to(impulsive) && !is_barred(s);
+  });
+  if (!line) return;
+  crossing.at = line->s;
+  crossing.at_kerb = false;
+  crossing.beyond += line->way;
+  head_for_kerb(crowd, i);
 }
 
 }  // namespace pedzone

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "crowd/behaviour/gaps.hpp"
 #include "crowd/state/state.hpp"
@@ -21,6 +22,16 @@ void go_by_nodes(CrowdState& crowd, std::size_t i);
 
 /// The route of row i leads straight across its street, at s [m].
 void head_across(CrowdState& crowd, std::size_t i, double s);
+
+/// A line straight across a street.
+struct CrossingLine {
+  double s = 0.0;    ///< [m]
+  double way = 0.0;  ///< [m] to it, > 0
+};
+
+/// The line nearest to s that suits, in steps of `step` up to `farthest` [m] to either side.
+std::optional<CrossingLine> nearest_line(double s, double step, double farthest,
+                                         const std::function<bool(double s)>& suits);
 
 /// Row i goes to the nearest place of the kerb that is not barred.
 void move_along_kerb(CrowdState& crowd, std::size_t i,

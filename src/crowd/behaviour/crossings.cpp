@@ -183,13 +183,9 @@ bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing&
 
 /// To the nearest line on which no vehicle stands: between parked cars, or those of a queue.
 void step_aside(CrowdState& crowd, std::size_t i, double s) {
-  for (double way = kAside; way <= kFarAside; way += kAside) {
-    for (const double other : {s - way, s + way}) {
-      if (is_barred(crowd, i, other)) continue;
-      head_across(crowd, i, other);
-      return;
-    }
-  }
+  const auto line = nearest_line(s, kAside, kFarAside,
+                                 [&](double other) { return !is_barred(crowd, i, other); });
+  if (line) head_across(crowd, i, line->s);
 }
 
 /// Back to the kerb that it has left, to go by the junctions: it has stood at a lane's edge for as
