@@ -26,6 +26,8 @@ constexpr double kFarAside = 15.0;     // [m] assumed: nobody walks farther alon
 constexpr double kOnGround = 0.05;     // [m] numerical: beyond the kerb
 constexpr double kGroupPatience = 30.0;  // [s] assumed: so long a group waits for a common gap
 constexpr double kTogether = 6.0;        // [m] assumed: who is nearer crosses with its group
+constexpr double kSight = 30.0;          // [m] assumed: so much of a lane it sees before it enters
+constexpr double kPeering = 0.3;         // [m/s] assumed: of who comes out from behind a parked car
 
 const Street& street_of(const CrowdState& crowd, const StreetCrossing& crossing) {
   return crowd.zone.streets[crossing.street];
@@ -53,7 +55,23 @@ class Lookout {
     return in_view(i, front, v) || in_view(i, vehicle.centre, v);
   }
 
+  /// [m] to the next lane into which row i would walk without seeing whether something comes.
+  double room_unseen(std::size_t i, const Street& street, const CrossingWalk& walk) const {
+    double room = std::numeric_limits<double>::infinity();
+    const double side = walk.to > walk.from ? 1.0 : -1.0;
+    for (const StreetLane& lane : street.lanes) {
+      const double to_edge = side * ((side > 0.0 ? lane.low : lane.high) - walk.from);
+      if (to_edge < 0.0 || to_edge >= room) continue;
+      const double upstream = walk.s - lane.direction * kSight;
+      const Vec2 point = street.point(upstream, 0.5 * (lane.low + lane.high));
+      if (!in_view(i, point, kNoVehicle)) room = to_edge;
+    }
+    return room;
+  }
+
  private:
+  static constexpr auto kNoVehicle = std::numeric_limits<std::uint32_t>::max();
+
   bool in_view(std::size_t i, const Vec2& point, std::uint32_t v) const {
     const Vec2 here = crowd_.position(i);
     const Zone& zone = crowd_.zone;
@@ -211,6 +229,13 @@ void end_crossing(CrowdState& crowd, std::size_t i) {
   if (again->phase == CrossingPhase::kToKerb) go_by_nodes(crowd, i);
 }
 
+/// Whoever comes out from behind parked cars goes slowly until it sees along the lane.
+void peer_out(const CrowdState& crowd, std::size_t i, const Lookout& lookout,
+              const CrossingWalk& walk, StreetCrossing& crossing) {
+  const double unseen = lookout.room_unseen(i, street_of(crowd, crossing), walk);
+  crossing.room = std::min(crossing.room, std::max(unseen, kPeering * kBraking));
+}
+
 /// Of who is on the carriageway: how fast, or that it has got over.
 void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt) {
   StreetCrossing& crossing = *crowd.crossing(i);
@@ -234,6 +259,7 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt
                     [&](std::uint32_t v) { return lookout.sees(i, v); });
   crossing.hurry = passage.hurry;
   crossing.room = passage.room;
+  if (!passage.committed) peer_out(crowd, i, lookout, walk, crossing);
   if (passage.barred) step_aside(crowd, i, walk.s);
   if (crowd.velocity(i).norm() >= kHaltingSpeed) return;
   crossing.waited += dt;

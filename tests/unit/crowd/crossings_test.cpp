@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 
 #include "group_scene.hpp"
 #include "street_scene.hpp"
@@ -169,6 +170,26 @@ TEST_F(Crossing, avoids_a_parked_car_at_the_kerb) {
   ASSERT_GE(scene.people[i].arrival_time, 0.0);
   EXPECT_LT(scene.people[i].walked, 25.0);
   EXPECT_GE(scene.least_vehicle_gap(), 0.0);
+}
+
+TEST_F(Crossing, is_slow_until_parked_cars_hide_no_lane_any_more) {
+  std::array<double, 2> slowest{9.0, 9.0};
+  for (const bool parked : {false, true}) {
+    Scene scene(zone_);
+    const std::size_t i = scene.add(across(20.0, 20.0));
+    if (parked) scene.vehicles = {vehicle_at({16.8, -2.5}, 0.0, 0.0), vehicle_at({23.2, -2.5}, 0.0, 0.0)};
+    while (scene.time < 60.0 && scene.people[i].here) {
+      scene.step();
+      const double y = scene.people[i].view.position.y();
+      const double speed = scene.people[i].view.velocity.norm();
+      if (y > -3.3 && y < 3.3) slowest[parked] = std::min(slowest[parked], speed);
+    }
+    EXPECT_FALSE(scene.people[i].here);
+    EXPECT_NEAR(scene.people[i].walked, 10.0, 1.5);
+  }
+  EXPECT_GT(slowest[false], 1.0);
+  EXPECT_LT(slowest[true], 0.6);
+  EXPECT_GT(slowest[true], 0.25);
 }
 
 TEST_F(Crossing, is_given_up_at_the_edge_of_a_lane_where_no_gap_comes) {
