@@ -213,6 +213,16 @@ void go_by_nodes(CrowdState& crowd, std::size_t i) {
        crowd.walkers[i].route);
 }
 
+void head_along(CrowdState& crowd, std::size_t i, double s) {
+  head_across(crowd, i, s);
+  const StreetCrossing& crossing = *crowd.crossing(i);
+  const Street& street = crowd.zone.streets[crossing.street];
+  Route& route = crowd.walkers[i].route;
+  const double t = street.place(crowd.position(i)).t;
+  route.points.insert(route.points.begin(), street.point(s, t));
+  go_on_to(route, 0);
+}
+
 void head_across(CrowdState& crowd, std::size_t i, double s) {
   const StreetCrossing& crossing = *crowd.crossing(i);
   Route& route = crowd.walkers[i].route;

@@ -23,6 +23,9 @@ void go_by_nodes(CrowdState& crowd, std::size_t i);
 /// The route of row i leads straight across its street, at s [m].
 void head_across(CrowdState& crowd, std::size_t i, double s);
 
+/// Row i, on the carriageway, goes along it to s, then over.
+void head_along(CrowdState& crowd, std::size_t i, double s);
+
 /// A line straight across a street.
 struct CrossingLine {
   double s = 0.0;    ///< [m]

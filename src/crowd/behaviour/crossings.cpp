@@ -8,7 +8,7 @@
 #include "crowd/behaviour/crossing_plan.hpp"
 #include "crowd/behaviour/groups.hpp"
 #include "crowd/behaviour/path_walk.hpp"
-#include "crowd/sense/perception.hpp"
+#include "crowd/sense/lookout.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
 #include "world/speeds.hpp"
 
@@ -23,10 +23,10 @@ constexpr double kBraking = 4.0;       // [s] assumed: in which a walker comes t
                                        // expect people to walk on for 1 s
 constexpr double kAside = 0.25;        // [m] numerical: between lines that are tried
 constexpr double kFarAside = 15.0;     // [m] assumed: nobody walks farther along standing vehicles
+constexpr double kStraighter = 2.0;    // [m] assumed: so much more it drifts to walk straight
 constexpr double kOnGround = 0.05;     // [m] numerical: beyond the kerb
 constexpr double kGroupPatience = 30.0;  // [s] assumed: so long a group waits for a common gap
 constexpr double kTogether = 6.0;        // [m] assumed: who is nearer crosses with its group
-constexpr double kSight = 30.0;          // [m] assumed: so much of a lane it sees before it enters
 constexpr double kPeering = 0.3;         // [m/s] assumed: of who comes out from behind a parked car
 
 const Street& street_of(const CrowdState& crowd, const StreetCrossing& crossing) {
@@ -36,54 +36,6 @@ const Street& street_of(const CrowdState& crowd, const StreetCrossing& crossing)
 bool looks(const CrowdState& crowd, std::size_t i) {
   return crowd.model->minds_vehicles() && crowd.traffic[crowd.handle(i)].aware;
 }
-
-/// Who sees which vehicles. Those that stand or are too high, and buildings, hide others.
-class Lookout {
- public:
-  explicit Lookout(const CrowdState& crowd) : crowd_(crowd) {
-    for (std::uint32_t k = 0; k < crowd.vehicles.size(); ++k) {
-      const VehicleState& vehicle = crowd.vehicles[k];
-      const bool stands = vehicle.velocity.norm() < kHaltingSpeed;
-      if (stands || vehicle.length > kLargeVehicle) hiding_.push_back(k);
-    }
-  }
-
-  /// Whether row i sees the vehicle's front or middle.
-  bool sees(std::size_t i, std::uint32_t v) const {
-    const VehicleState& vehicle = crowd_.vehicles[v];
-    const Vec2 front = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
-    return in_view(i, front, v) || in_view(i, vehicle.centre, v);
-  }
-
-  /// [m] to the next lane into which row i would walk without seeing whether something comes.
-  double room_unseen(std::size_t i, const Street& street, const CrossingWalk& walk) const {
-    double room = std::numeric_limits<double>::infinity();
-    const double side = walk.to > walk.from ? 1.0 : -1.0;
-    for (const StreetLane& lane : street.lanes) {
-      const double to_edge = side * ((side > 0.0 ? lane.low : lane.high) - walk.from);
-      if (to_edge < 0.0 || to_edge >= room) continue;
-      const double upstream = walk.s - lane.direction * kSight;
-      const Vec2 point = street.point(upstream, 0.5 * (lane.low + lane.high));
-      if (!in_view(i, point, kNoVehicle)) room = to_edge;
-    }
-    return room;
-  }
-
- private:
-  static constexpr auto kNoVehicle = std::numeric_limits<std::uint32_t>::max();
-
-  bool in_view(std::size_t i, const Vec2& point, std::uint32_t v) const {
-    const Vec2 here = crowd_.position(i);
-    const Zone& zone = crowd_.zone;
-    if (!zone.obstacles.empty() && !zone.sight_walls.free_line(here, point)) return false;
-    return std::ranges::none_of(hiding_, [&](std::uint32_t k) {
-      return k != v && runs_through(rectangle_of(crowd_.vehicles[k]), here, point);
-    });
-  }
-
-  const CrowdState& crowd_;
-  std::vector<std::uint32_t> hiding_;
-};
 
 /// Where it is along its street; whether it may cross there.
 struct Alongside {
@@ -168,11 +120,12 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
   walker.blocked = 0.0;
 }
 
-bool is_barred(const CrowdState& crowd, std::size_t i, double s) {
+bool is_barred(const CrowdState& crowd, std::size_t i, double s, double drift = 0.0) {
   const StreetCrossing& crossing = *crowd.crossing(i);
   const StreetTraffic& traffic = crowd.street_traffic[crossing.street];
-  const auto all = [](std::uint32_t) { return true; };
-  return look_at_gap(traffic, crowd.vehicles, walk_across(crowd, i, s), all).barred;
+  CrossingWalk walk = walk_across(crowd, i, s);
+  walk.drift = drift;
+  return look_at_gap(traffic, crowd.vehicles, walk, [](std::uint32_t) { return true; }).barred;
 }
 
 /// Of who has not stepped out.
@@ -199,11 +152,26 @@ bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing&
   return past > kOnGround && crowd.zone.walls.inside(crowd.position(i));
 }
 
-/// To the nearest line on which no vehicle stands: between parked cars, or those of a queue.
-void step_aside(CrowdState& crowd, std::size_t i, double s) {
-  const auto line = nearest_line(s, kAside, kFarAside,
-                                 [&](double other) { return !is_barred(crowd, i, other); });
-  if (line) head_across(crowd, i, line->s);
+/// Round vehicles that stand on the line: straight to where it may leave the carriageway, or first
+/// along it where that way is much shorter. False where there is none.
+bool step_aside(CrowdState& crowd, std::size_t i, const CrossingWalk& walk) {
+  const Street& street = street_of(crowd, *crowd.crossing(i));
+  const bool impulsive = is_impulsive(crowd, i);
+  const auto opens = [&](double s) {
+    return s >= 0.0 && s <= street.length && street.at(s).open_to(impulsive);
+  };
+  const auto free = nearest_line(walk.s, kAside, kFarAside,
+                                 [&](double s) { return opens(s) && !is_barred(crowd, i, s); });
+  if (!free) return false;
+  const auto straight = nearest_line(walk.s, kAside, free->way + kStraighter, [&](double s) {
+    return opens(s) && !is_barred(crowd, i, walk.s, s - walk.s);
+  });
+  if (straight) {
+    head_across(crowd, i, straight->s);
+  } else {
+    head_along(crowd, i, free->s);
+  }
+  return true;
 }
 
 /// Back to the kerb that it has left, to go by the junctions: it has stood at a lane's edge for as
@@ -232,7 +200,8 @@ void end_crossing(CrowdState& crowd, std::size_t i) {
 /// Whoever comes out from behind parked cars goes slowly until it sees along the lane.
 void peer_out(const CrowdState& crowd, std::size_t i, const Lookout& lookout,
               const CrossingWalk& walk, StreetCrossing& crossing) {
-  const double unseen = lookout.room_unseen(i, street_of(crowd, crossing), walk);
+  const double unseen =
+      lookout.room_unseen(i, street_of(crowd, crossing), {walk.s, walk.from}, walk.to > walk.from);
   crossing.room = std::min(crossing.room, std::max(unseen, kPeering * kBraking));
 }
 
@@ -260,7 +229,11 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt
   crossing.hurry = passage.hurry;
   crossing.room = passage.room;
   if (!passage.committed) peer_out(crowd, i, lookout, walk, crossing);
-  if (passage.barred) step_aside(crowd, i, walk.s);
+  if (!passage.barred) {
+    if (!crowd.walkers[i].route.on_last()) head_across(crowd, i, walk.s + walk.drift);
+  } else if (!step_aside(crowd, i, walk)) {
+    crossing.room = std::min(crossing.room, passage.standing);
+  }
   if (crowd.velocity(i).norm() >= kHaltingSpeed) return;
   crossing.waited += dt;
   const bool in_vain = !passage.committed && crossing.waited > crossing.detour;

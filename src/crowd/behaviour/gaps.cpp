@@ -39,13 +39,22 @@ struct Ahead {
   double front, rear;  ///< [m] until it comes to the body, and has passed it; negative: has
 };
 
+/// One that stands is in the way of a line that drifts where the line is once the body gets there.
+Ahead ahead_of_standing(const CrossingWalk& walk, const StreetVehicle& vehicle) {
+  const double across = walk.to - walk.from, reach = walk.radius + kPast;
+  const auto line_at = [&](double t) {
+    const double share = across != 0.0 ? std::clamp((t - walk.from) / across, 0.0, 1.0) : 0.0;
+    return vehicle.distance_to(walk.s + share * walk.drift);
+  };
+  const auto [near, far] = std::minmax({line_at(vehicle.low - walk.radius),
+                                        line_at(vehicle.high + walk.radius)});
+  return {near - reach, far + vehicle.length + reach};
+}
+
 Ahead ahead(const CrossingWalk& walk, const StreetVehicle& vehicle) {
-  const bool stands = vehicle.speed < kStaticSpeed;
-  const double reach = walk.radius + (stands ? kPast : kAlong);
-  // One that stands is where it is once the body gets there.
-  const double middle = 0.5 * (vehicle.low + vehicle.high), across = walk.to - walk.from;
-  const double share = across != 0.0 ? std::clamp((middle - walk.from) / across, 0.0, 1.0) : 0.0;
-  const double front = vehicle.distance_to(walk.s + (stands ? share * walk.drift : 0.0)) - reach;
+  if (vehicle.speed < kStaticSpeed) return ahead_of_standing(walk, vehicle);
+  const double reach = walk.radius + kAlong;
+  const double front = vehicle.distance_to(walk.s) - reach;
   return {front, front + vehicle.length + 2.0 * reach};
 }
 
@@ -119,7 +128,11 @@ Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, do
     const double arrives = distance <= 0.0 ? 0.0 : time_to_drive(vehicle, distance);
     if (!std::isfinite(arrives)) continue;
     const bool in_the_way = is_in_the_way(walk, vehicle);
-    if (vehicle.speed < kStaticSpeed) passage.barred = true;
+    if (vehicle.speed < kStaticSpeed) {
+      passage.barred = true;
+      passage.standing = std::min(passage.standing, person.enter * walk.speed);
+      continue;
+    }
     if (!in_the_way && !sees(vehicle.vehicle)) continue;
     const double in_time = arrives - margin;
     if (person.leave <= in_time) continue;

@@ -43,6 +43,7 @@ struct Passage {
   bool barred = false;     ///< a vehicle stands on its line
   double hurry = 1.0;      ///< share of its speed that gets it past them in time
   double room = std::numeric_limits<double>::infinity();  ///< [m] to go before it lets one pass
+  double standing = std::numeric_limits<double>::infinity();  ///< [m] ... to one that bars the way
 };
 
 /// As look_at_gap(), for who is on its way. Where vehicles drive already, it hurries, by at most

@@ -225,6 +225,17 @@ TEST_F(Crossing, goes_round_a_car_that_has_come_to_stand_on_the_other_side) {
   EXPECT_GE(scene.least_vehicle_gap(), 0.0);
 }
 
+TEST_F(Crossing, goes_along_a_car_that_has_come_to_stand_right_before_it) {
+  Scene scene(zone_);
+  const std::size_t i = scene.add(across(100.0, 100.0));
+  while (scene.people[i].view.position.y() < 1.0) scene.step();
+  scene.vehicles = {vehicle_at({101.5, 2.5}, 0.0, 0.0)};  // 0.4 m before its body
+  const double since = scene.time;
+  while (scene.people[i].view.position.y() < 4.0 && scene.time < since + 20.0) scene.step();
+  EXPECT_LT(scene.time, since + 6.0);
+  EXPECT_GE(scene.least_vehicle_gap(), 0.0);
+}
+
 TEST_F(Crossing, is_over_once_the_other_side_is_reached) {
   Scene scene(zone_);
   const std::size_t i = scene.add(across(100.0, 150.0));

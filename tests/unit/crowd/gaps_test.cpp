@@ -174,15 +174,18 @@ TEST_F(OnTheWay, people_walk_past_the_end_of_a_parked_car) {
   walk_.from = -1.0;
   add({false, -5.5, 0.0});  // its rear is 0.5 m away
   EXPECT_TRUE(std::isinf(pass().room));
+  EXPECT_TRUE(std::isinf(pass().standing));
   add({false, -5.2, 0.0});
-  EXPECT_NEAR(pass().room, 0.85 - 0.54 + 1.0, 1e-9);
+  EXPECT_NEAR(pass().standing, 0.85 - 0.54 + 1.0, 1e-9);
 }
 
 TEST_F(OnTheWay, people_walk_between_parked_cars_to_where_their_line_leads) {
   walk_.from = -1.0;
   add({false, -3.0, 0.0});  // stands on the line
   EXPECT_TRUE(pass().barred);
-  walk_.drift = 5.5;  // 3.4 m by there
+  walk_.drift = 5.5;  // 2 m by the car's near side, 4.6 m by its far one
+  EXPECT_TRUE(pass().barred);
+  walk_.drift = 7.0;  // 2.5 m, and it ends 2 m away
   EXPECT_FALSE(pass().barred);
   EXPECT_TRUE(std::isinf(pass().room));
 }
