@@ -10,6 +10,8 @@ set(PEDZONE_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-co
 if(PEDZONE_WERROR)
   list(APPEND PEDZONE_WARNINGS -Werror)
 endif()
+# For what no run waits for, the command line and the tests: a fifth less time to compile.
+set(PEDZONE_QUICK_BUILD $<$<CONFIG:Release>:-O1>)
 if(PEDZONE_SANITIZE)
   # Instrumented code makes GCC 12 take std::optional for uninitialized.
   list(APPEND PEDZONE_WARNINGS -Wno-maybe-uninitialized)
