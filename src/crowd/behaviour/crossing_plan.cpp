@@ -213,16 +213,6 @@ void go_by_nodes(CrowdState& crowd, std::size_t i) {
        crowd.walkers[i].route);
 }
 
-void head_along(CrowdState& crowd, std::size_t i, double s) {
-  head_across(crowd, i, s);
-  const StreetCrossing& crossing = *crowd.crossing(i);
-  const Street& street = crowd.zone.streets[crossing.street];
-  Route& route = crowd.walkers[i].route;
-  const double t = street.place(crowd.position(i)).t;
-  route.points.insert(route.points.begin(), street.point(s, t));
-  go_on_to(route, 0);
-}
-
 void head_across(CrowdState& crowd, std::size_t i, double s) {
   const StreetCrossing& crossing = *crowd.crossing(i);
   Route& route = crowd.walkers[i].route;
@@ -236,11 +226,25 @@ void head_across(CrowdState& crowd, std::size_t i, double s) {
   go_on_to(route, 0);
 }
 
-std::optional<CrossingLine> nearest_line(double s, double step, double farthest,
-                                         const std::function<bool(double s)>& suits) {
+void head_along(CrowdState& crowd, std::size_t i, double s) {
+  head_across(crowd, i, s);
+  const StreetCrossing& crossing = *crowd.crossing(i);
+  const Street& street = crowd.zone.streets[crossing.street];
+  Route& route = crowd.walkers[i].route;
+  const double t = street.place(crowd.position(i)).t;
+  route.points.insert(route.points.begin(), street.point(s, t));
+  go_on_to(route, 0);
+}
+
+std::optional<CrossingLine> nearest_line(const CrowdState& crowd, std::size_t i, double s,
+                                         double step, double farthest,
+                                         const std::function<bool(double s)>& is_barred) {
+  const Street& street = crowd.zone.streets[crowd.crossing(i)->street];
+  const bool impulsive = is_impulsive(crowd, i);
   for (double way = step; way <= farthest; way += step) {
     for (const double other : {s - way, s + way}) {
-      if (suits(other)) return CrossingLine{other, way};
+      if (other < 0.0 || other > street.length || !street.at(other).open_to(impulsive)) continue;
+      if (!is_barred(other)) return CrossingLine{other, way};
     }
   }
   return std::nullopt;
@@ -249,11 +253,8 @@ std::optional<CrossingLine> nearest_line(double s, double step, double farthest,
 void move_along_kerb(CrowdState& crowd, std::size_t i,
                      const std::function<bool(double s)>& is_barred) {
   StreetCrossing& crossing = *crowd.crossing(i);
-  const Street& street = crowd.zone.streets[crossing.street];
-  const bool impulsive = is_impulsive(crowd, i);
-  const auto line = nearest_line(crossing.at, kStreetStep, street.length, [&](double s) {
-    return s >= 0.0 && s <= street.length && street.at(s).open_to(impulsive) && !is_barred(s);
-  });
+  const double length = crowd.zone.streets[crossing.street].length;
+  const auto line = nearest_line(crowd, i, crossing.at, kStreetStep, length, is_barred);
   if (!line) return;
   crossing.at = line->s;
   crossing.at_kerb = false;

@@ -32,9 +32,11 @@ struct CrossingLine {
   double way = 0.0;  ///< [m] to it, > 0
 };
 
-/// The line nearest to s that suits, in steps of `step` up to `farthest` [m] to either side.
-std::optional<CrossingLine> nearest_line(double s, double step, double farthest,
-                                         const std::function<bool(double s)>& suits);
+/// The line nearest to s on which row i may cross its street and that is not barred, in steps of
+/// `step` up to `farthest` [m] to either side.
+std::optional<CrossingLine> nearest_line(const CrowdState& crowd, std::size_t i, double s,
+                                         double step, double farthest,
+                                         const std::function<bool(double s)>& is_barred);
 
 /// Row i goes to the nearest place of the kerb that is not barred.
 void move_along_kerb(CrowdState& crowd, std::size_t i,

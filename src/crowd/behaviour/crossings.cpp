@@ -120,12 +120,14 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
   walker.blocked = 0.0;
 }
 
-bool is_barred(const CrowdState& crowd, std::size_t i, double s, double drift = 0.0) {
-  const StreetCrossing& crossing = *crowd.crossing(i);
-  const StreetTraffic& traffic = crowd.street_traffic[crossing.street];
-  CrossingWalk walk = walk_across(crowd, i, s);
-  walk.drift = drift;
+bool is_barred(const CrowdState& crowd, std::size_t i, const CrossingWalk& walk) {
+  const StreetTraffic& traffic = crowd.street_traffic[crowd.crossing(i)->street];
   return look_at_gap(traffic, crowd.vehicles, walk, [](std::uint32_t) { return true; }).barred;
+}
+
+/// Whether the line straight across at s is.
+bool is_barred_at(const CrowdState& crowd, std::size_t i, double s) {
+  return is_barred(crowd, i, walk_across(crowd, i, s));
 }
 
 /// Of who has not stepped out.
@@ -137,7 +139,7 @@ void wait_or_leave(CrowdState& crowd, std::size_t i, const Choice& choice, doubl
   if ((kerb - crowd.position(i)).norm() > kAway) crossing.at_kerb = false;
   crossing.waited += dt;
   if (choice.view.barred) {
-    move_along_kerb(crowd, i, [&](double s) { return is_barred(crowd, i, s); });
+    move_along_kerb(crowd, i, [&](double s) { return is_barred_at(crowd, i, s); });
   } else if (crossing.waited > crossing.detour) {
     // Whoever does not know how long it will take loses at most as much as it would have saved.
     go_by_nodes(crowd, i);
@@ -154,17 +156,14 @@ bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing&
 
 /// Round vehicles that stand on the line: straight to where it may leave the carriageway, or first
 /// along it where that way is much shorter. False where there is none.
-bool step_aside(CrowdState& crowd, std::size_t i, const CrossingWalk& walk) {
-  const Street& street = street_of(crowd, *crowd.crossing(i));
-  const bool impulsive = is_impulsive(crowd, i);
-  const auto opens = [&](double s) {
-    return s >= 0.0 && s <= street.length && street.at(s).open_to(impulsive);
-  };
-  const auto free = nearest_line(walk.s, kAside, kFarAside,
-                                 [&](double s) { return opens(s) && !is_barred(crowd, i, s); });
+bool step_aside(CrowdState& crowd, std::size_t i, CrossingWalk walk) {
+  const auto free = nearest_line(crowd, i, walk.s, kAside, kFarAside,
+                                 [&](double s) { return is_barred_at(crowd, i, s); });
   if (!free) return false;
-  const auto straight = nearest_line(walk.s, kAside, free->way + kStraighter, [&](double s) {
-    return opens(s) && !is_barred(crowd, i, walk.s, s - walk.s);
+  const double farthest = free->way + kStraighter;
+  const auto straight = nearest_line(crowd, i, walk.s, kAside, farthest, [&](double s) {
+    walk.drift = s - walk.s;
+    return is_barred(crowd, i, walk);
   });
   if (straight) {
     head_across(crowd, i, straight->s);
@@ -229,7 +228,7 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt
   crossing.hurry = passage.hurry;
   crossing.room = passage.room;
   if (!passage.committed) peer_out(crowd, i, lookout, walk, crossing);
-  if (!passage.barred) {
+  if (!passage.barred()) {
     if (!crowd.walkers[i].route.on_last()) head_across(crowd, i, walk.s + walk.drift);
   } else if (!step_aside(crowd, i, walk)) {
     crossing.room = std::min(crossing.room, passage.standing);

@@ -129,7 +129,6 @@ Passage pass_vehicles(const StreetTraffic& traffic, const CrossingWalk& walk, do
     if (!std::isfinite(arrives)) continue;
     const bool in_the_way = is_in_the_way(walk, vehicle);
     if (vehicle.speed < kStaticSpeed) {
-      passage.barred = true;
       passage.standing = std::min(passage.standing, person.enter * walk.speed);
       continue;
     }

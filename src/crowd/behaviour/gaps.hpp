@@ -40,10 +40,12 @@ GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState
 /// What who is on the carriageway does about vehicles that come.
 struct Passage {
   bool committed = false;  ///< it is where vehicles drive
-  bool barred = false;     ///< a vehicle stands on its line
   double hurry = 1.0;      ///< share of its speed that gets it past them in time
   double room = std::numeric_limits<double>::infinity();  ///< [m] to go before it lets one pass
-  double standing = std::numeric_limits<double>::infinity();  ///< [m] ... to one that bars the way
+  /// [m] to go before it comes to a vehicle that stands on its line
+  double standing = std::numeric_limits<double>::infinity();
+
+  bool barred() const { return standing < std::numeric_limits<double>::infinity(); }
 };
 
 /// As look_at_gap(), for who is on its way. Where vehicles drive already, it hurries, by at most

@@ -177,7 +177,9 @@ TEST_F(Crossing, is_slow_until_parked_cars_hide_no_lane_any_more) {
   for (const bool parked : {false, true}) {
     Scene scene(zone_);
     const std::size_t i = scene.add(across(20.0, 20.0));
-    if (parked) scene.vehicles = {vehicle_at({16.8, -2.5}, 0.0, 0.0), vehicle_at({23.2, -2.5}, 0.0, 0.0)};
+    for (const double x : {16.8, 23.2}) {
+      if (parked) scene.vehicles.push_back(vehicle_at({x, -2.5}, 0.0, 0.0));
+    }
     while (scene.time < 60.0 && scene.people[i].here) {
       scene.step();
       const double y = scene.people[i].view.position.y();

@@ -182,11 +182,11 @@ TEST_F(OnTheWay, people_walk_past_the_end_of_a_parked_car) {
 TEST_F(OnTheWay, people_walk_between_parked_cars_to_where_their_line_leads) {
   walk_.from = -1.0;
   add({false, -3.0, 0.0});  // stands on the line
-  EXPECT_TRUE(pass().barred);
+  EXPECT_TRUE(pass().barred());
   walk_.drift = 5.5;  // 2 m by the car's near side, 4.6 m by its far one
-  EXPECT_TRUE(pass().barred);
+  EXPECT_TRUE(pass().barred());
   walk_.drift = 7.0;  // 2.5 m, and it ends 2 m away
-  EXPECT_FALSE(pass().barred);
+  EXPECT_FALSE(pass().barred());
   EXPECT_TRUE(std::isinf(pass().room));
 }
 
