@@ -220,6 +220,7 @@ DirectionChoice HeuristicModel::choose(std::size_t i, const Walker& self, double
   const bool blocked_soon = best.time < static_cast<float>(parameters.turn_time);
   if (!scratch.turned && blocked_soon && meets_people(task, best.index)) {
     scratch.turned = true;
+    scratch.surroundings.see_walls_turned(self, scenery_.walls());
     see_again(i, self, Shoulders::turned(), task.horizon, scratch, task);
     best = kernel_.choose(task, 0, candidates_.main_count(), none);
   }

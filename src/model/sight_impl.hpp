@@ -28,7 +28,7 @@ struct SightImpl {
   struct Seer {
     std::int32_t x, y;
     Float heading_cos, heading_sin, field, reach2, near2, radius, turned, speed2, horizon, walk,
-        static_reach, straight, facing;
+        static_reach, straight, facing, broadest;
 
     explicit Seer(const Sight& s)
         : x(s.x),
@@ -45,7 +45,8 @@ struct SightImpl {
           walk(Float::all(s.speed * s.horizon * (1.0F + kReachShare) + kReachMargin)),
           static_reach(Float::all(s.static_reach)),
           straight(Float::all(s.shoulders.straight)),
-          facing(Float::all(s.shoulders.facing)) {}
+          facing(Float::all(s.shoulders.facing)),
+          broadest(Float::all(s.shoulders.broadest)) {}
   };
 
   static Seen see(const PersonSlots& slots, std::span<const SlotGroup> groups, const Sight& sight,
@@ -83,12 +84,13 @@ struct SightImpl {
 
     p.vx = Float::load(slots.vx + first);
     p.vy = Float::load(slots.vy + first);
-    const Float wide = s.radius + Float::load(slots.radius + first);
+    const Float wide =
+        smaller(s.radius, s.broadest) + smaller(Float::load(slots.radius + first), s.broadest);
     const Float narrow = s.turned + Float::load(slots.turned_radius + first);
     const Float alike = Float::load(slots.hx + first) * s.heading_cos +
                         Float::load(slots.hy + first) * s.heading_sin;
     const Float root = s.straight + s.facing * alike, q = root * root;
-    const Float contact = narrow + q * (wide - narrow);
+    const Float contact = larger(narrow, narrow + q * (wide - narrow));
     const Float v2 = Float::load(slots.speed2 + first);
     const Float fx = p.x + p.vx * s.horizon, fy = p.y + p.vy * s.horizon;
     const Float farthest = contact + s.walk, still = contact + s.static_reach;

@@ -41,8 +41,7 @@ void Surroundings::see_persons(const Walker& walker, const Senses& senses, const
 }
 
 void Surroundings::see_again(const Walker& walker, const Senses& senses, const Shoulders& shoulders,
-                             float horizon, const PersonGrid& grid,
-                             const DirectionKernel& kernel) {
+                             float horizon, const PersonGrid& grid, const DirectionKernel& kernel) {
   Sight sight = sight_of(walker, senses, shoulders);
   sight.horizon = std::min(sight.horizon, horizon);
   // Nobody is in the way of narrower bodies who is not in that of straight ones.
@@ -52,9 +51,8 @@ void Surroundings::see_again(const Walker& walker, const Senses& senses, const S
 Seen Surroundings::see(const PersonGrid& grid, std::span<const SlotGroup> groups,
                        const Sight& sight, const DirectionKernel& kernel, SlotGroup* met) {
   const std::size_t most = groups.size() * kSlotGroup;
-  const Seen seen =
-      kernel.see(grid.slots(), groups, sight, near_room_.space(most, near_persons_),
-                 far_room_.space(most, far_persons_), met);
+  const Seen seen = kernel.see(grid.slots(), groups, sight, near_room_.space(most, near_persons_),
+                               far_room_.space(most, far_persons_), met);
   near_persons_.size = seen.near;
   far_persons_.size = seen.far;
   return seen;
@@ -102,6 +100,13 @@ void Surroundings::see_walls(const Walker& walker, const WallTiles& walls) {
   }
 }
 
+void Surroundings::see_walls_turned(const Walker& walker, const WallTiles& walls) {
+  Walker narrow = walker;
+  narrow.radius = walker.turned_radius;
+  see_walls(narrow, walls);
+  add_standing(walker);
+}
+
 void Surroundings::add_wall(const Walker& walker, const WallFace& wall, const Segment& s,
                             float contact) {
   const bool front = s.h >= 0.0F;
@@ -129,8 +134,17 @@ void Surroundings::add_wall(const Walker& walker, const WallFace& wall, const Se
   }
 }
 
+void Surroundings::add_standing(const Walker& walker) {
+  for (const VehicleView& view : standing_) {
+    add_vehicle(view, walker, still_discs_, still_faces_);
+  }
+  still_discs_.fill_group();
+  still_faces_.fill_group();
+}
+
 void Surroundings::forget_vehicles() {
   vehicles_.clear();
+  standing_.clear();
   vehicle_discs_.clear();
   vehicle_faces_.clear();
   hears_vehicle_ = threatened_ = false;
@@ -144,7 +158,7 @@ void Surroundings::notice(const Walker& walker, const Senses& senses, const Vehi
   if (aware == Awareness::kNone) return;
   if (!vehicle.moving()) {
     if (view.distance <= walker.static_reach + view.contact) {
-      add_vehicle(view, walker, still_discs_, still_faces_);
+      standing_.push_back(view);
       nearest_bar_ = std::min(nearest_bar_, view.distance);
     }
     return;

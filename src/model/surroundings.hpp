@@ -26,6 +26,9 @@ class Surroundings {
   void see_again(const Walker& walker, const Senses& senses, const Shoulders& shoulders,
                  float horizon, const PersonGrid& grid, const DirectionKernel& kernel);
   void see_walls(const Walker& walker, const WallTiles& walls);
+  /// The walls anew, as they are in the way of somebody who has turned its shoulders, and with them
+  /// the vehicles that stand.
+  void see_walls_turned(const Walker& walker, const WallTiles& walls);
   /// `near`: indices into `vehicles` of those that may matter; `soon` [s]: see threatened();
   /// `minds(index)`: whether the person minds that one, if it perceives it. To be called last.
   template <class Minds>
@@ -36,8 +39,7 @@ class Surroundings {
     for (const std::uint32_t v : near) {
       if (minds(v)) notice(walker, senses, vehicles[v], soon);
     }
-    still_discs_.fill_group();
-    still_faces_.fill_group();
+    add_standing(walker);
   }
 
   /// Lets the task know of everything.
@@ -58,6 +60,7 @@ class Surroundings {
 
  private:
   void forget_vehicles();
+  void add_standing(const Walker& walker);
   void notice(const Walker& walker, const Senses& senses, const VehicleShape& vehicle, float soon);
 
   /// A wall relative to the person.
@@ -85,6 +88,7 @@ class Surroundings {
   std::size_t met_ = 0;  ///< of the groups, after see_persons(): those with anybody to be minded
   std::vector<Segment> segments_;
   std::vector<VehicleView> vehicles_;
+  std::vector<VehicleView> standing_;  ///< vehicles in reach
   float nearest_bar_ = std::numeric_limits<float>::infinity();
   bool hears_vehicle_ = false, threatened_ = false;
 };

@@ -19,7 +19,7 @@ from refusal import RefusalChecks
 PEDZONE = None  # set from the command line
 QUICK = ["rimea-1", "juelich-free-flow", "juelich-rotated", "juelich-drift", "rimea-6"]
 BLIND = "constant-velocity"
-NOT_KEPT = {"diagram-one-way", "diagram-two-ways", "crossing-90", "lanes-by-width"}  # by the default
+NOT_KEPT = {"diagram-two-ways", "lanes-by-width"}  # by the default
 
 
 class Verify(RefusalChecks, unittest.TestCase):

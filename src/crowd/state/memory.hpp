@@ -117,6 +117,7 @@ struct CrossingMemory {
 struct JamMemory {
   float least_left = std::numeric_limits<float>::infinity();  ///< [m] least way left so far
   float stuck = 0.0F;                                         ///< [s] without room since that was
+  float faced = 0.0F;     ///< [s] added for what it stood face to face with others
   float squeezed = 0.0F;  ///< [s] since it began to squeeze; 0: it does not
   float free = 0.0F;      ///< [s] since it last lacked room
 

@@ -11,6 +11,7 @@
 namespace pedzone::test {
 namespace {
 
+constexpr double kFaceToFace = 12.0;   // so many times as fast does time pass for two who face
 constexpr double kSqueezeTime = 10.0;  // [s] from the jam's begin until a body is at its narrowest
 constexpr double kRounding = 1e-6;     // [m] radii are kept as floats
 
@@ -39,8 +40,8 @@ struct Jams {
 // One stripe of SUMO's. Bodies of 0.7 m that have turned need as much for two of them.
 constexpr double kFootway = 0.65, kRadius = 0.35;
 
-Zone footway(double jam_time, bool noise = true) {
-  Zone zone = zone_of(box(0, 0, 20, kFootway), {}, noise);
+Zone footway(double jam_time, bool noise = true, double length = 20.0) {
+  Zone zone = zone_of(box(0, 0, length, kFootway), {}, noise);
   zone.parameters.jam_time = jam_time;
   return zone;
 }
@@ -52,10 +53,10 @@ NewPerson on_footway(double x, double to, std::uint64_t group = 0) {
   return person;
 }
 
-TEST(Jam, two_who_meet_on_a_footway_too_narrow_get_past_each_other_after_the_jam_time) {
+TEST(Jam, two_who_meet_on_a_footway_too_narrow_get_past_each_other_after_a_part_of_the_jam_time) {
   for (const double jam_time : {5.0, 20.0}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      const Zone zone = footway(jam_time);
+      const Zone zone = footway(kFaceToFace * jam_time);
       Scene scene(zone, seed);
       scene.add(on_footway(2, 19.5));
       scene.add(on_footway(18, 0.5));
@@ -67,15 +68,50 @@ TEST(Jam, two_who_meet_on_a_footway_too_narrow_get_past_each_other_after_the_jam
       }
       jams.run(scene, meet + jam_time + kSqueezeTime + 8.0 / 1.34 + 10.0);
       EXPECT_EQ(scene.arrived(), 2u) << "seed " << seed;
-      EXPECT_EQ(jams.all, 2) << "seed " << seed;
-      for (const auto& p : scene.people) EXPECT_EQ(jams.times[p.handle], 1) << "seed " << seed;
+      // Where one of them has squeezed past, the other need not.
+      EXPECT_GE(jams.all, 1) << "seed " << seed;
+      for (const auto& p : scene.people) EXPECT_LE(jams.times[p.handle], 1) << "seed " << seed;
       EXPECT_GT(jams.first, meet + jam_time - 2.0);
-      EXPECT_LT(jams.first, meet + jam_time + 3.0);
+      EXPECT_LT(jams.first, meet + 1.3 * jam_time + 3.0);
       // In the middle a straight body lacks 0.025 m; beside, what it has grown by in a step.
       EXPECT_GE(scene.least_wall_gap(), 0.5 * kFootway - kRadius - 0.1 * 0.5 * kRadius);
       for (const auto& p : scene.people) EXPECT_FALSE(p.view.gave_up);
     }
   }
+}
+
+/// [s] for which somebody and those it meets, first in the middle of a footway, then at its end,
+/// stand before each other until one of them begins to squeeze.
+std::vector<double> patience_on_footway(double length) {
+  const Zone zone = footway(60.0, true, length);
+  Scene scene(zone);
+  const auto first = scene.add(on_footway(2, length - 0.5));
+  const auto second = scene.add(on_footway(8, 0.5));
+  NewPerson slow = on_footway(length - 1.5, 0.5);
+  slow.preferred_speed = 0.1;
+  slow.velocity = {-0.1, 0.0};
+  const auto third = scene.add(slow);
+  std::vector<double> met, squeezed;  // [s]
+  while (scene.time < 120.0 && squeezed.size() < 2) {
+    scene.step();
+    // Where one of two begins, the other need not.
+    if (!scene.crowd.jams().empty() && squeezed.size() < met.size()) squeezed.push_back(scene.time);
+    const auto& other = scene.people[met.empty() ? second : third];
+    if (met.size() == 2 || !other.here) continue;
+    const Vec2 apart = scene.people[first].view.position - other.view.position;
+    if (apart.norm() < kRadius + 0.15) met.push_back(scene.time);
+  }
+  if (met.size() != 2 || squeezed.size() != 2) return {0.0, 0.0};
+  return {squeezed[0] - met[0], squeezed[1] - met[1]};
+}
+
+TEST(Jam, is_left_sooner_by_who_has_squeezed_a_short_way_ago) {
+  const std::vector<double> soon = patience_on_footway(20.0), later = patience_on_footway(60.0);
+  EXPECT_GT(soon[0], 4.5);
+  EXPECT_GT(soon[1], 0.0);
+  EXPECT_LT(soon[1], 3.0);
+  EXPECT_GT(later[0], 4.5);
+  EXPECT_GT(later[1], 4.5);
 }
 
 TEST(Jam, leaves_nobody_narrow_behind_it) {
@@ -193,6 +229,22 @@ TEST(Jam, is_none_for_who_says_that_it_waits) {
   }
 }
 
+TEST(Jam, lasts_the_whole_jam_time_for_two_who_have_passed_each_other) {
+  // Back to back: neither is in the other's way.
+  const Zone zone = footway(24.0);
+  for (const bool passed : {true, false}) {
+    Scene scene(zone, 1, turned_model(false));
+    for (const bool there : {true, false}) {
+      NewPerson person = on_footway(there == passed ? 10.4 : 10.0, there ? 19.5 : 0.5);
+      person.velocity = Vec2::Zero();
+      scene.add(person);
+    }
+    Jams jams;
+    jams.run(scene, 20.0);
+    EXPECT_EQ(jams.all, passed ? 0 : 2);
+  }
+}
+
 TEST(Jam, is_none_for_who_waits_for_its_group) {
   // The other one is 8 m behind. It does not come, but the patience for that is not over yet.
   const Zone zone = footway(5.0);
@@ -210,7 +262,7 @@ TEST(Jam, is_none_for_who_waits_for_its_group) {
 }
 
 TEST(Jam, begins_anew_with_a_new_destination) {
-  const Zone zone = footway(5.0, false);
+  const Zone zone = footway(60.0, false);  // 5 s face to face
   Scene scene(zone);
   scene.add(on_footway(9.3, 19.5));
   scene.add(on_footway(10.7, 0.5));

@@ -131,7 +131,7 @@ bool touches(const Scene& scene, std::size_t person) {
   const Vec2& at = scene.people[person].at;
   if (inside_an_obstacle(scene, at)) return true;
   return std::ranges::any_of(aware_of(scene, person), [&](const Obstacle& o) {
-    // A contact is softened from 1/√(1 − 0.33) times its distance on.
+    // A contact is softened from 1/√(1 − 0.2) times its distance on.
     const double margin = o.kind == Obstacle::Kind::kDisc ? 0.23 * o.contact + 0.02 : 0.02;
     return o.distance(at, 0.0) < o.contact + margin;
   });

@@ -104,9 +104,10 @@ double contact_distance(const PersonSpec& a, const PersonSpec& b, Width width) {
       return full;
     case Width::kTurned:
       return turned;
-    default: {  // as a queue demands behind who walks ahead
+    default: {  // as a queue demands behind who walks ahead, for feet no broader than SUMO's person
+      const double feet = std::min(a.radius, 0.239) + std::min(b.radius, 0.239);
       const double root = 0.6 + 0.38 * std::cos(a.heading - b.heading);
-      return turned + root * root * (full - turned);
+      return std::max(turned, turned + root * root * (feet - turned));
     }
   }
 }
@@ -149,7 +150,8 @@ std::vector<Obstacle> aware_of(const Scene& scene, std::size_t person, Width wid
   }
   for (const Wall& wall : scene.walls) {
     const bool in_front = cross(wall.b - wall.a, self.at - wall.a) >= 0.0;
-    if (in_front) obstacles.push_back(segment(wall, self.radius));
+    const double turned = width == Width::kFull ? 1.0 : self.turned_width;
+    if (in_front) obstacles.push_back(segment(wall, turned * self.radius));
   }
   return obstacles;
 }

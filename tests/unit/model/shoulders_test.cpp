@@ -91,6 +91,9 @@ TEST(Shoulders, turned_lead_between_people_who_leave_no_room_for_straight_ones) 
   }
 }
 
+// [m] which two of SUMO's persons keep, one behind the other; broader ones keep no more.
+constexpr double kFeet = 0.478;
+
 TEST(Shoulders, turned_keep_nearly_the_full_distance_to_who_faces_the_same_way) {
   for (const double turned_width : {0.5, 0.7}) {
     const Scene scene = before_a_row(0.0, turned_width);
@@ -100,7 +103,7 @@ TEST(Shoulders, turned_keep_nearly_the_full_distance_to_who_faces_the_same_way) 
       EXPECT_NEAR(d.direction, 0.0, 1e-9);
     }
     const double turned = turned_width * 0.48, q = 0.98 * 0.98;
-    EXPECT_NEAR(d.free_distance, way_to_disc(0.7, 0.35, turned + q * (0.48 - turned)), kGraze);
+    EXPECT_NEAR(d.free_distance, way_to_disc(0.7, 0.35, turned + q * (kFeet - turned)), kGraze);
     EXPECT_NEAR(d.speed, d.free_distance / scene.parameters.collision_time, 1e-9);
   }
 }
@@ -120,16 +123,41 @@ TEST(Shoulders, of_who_walks_behind_somebody_keep_its_distance_whatever_their_wi
         const Decision d = scene.first();
         const double turned = wide * 0.3 + 0.6 * 0.24;
         const double root = 0.6 + 0.38 * std::cos(heading), q = root * root;
-        const double contact = turned + q * (0.3 + 0.24 - turned);
+        const double contact = turned + q * std::max(kFeet - turned, 0.0);
         const Obstacle ahead = disc({1.1, 0.0}, {walks, 0.0}, contact);
         const Vec2 velocity = 1.34 * unit(d.direction);
         const double way = 1.34 * time_to_contact(ahead, Vec2::Zero(), velocity, 10.0 / 1.34);
         ASSERT_LT(std::abs(d.direction), 20.0 * kDegree);
         EXPECT_TRUE(d.turns);
-        // The walls stop nobody sooner who keeps to the middle.
+        // The walls stop nobody sooner who keeps to the middle, narrow as it has turned.
         EXPECT_LE(d.free_distance, way + kGraze) << heading << " " << walks << " " << wide;
-        const double beside = 0.02 / std::sin(std::max(std::abs(d.direction), 1e-9));
+        const double beside = (0.32 - wide * 0.3) / std::sin(std::max(std::abs(d.direction), 1e-9));
         EXPECT_GE(d.free_distance, std::min(way, beside) - kGraze) << heading << " " << walks;
+      }
+    }
+  }
+}
+
+TEST(Shoulders, turned_find_a_way_along_a_wall_where_straight_ones_touch_it) {
+  // Beside the one who stands in the middle there are 0.33 m from its turned body to the wall. A
+  // vehicle that stands behind it is not forgotten when the walls are seen anew.
+  constexpr double kSide = 0.45, kAt = -0.22, kTurnedRadius = 0.12;  // [m]
+  for (const char* model : {"heuristic", "plain", "heuristic-original"}) {
+    for (const double front : {90.0, 1.9}) {  // [m]
+      Scene scene;
+      scene.model_name = model;
+      scene.people = {walking_to({0.0, kAt}, 0.0), standing_at({1.0, 0.0}, kPi)};
+      scene.walls = {{{20.0, kSide}, {-20.0, kSide}}, {{-20.0, -kSide}, {20.0, -kSide}}};
+      scene.vehicles = {vehicle({front + 0.2, 0.0}, 0.5 * kPi, 0.0, 4.0, 0.4)};
+      const Decision d = scene.first();
+      EXPECT_TRUE(d.turns) << model;
+      EXPECT_NEAR(d.direction, -2.5 * kDegree, 1e-6) << model << " " << front;
+      const double to_wall = (kSide - kTurnedRadius + kAt) / std::sin(2.5 * kDegree);
+      if (front > to_wall) {
+        EXPECT_NEAR(d.free_distance, to_wall, 0.05) << model;
+      } else {
+        EXPECT_LT(d.free_distance, front - 0.24) << model;
+        EXPECT_GT(d.free_distance, 1.4) << model;
       }
     }
   }

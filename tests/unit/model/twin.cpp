@@ -63,12 +63,13 @@ Seen see(const PersonSlots& slots, std::span<const SlotGroup> groups, const Sigh
       const float ahead = x * s.heading_cos + y * s.heading_sin;
       if (ahead * std::abs(ahead) < s.field_cos * std::abs(s.field_cos) * d2) continue;
       const float vx = slots.vx[j], vy = slots.vy[j], v2 = vx * vx + vy * vy;
-      const float wide = s.radius + slots.radius[j];
+      const float wide =
+          smaller(s.radius, s.shoulders.broadest) + smaller(slots.radius[j], s.shoulders.broadest);
       const float narrow = s.turned_radius + slots.turned_radius[j];
       const float alike = slots.hx[j] * s.heading_cos + slots.hy[j] * s.heading_sin;
       const float root = s.shoulders.straight + s.shoulders.facing * alike;
       const float straight = root * root;
-      const float contact = narrow + straight * (wide - narrow);
+      const float contact = larger(narrow, narrow + straight * (wide - narrow));
       const float still = contact + s.static_reach;
       if (v2 < kStaticSpeed * kStaticSpeed && d2 > still * still) continue;
       const float soft =
