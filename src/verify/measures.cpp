@@ -180,4 +180,23 @@ double Turns::most() const {
   return most_.empty() ? 0.0 : *std::ranges::max_element(most_) / (2.0 * kPi);
 }
 
+void Jolts::look(const Scene& scene) {
+  const std::vector<Walker>& people = scene.people();
+  moved_.resize(people.size(), Vec2::Zero());
+  stopped_.resize(people.size(), 0);
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    if (!people[i].here) continue;
+    const Vec2 moved = people[i].at - people[i].before;
+    const double before = moved_[i].norm();
+    if (before > 0.0 && before - moved.dot(moved_[i]) / before > kJolt * kStep) stopped_[i] = 1;
+    moved_[i] = moved;
+  }
+}
+
+double Jolts::share() const {
+  if (stopped_.empty()) return 0.0;
+  return static_cast<double>(std::ranges::count(stopped_, 1)) /
+         static_cast<double>(stopped_.size());
+}
+
 }  // namespace pedzone::verify

@@ -97,6 +97,22 @@ double band_index(std::span<const LanePlace> people, double low, double high, do
 /// over some time.
 int lane_count(std::span<const LanePlace> people, double low, double high, double band = 0.5);
 
+/// Who is stopped short: loses `kJolt` of its speed within a step. People brake within half a
+/// second (Moussaid's relaxation time); only who walks into a body or a wall stops sooner.
+class Jolts {
+ public:
+  static constexpr double kJolt = 0.5;  ///< [m/s] assumed: in 0.1 s twice what braking explains
+
+  /// After every step.
+  void look(const Scene& scene);
+  /// Share [1] of all people to whom it happened.
+  double share() const;
+
+ private:
+  std::vector<Vec2> moved_;  ///< [m] in the step before, by person
+  std::vector<char> stopped_;
+};
+
 /// By how many whole turns [1] the person that winds most has gone round `centre`, either way.
 class Turns {
  public:

@@ -129,8 +129,10 @@ Outcome run_rimea_15(const RunInput& input, std::size_t index) {
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kCrowdLong, kWide}, kCrowd, input.seed)) {
     scene.add(at, end);
   }
-  scene.run(kMost);
+  Jolts jolts;
+  scene.run(kMost, [&] { jolts.look(scene); });
   Outcome outcome;
+  if (!straight) outcome.figures["jolts"] = jolts.share();
   const char* const keys[] = {"short", "corner", "long"};
   outcome.figures[keys[index]] = scene.last_arrival(kMost);
   outcome.figures[std::string("arrived-") + keys[index]] = static_cast<double>(scene.arrived());
@@ -151,6 +153,8 @@ StandardTest rimea_15() {
       at_least("before-long", "long after corner", "s", 1, 0.0, "RiMEA: corner ≤ long"),
       in_every_seed(
           at_least("arrived", "people who arrive, fewest", "", 0, 100.0, "nobody is stuck")),
+      at_most("jolts", "share of people who are stopped short", "", 2, 0.75,
+              "assumed: who minds nobody, 0.9"),
       told("short", "time, short", "s", 1),
       told("corner", "time, corner", "s", 1),
       told("long", "time, long", "s", 1)};

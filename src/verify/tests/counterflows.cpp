@@ -38,8 +38,10 @@ Outcome run_imo(const RunInput& input, std::size_t index) {
   }
   DensityMap map({0.0, 0.0}, {kEnd, kRoom}, 0.5);
   FlowLine line({kEnd - kRoom, kHigh}, {kEnd - kRoom, kLow});
+  Jolts jolts;
   scene.run(kMost, [&] {
     line.look(scene);
+    jolts.look(scene);
     map.look(scene);
   });
   Outcome outcome;
@@ -48,6 +50,7 @@ Outcome run_imo(const RunInput& input, std::size_t index) {
   outcome.figures[fmt::format("time-{}", opposed)] = time;
   outcome.figures[fmt::format("arrived-{}", opposed)] =
       static_cast<double>(scene.arrived()) / static_cast<double>(scene.people().size());
+  if (opposed == kHundred) outcome.figures["jolts"] = jolts.share();
   outcome.curves["time"] = {{static_cast<double>(opposed), time}};
   if (opposed == kHundred) outcome.map = map.grid();
   return outcome;
@@ -77,7 +80,9 @@ StandardTest imo_counterflow() {
   test.figures = {at_least("rise", "least rise of the time with the number opposed", "s", 1, 0.0,
                            "IMO: time rises"),
                   in_every_seed(at_least("arrived", "share of people who arrive within 600 s", "",
-                                         2, 1.0, "all arrive"))};
+                                         2, 1.0, "all arrive")),
+                  at_most("jolts", "share of people who are stopped short", "", 2, 0.75,
+                          "assumed: who minds nobody, 0.9")};
   for (const std::size_t opposed : kOpposed) {
     test.figures.push_back(
         told(fmt::format("time-{}", opposed), fmt::format("time against {}", opposed), "s", 0));

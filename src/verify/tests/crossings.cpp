@@ -43,9 +43,11 @@ Outcome run_crossing(const Crossing& crossing, const RunInput& input) {
   // Both streams are in the square from about 5 s on; until half of the people are gone.
   AreaMeasure square(box(-kHalf, -kHalf, kHalf, kHalf), 5.0);
   Turns turns(Vec2::Zero());
+  Jolts jolts;
   DensityMap map({-kArm / 2, -kArm / 2}, {kArm / 2, kArm / 2}, 0.25);
   scene.run(kMost, [&] {
     turns.look(scene);
+    jolts.look(scene);
     map.look(scene);
     if (2 * scene.arrived() < scene.people().size() && scene.time() < 60.0) {
       square.look(scene, [](const Walker& walker) { return way_of(walker.stream); });
@@ -58,6 +60,7 @@ Outcome run_crossing(const Crossing& crossing, const RunInput& input) {
   outcome.figures["speed"] = square.speed();
   outcome.figures["ratio"] = square.speed() / expected;
   outcome.figures["turns"] = turns.most();
+  outcome.figures["jolts"] = jolts.share();
   outcome.figures["arrived"] =
       static_cast<double>(scene.arrived()) / static_cast<double>(scene.people().size());
   outcome.figures["time"] = scene.last_arrival(kMost);
@@ -101,6 +104,11 @@ FigureSpec most_turns() {
                                "assumed: no vortex that does not end"));
 }
 
+FigureSpec jolts() {
+  return at_most("jolts", "share of people who are stopped short", "", 2, 0.75,
+                 "assumed: who minds nobody, 0.9");
+}
+
 StandardTest right_angles() {
   StandardTest test = crossing_test({2, 70});
   test.id = "crossing-90";
@@ -113,6 +121,7 @@ StandardTest right_angles() {
                           1.0 - kBandSlack, 1.0 + kBandSlack, "Jülich ± 15 %"),
                   arrived(),
                   most_turns(),
+                  jolts(),
                   told("density", "density in the square", "/m²", 2),
                   told("speed", "speed in the square", "m/s", 2),
                   told("time", "time of the last", "s", 0)};
@@ -127,6 +136,7 @@ StandardTest four_ways() {
   test.setup = "50 people (1 /m²) come from each arm of a crossing of streets 4 m wide.";
   test.figures = {arrived(),
                   most_turns(),
+                  jolts(),
                   told("ratio", "speed over that of Jülich's two ways at this density", "", 2),
                   told("density", "density in the square", "/m²", 2),
                   told("speed", "speed in the square", "m/s", 2),

@@ -105,5 +105,24 @@ TEST(DensityMap, sums_up_to_the_people) {
   EXPECT_NEAR(people, 5.0, 1e-9);
 }
 
+TEST(Jolts, are_of_who_is_stopped_short_by_a_body_and_not_of_who_brakes) {
+  // One who minds nobody walks into one who stands; nobody else is there, and then only walls.
+  for (const bool there : {true, false}) {
+    Scene scene(repair(box(0.0, 0.0, 20.0, 1.0)), {"constant-velocity", 1});
+    scene.add({1.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 1.34, 1.0);
+    scene.add({there ? 8.0 : 18.0, 0.5}, line_at_x(19.5, 0.0, 1.0), 0, 0.01);
+    Jolts jolts;
+    scene.run(8.0, [&] { jolts.look(scene); });
+    EXPECT_EQ(jolts.share(), there ? 0.5 : 0.0);
+  }
+  // The default brakes behind somebody as slow.
+  Scene scene(repair(box(0.0, 0.0, 20.0, 1.0)), {"heuristic", 1});
+  scene.add({1.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 1.34, 1.0);
+  scene.add({8.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 0.5, 1.0);
+  Jolts jolts;
+  scene.run(8.0, [&] { jolts.look(scene); });
+  EXPECT_EQ(jolts.share(), 0.0);
+}
+
 }  // namespace
 }  // namespace pedzone::verify
