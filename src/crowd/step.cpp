@@ -31,6 +31,7 @@
 namespace pedzone {
 namespace {
 
+constexpr int kRounds = 3;          // numerical: between vehicles, and people beside them
 constexpr double kRounding = 1e-9;  // numerical: 0.3 s are three substeps, not four
 constexpr double kCornerCell =
     4.0;  // [m] numerical: nobody touches anybody, but at corners they look
@@ -125,8 +126,14 @@ void walk_substep(CrowdState& crowd, double dt) {
   move_freely(crowd);
   settle_contacts(crowd);
   if (crowd.solid_vehicles) {
-    const bool moved = keep_out_of_vehicles(crowd, dt, crowd.near.hits, crowd.moves, crowd.pushes);
+    const auto keep_out = [&] {
+      return keep_out_of_vehicles(crowd, dt, crowd.near.hits, crowd.moves, crowd.pushes);
+    };
+    bool moved = keep_out();
     crowd.kept_out = crowd.kept_out || moved;
+    for (int round = 0; round < kRounds && moved && settle_cores(crowd); ++round) {
+      moved = keep_out();
+    }
   }
   commit(crowd);
 

@@ -16,6 +16,7 @@ from random_network import SUMO_ENVIRONMENT, make_network
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "check"))
 import check_run  # noqa: E402  (found only now)
+from overlap import overlapping_pairs  # noqa: E402
 
 LONGER = 1500  # [s] for who is late: SUMO lets people and vehicles that block each other go after 300
 END = 600  # [s] everybody departs in the first minute; a walk through a whole network takes less
@@ -174,7 +175,8 @@ class Case:
             command = [self.meddler, "town.sumocfg", str(outcome.seed), "events.csv",
                        str(trajectories), "--", *self.outputs("run")]
         else:
-            command = self.pedzone_command("--trajectories", str(trajectories), "--",
+            command = self.pedzone_command("--trajectories", str(trajectories), "--summary",
+                                           str(self.folder / "run" / "summary.json"), "--",
                                            *self.outputs("run"))
         code, text = self.execute(command)
         (self.folder / "run" / "output.txt").write_text(text)
@@ -233,7 +235,13 @@ class Case:
         check = check_run.Check(check_run.parse_arguments(arguments))
         check.controlled = check_run.read_controlled(
             str(self.folder / "run" / "trajectories.csv"), check.fcd)
+        self.checked = check
         return check.measure()
+
+    def overlaps(self) -> int:
+        """Pairs of people whom pedzone walks nearer than their turned shoulders allow."""
+        summary = json.loads((self.folder / "run" / "summary.json").read_text())
+        return len(overlapping_pairs(self.checked, summary["jams"])[0])
 
     def check(self, events: dict) -> None:
         """Takes the measure; what was meddled with is compared with nothing."""
@@ -254,6 +262,7 @@ class Case:
         expect = {"lost": len(lost), "jumps": self.count_jumps(jumps),
                   "not a number": result["nan"], "persons outside": result["outside"]["persons"]}
         if not self.meddler:
+            expect["pairs of bodies that overlap"] = self.overlaps()
             expect["other stages than in plain SUMO"] = result["plain"]["stages_differ"]
             expect["not departed, unlike in plain SUMO"] = result["plain"]["missing"]
             outcome.stuck = len(self.stranded())

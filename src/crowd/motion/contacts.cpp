@@ -192,9 +192,13 @@ void settle_contacts(CrowdState& crowd) {
   for (int pass = 0; pass < kPasses; ++pass) {
     if (!push_apart(crowd, Part::kBody)) break;
   }
-  for (int pass = 0; pass < kCorePasses; ++pass) {
-    if (!push_apart(crowd, Part::kCore)) break;
-  }
+  settle_cores(crowd);
+}
+
+bool settle_cores(CrowdState& crowd) {
+  int pass = 0;
+  while (pass < kCorePasses && push_apart(crowd, Part::kCore)) ++pass;
+  return pass > 0;
 }
 
 /// What a contact stopped is taken from the velocity; a push never adds to it.

@@ -15,6 +15,10 @@ void move_freely(CrowdState& crowd);
 /// Pushes apart those who overlap there: writes crowd.moves.x, y, and who was pressed.
 void settle_contacts(CrowdState& crowd);
 
+/// Of these pushes only those between bodies with the shoulders turned all the way. Returns whether
+/// there were any.
+bool settle_cores(CrowdState& crowd);
+
 /// Puts everybody where it got to; crowd.moves.x, y then tell where it was. Writes places and
 /// velocities.
 void commit(CrowdState& crowd);

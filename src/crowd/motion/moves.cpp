@@ -48,6 +48,7 @@ void set_moves(CrowdState& crowd, double dt) {
   Moves& moves = crowd.moves;
   const Relaxation turning(crowd.zone.parameters.relaxation_time, dt);
   const Relaxation relaxation = crowd.model->sets_velocity() ? Relaxation::none() : turning;
+  moves.by_vehicles.assign(persons.walking, 0.0);
   for (auto* list : {&moves.dx, &moves.dy, &moves.x, &moves.y, &moves.next_x, &moves.next_y}) {
     list->resize(persons.size());
   }

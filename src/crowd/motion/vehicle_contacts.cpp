@@ -151,13 +151,13 @@ bool keep_out_of_vehicles(const CrowdState& crowd, double dt, std::vector<Vehicl
   if (crowd.vehicles.empty() || crowd.persons.size() == 0) return false;
   find_hits(crowd, dt, hits);
   bool moved = false;
-  double left = 0.0;  // [m] that the person may still be moved in this substep, by all vehicles
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    if (k == 0 || hits[k].person != hits[k - 1].person) left = kSteppingSpeed * dt;
-    const VehiclePush push = push_out(crowd, hits[k], dt, left, moves);
-    left = std::max(0.0, left - push.way);
+  for (const VehicleHit& hit : hits) {
+    double& way = moves.by_vehicles[hit.person];
+    const double left = std::max(0.0, kSteppingSpeed * dt - way);
+    const VehiclePush push = push_out(crowd, hit, dt, left, moves);
+    way += push.way;
     moved = moved || push.way > 0.0;
-    const bool drives = crowd.vehicles[hits[k].vehicle].velocity.norm() >= kHaltingSpeed;
+    const bool drives = crowd.vehicles[hit.vehicle].velocity.norm() >= kHaltingSpeed;
     if (drives && (push.way > 0.0 || push.run_into)) tell(push, pushes);
   }
   return moved;

@@ -45,6 +45,7 @@ struct Moves {
   std::vector<double> dx, dy;          ///< [m] displacement that each body means to make
   std::vector<double> x, y;            ///< [m] where it gets to, as far as that is known
   std::vector<double> next_x, next_y;  ///< [m] the same after one more pass over the contacts
+  std::vector<double> by_vehicles;     ///< [m] by which vehicles have moved it in this substep
   double reach = 0.0;                  ///< [m] longest displacement
 };
 

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy
 
-from overlap import find_overlaps
 from runs import SUMMARY
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "check"))
 import check_run  # noqa: E402  (found only now)
 import outputs  # noqa: E402
+from overlap import overlapping_pairs  # noqa: E402
 
 AT_STOP = 16.0  # [m] SUMO puts who comes to a stop into its place there, anywhere along 20 m of it
 
@@ -85,21 +85,6 @@ def _put_into_place(check, jump):
         moment is not None and abs(moment - jump["time"]) <= 1.5 * period for moment in moments)
 
 
-def _squeezed(verdict, check, folder):
-    """Which rows are of somebody who has squeezed by then: narrower than with turned shoulders.
-    Only pedzone knows who does; the table counts them."""
-    jams = json.loads((folder / SUMMARY).read_text())["jams"]
-    verdict.jams = len(jams)
-    began = numpy.full(len(check.fcd.persons.names), numpy.inf)
-    number = {name: k for k, name in enumerate(check.fcd.persons.names)}
-    for jam in jams:
-        who = number.get(jam["person"])
-        if who is not None:
-            began[who] = min(began[who], jam["time"])
-    persons = check.fcd.persons
-    return check.fcd.times[persons.step] >= began[persons.who] - 1.0
-
-
 def inspect(verdict, config, zone, folder):
     """Fills in what positions tell: people lost, outside, thrown about, overlapping."""
     check = check_run.Check(check_run.parse_arguments(
@@ -110,13 +95,10 @@ def inspect(verdict, config, zone, folder):
     verdict.walked = figures["persons"]["controlled"]
     verdict.jumps = sum(not _put_into_place(check, jump)
                         for jump in figures["jumps"]["controlled_jumps"])
-    radius = numpy.array([check.scenario.size(check.run.persons[name].type)[1] / 2
-                          for name in check.fcd.persons.names])
-    found = find_overlaps(check.fcd, check.controlled & ~_squeezed(verdict, check, folder), radius)
-    who = check.fcd.persons.who
-    pairs = numpy.sort(numpy.column_stack([who[found.first], who[found.second]]), axis=1)
-    verdict.overlaps = len(numpy.unique(pairs, axis=0))
-    verdict.nearest = found.nearest
+    jams = json.loads((folder / SUMMARY).read_text())["jams"]
+    verdict.jams = len(jams)
+    pairs, verdict.nearest = overlapping_pairs(check, jams)
+    verdict.overlaps = len(pairs)
 
 
 def broken_limits(limits, verdict):

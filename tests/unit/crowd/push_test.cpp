@@ -61,6 +61,31 @@ TEST_F(Push, is_as_long_as_the_vehicle_drives_on_and_as_fast) {
   EXPECT_TRUE(pushes.log.run_into().empty());
 }
 
+TEST_F(Push, moves_nobody_into_somebody_else) {
+  // Three in a file before a vehicle that is as fast as they can step. Without further passes over
+  // the contacts two of them are 9 cm nearer than turned shoulders let them.
+  Scene scene(zone_, 1, standing_model());
+  for (const double x : {40.0, 40.5, 41.0}) scene.add({x, 10}, point(70, 10), 1.34, 0.0);
+  scene.vehicles = {vehicle_at({37, 10}, 0.0, 2.9)};
+  double nearest = 1.0, moved = 0.0;
+  while (scene.time < 1.5) {
+    scene.step(kStep);
+    for (const auto& one : scene.people) {
+      for (const auto& other : scene.people) {
+        if (&one != &other) {
+          nearest = std::min(nearest, (one.view.position - other.view.position).norm());
+        }
+      }
+    }
+    for (const VehiclePush& push : scene.crowd.pushes()) {
+      moved = std::max(moved, push.speed);
+    }
+  }
+  EXPECT_GT(moved, 2.5);
+  EXPECT_LE(moved, kStepping + 1e-9);
+  EXPECT_GE(nearest, 2.0 * 0.5 * kRadius - 0.01);
+}
+
 TEST_F(Push, is_told_of_a_step_as_of_its_substeps) {
   for (const double dt : {0.1, 1.0}) {
     Scene scene(zone_, 1, standing_model());

@@ -80,3 +80,27 @@ def find_overlaps(fcd, walked, radius, turned=TURNED, tolerance=TOLERANCE):
     near = numpy.flatnonzero(apart < turned * both - tolerance)
     nearest = (apart / both).min(initial=numpy.inf)
     return Overlaps(first[near], second[near], (turned * both - apart)[near], float(nearest))
+
+
+def _squeezed(fcd, jams):
+    """Which rows are of somebody who has squeezed by then: narrower than with turned shoulders.
+    Only pedzone knows who does: `jams` of its summary."""
+    began = numpy.full(len(fcd.persons.names), numpy.inf)
+    number = {name: k for k, name in enumerate(fcd.persons.names)}
+    for jam in jams:
+        who = number.get(jam["person"])
+        if who is not None:
+            began[who] = min(began[who], jam["time"])
+    return fcd.times[fcd.persons.step] >= began[fcd.persons.who] - 1.0
+
+
+def overlapping_pairs(check, jams):
+    """Pairs of walked people whose bodies overlapped at any time, neither having squeezed, as an
+    array of two person numbers a row; and the least distance of two centres over the sum of their
+    radii. check: check_run.Check after measure()."""
+    persons = check.fcd.persons
+    radius = numpy.array([check.scenario.size(check.run.persons[name].type)[1] / 2
+                          for name in persons.names])
+    found = find_overlaps(check.fcd, check.controlled & ~_squeezed(check.fcd, jams), radius)
+    pairs = numpy.column_stack([persons.who[found.first], persons.who[found.second]])
+    return numpy.unique(numpy.sort(pairs, axis=1), axis=0), found.nearest
