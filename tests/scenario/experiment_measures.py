@@ -167,9 +167,10 @@ def split(run, vehicle, line):
     x, y = places(run, times)
     north = sum(own[numpy.argmin(numpy.abs(front - along))] > line for own, along in zip(y, x))
     gap = front - x.max(axis=0)
-    before = int(numpy.argmax(gap <= 0.0))  # steps until it is there
+    there = numpy.flatnonzero(gap <= 0.0)  # none: it never gets there, such as behind the blind
+    before = int(there[0]) if len(there) else len(gap)  # steps until it is there
     both = ((y > line + half).any(axis=0) & (y < line - half).any(axis=0))[:before]
-    if not both[-1]:
+    if not both.any() or not both[-1]:
         return north, len(x) - north, NONE
     not_yet = numpy.flatnonzero(~both)
     return north, len(x) - north, float(gap[not_yet[-1] + 1 if len(not_yet) else 0])
