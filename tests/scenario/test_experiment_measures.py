@@ -108,6 +108,11 @@ class Measures(unittest.TestCase):
         self.assertEqual(m.split(one, "av", 0.0)[:2], (2, 0))
         self.assertTrue(math.isnan(m.split(one, "av", 0.0)[2]))
 
+    def test_split_by_a_vehicle_that_never_gets_there(self):
+        one = run({"a": walker(y=lambda t: 2.0), "b": walker(1.0, lambda t: 3.0)},
+                  westbound(900.0))
+        self.assertTrue(math.isnan(m.split(one, "av", 0.0)[2]))
+
     def test_off_course(self):
         self.assertAlmostEqual(m.off_course(walker(0.0, lambda t: t), 5.0, (40.0, 40.0)), 0.0)
         self.assertAlmostEqual(m.off_course(walker(), 5.0, (40.0, 35.0)), -45.0, delta=0.2)
