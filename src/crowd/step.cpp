@@ -74,6 +74,18 @@ void count(CrowdState& crowd, double dt) {
   crowd.time += dt;
 }
 
+/// Whom a vehicle moves into others, these make room for.
+void keep_apart_from_vehicles(CrowdState& crowd, double dt) {
+  const auto keep_out = [&] {
+    return keep_out_of_vehicles(crowd, dt, crowd.near.hits, crowd.moves, crowd.pushes);
+  };
+  bool moved = keep_out();
+  crowd.kept_out = crowd.kept_out || moved;
+  for (int round = 0; round < kRounds && moved && settle_cores(crowd); ++round) {
+    moved = keep_out();
+  }
+}
+
 void walk_substep(CrowdState& crowd, double dt) {
   append_seen(crowd, crowd.persons);
 
@@ -125,16 +137,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   hold_shoulders(crowd, dt);
   move_freely(crowd);
   settle_contacts(crowd);
-  if (crowd.solid_vehicles) {
-    const auto keep_out = [&] {
-      return keep_out_of_vehicles(crowd, dt, crowd.near.hits, crowd.moves, crowd.pushes);
-    };
-    bool moved = keep_out();
-    crowd.kept_out = crowd.kept_out || moved;
-    for (int round = 0; round < kRounds && moved && settle_cores(crowd); ++round) {
-      moved = keep_out();
-    }
-  }
+  if (crowd.solid_vehicles) keep_apart_from_vehicles(crowd, dt);
   commit(crowd);
 
   // What has come of it.

@@ -38,7 +38,7 @@ struct SightImpl {
           field(Float::all(s.field_cos * (s.field_cos < 0.0F ? -s.field_cos : s.field_cos))),
           reach2(Float::all(s.reach * s.reach)),
           near2(Float::all(s.near * s.near)),
-          radius(Float::all(s.radius)),
+          radius(smaller(Float::all(s.radius), Float::all(s.shoulders.broadest))),
           turned(Float::all(s.turned_radius)),
           speed2(Float::all(s.speed * s.speed)),
           horizon(Float::all(s.horizon)),
@@ -84,8 +84,7 @@ struct SightImpl {
 
     p.vx = Float::load(slots.vx + first);
     p.vy = Float::load(slots.vy + first);
-    const Float wide =
-        smaller(s.radius, s.broadest) + smaller(Float::load(slots.radius + first), s.broadest);
+    const Float wide = s.radius + smaller(Float::load(slots.radius + first), s.broadest);
     const Float narrow = s.turned + Float::load(slots.turned_radius + first);
     const Float alike = Float::load(slots.hx + first) * s.heading_cos +
                         Float::load(slots.hy + first) * s.heading_sin;

@@ -49,6 +49,8 @@ FigureSpec between(std::string key, std::string label, std::string unit, int dig
 /// A figure that is only reported; `remark` stands where others have their source.
 FigureSpec told(std::string key, std::string label, std::string unit, int digits,
                 std::string remark = "");
+/// Jolts::share().
+FigureSpec stopped_short();
 /// The same, judged by the worst seed.
 FigureSpec in_every_seed(FigureSpec figure);
 

@@ -24,6 +24,11 @@ FigureSpec told(std::string key, std::string label, std::string unit, int digits
           std::move(remark), Judged::kNot};
 }
 
+FigureSpec stopped_short() {
+  return at_most("jolts", "share of people who are stopped short", "", 2, 0.75,
+                 "assumed: who minds nobody, 0.9");
+}
+
 FigureSpec in_every_seed(FigureSpec figure) {
   figure.judged = Judged::kWorst;
   return figure;

@@ -3,8 +3,9 @@
 
 usage: test_verify.py PEDZONE_PROGRAM [--all]
 
-With --all: every test with the default and the blind model, three seeds. The default must pass them all but those that
-src/verify/README.md says it does not, and a check of behaviour must fail for the model that minds nobody.
+With --all: every test with the default and the blind model, three seeds. The default must pass them
+all but those that src/verify/README.md says it does not, and a check of behaviour must fail for the
+model that minds nobody.
 """
 
 import json

@@ -153,8 +153,7 @@ StandardTest rimea_15() {
       at_least("before-long", "long after corner", "s", 1, 0.0, "RiMEA: corner ≤ long"),
       in_every_seed(
           at_least("arrived", "people who arrive, fewest", "", 0, 100.0, "nobody is stuck")),
-      at_most("jolts", "share of people who are stopped short", "", 2, 0.75,
-              "assumed: who minds nobody, 0.9"),
+      stopped_short(),
       told("short", "time, short", "s", 1),
       told("corner", "time, corner", "s", 1),
       told("long", "time, long", "s", 1)};

@@ -104,11 +104,6 @@ FigureSpec most_turns() {
                                "assumed: no vortex that does not end"));
 }
 
-FigureSpec jolts() {
-  return at_most("jolts", "share of people who are stopped short", "", 2, 0.75,
-                 "assumed: who minds nobody, 0.9");
-}
-
 StandardTest right_angles() {
   StandardTest test = crossing_test({2, 70});
   test.id = "crossing-90";
@@ -121,7 +116,7 @@ StandardTest right_angles() {
                           1.0 - kBandSlack, 1.0 + kBandSlack, "Jülich ± 15 %"),
                   arrived(),
                   most_turns(),
-                  jolts(),
+                  stopped_short(),
                   told("density", "density in the square", "/m²", 2),
                   told("speed", "speed in the square", "m/s", 2),
                   told("time", "time of the last", "s", 0)};
@@ -136,7 +131,7 @@ StandardTest four_ways() {
   test.setup = "50 people (1 /m²) come from each arm of a crossing of streets 4 m wide.";
   test.figures = {arrived(),
                   most_turns(),
-                  jolts(),
+                  stopped_short(),
                   told("ratio", "speed over that of Jülich's two ways at this density", "", 2),
                   told("density", "density in the square", "/m²", 2),
                   told("speed", "speed in the square", "m/s", 2),

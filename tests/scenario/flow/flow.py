@@ -7,7 +7,7 @@
 
 Each case is run in plain SUMO and with pedzone, with the same seed, until the same end. At least
 99 % as many must arrive as with striping, in at most 1.25 times the mean time of all that arrive
-with both; no bodies overlap (overlap.py), nobody is lost, outside or thrown about (tests/check).
+with both; no bodies overlap (tests/check/overlap.py), nobody is lost, outside or thrown about (tests/check).
 Past the bus stop all must arrive, and the last no later than 1.2 times striping's last.
 
 Exit code 0: all cases hold; 1: some do not; 2: there is no such case.
