@@ -1,16 +1,10 @@
 #include "core/csv_stream.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <memory>
 
 namespace pedzone {
 namespace {
-
-constexpr int kPiece = 1 << 18;  // [bytes] numerical: read at a time
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -128,27 +122,13 @@ void visit_rows(const std::string& file, const std::vector<std::string>& header,
 
 void visit_any_rows(const std::string& file, const HeaderVisitor& found, const RowVisitor& visitor,
                     const ReadProgress& progress) {
-  // gzopen reads plain files as they are.
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> input(gzopen(file.c_str(), "rb"), gzclose);
-  std::error_code no_size;
-  const auto size = std::filesystem::file_size(file, no_size);
-  if (!input || std::filesystem::is_directory(file)) {
-    throw InputError("cannot be opened", {.file = file});
-  }
+  GzipFile input(file);
   RowCutter cutter(file, found, visitor);
-  std::vector<char> piece(kPiece);
-  for (int got = kPiece; got == kPiece;) {
-    got = gzread(input.get(), piece.data(), kPiece);
-    int code = Z_OK;
-    const char* reason = gzerror(input.get(), &code);
-    if (got < 0 || (code != Z_OK && code != Z_STREAM_END)) {
-      throw InputError(std::string("cannot be read (") + reason + ")", {.file = file});
-    }
+  std::vector<char> piece(GzipFile::kPiece);
+  for (int got = GzipFile::kPiece; got == GzipFile::kPiece;) {
+    got = input.read(piece.data(), GzipFile::kPiece);
     std::for_each(piece.begin(), piece.begin() + got, [&](char c) { cutter.take(c); });
-    if (progress && !no_size && size > 0) {
-      const auto read = static_cast<double>(gzoffset(input.get()));
-      progress(std::min(1.0, read / static_cast<double>(size)));
-    }
+    input.tell(progress);
   }
   cutter.finish();
 }

@@ -1,17 +1,13 @@
 #include "core/xml_stream.hpp"
 
 #include <expat.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <memory>
 
 namespace pedzone {
 namespace {
-
-constexpr int kPiece = 1 << 18;  // [bytes] numerical: read and parsed at a time
 
 /// What the parser's callbacks share. Exceptions must not pass through its C code: the first is
 /// kept, and the parser stopped.
@@ -106,33 +102,19 @@ InputError XmlElement::error(const std::string& problem, std::string_view attrib
 
 void visit_elements(const std::string& file, std::string_view root, const ElementVisitor& visitor,
                     const ReadProgress& progress) {
-  // gzopen reads plain files as they are.
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> input(gzopen(file.c_str(), "rb"), gzclose);
-  std::error_code no_size;
-  const auto size = std::filesystem::file_size(file, no_size);
-  if (!input || std::filesystem::is_directory(file)) {
-    throw InputError("cannot be opened", {.file = file});
-  }
+  GzipFile input(file);
   const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr),
                                                                        XML_ParserFree);
   Reading reading{file, root, visitor, parser.get()};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), on_begin, on_end);
   for (bool last = false; !last;) {
-    void* piece = XML_GetBuffer(parser.get(), kPiece);
+    void* piece = XML_GetBuffer(parser.get(), GzipFile::kPiece);
     if (piece == nullptr) throw std::bad_alloc();
-    const int got = gzread(input.get(), piece, kPiece);
-    int code = Z_OK;
-    const char* reason = gzerror(input.get(), &code);
-    if (got < 0 || (code != Z_OK && code != Z_STREAM_END)) {
-      throw InputError(std::string("cannot be read (") + reason + ")", {.file = file});
-    }
-    last = got < kPiece;
+    const int got = input.read(piece, GzipFile::kPiece);
+    last = got < GzipFile::kPiece;
     parse(reading, got, last);
-    if (progress && !no_size && size > 0) {
-      const auto read = static_cast<double>(gzoffset(input.get()));
-      progress(std::min(1.0, read / static_cast<double>(size)));
-    }
+    input.tell(progress);
   }
 }
 

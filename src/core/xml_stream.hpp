@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/gzip_file.hpp"
 #include "core/xml.hpp"
 
 namespace pedzone {
@@ -40,8 +41,6 @@ class XmlElement {
 };
 
 using ElementVisitor = std::function<void(const XmlElement&)>;
-/// Told the share [0, 1] of the file that has been read, now and then.
-using ReadProgress = std::function<void(double share)>;
 
 /// Visits all opening tags in their order. Throws InputError when the file is missing, cannot be
 /// decompressed, is not well-formed, or its document element is not `root` (any when empty); passes
