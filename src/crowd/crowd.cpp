@@ -14,6 +14,7 @@
 #include "crowd/sense/awareness.hpp"
 #include "crowd/state/state.hpp"
 #include "crowd/step.hpp"
+#include "geometry/segment.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
@@ -44,7 +45,7 @@ std::optional<Zebra> zebra_used(const CrowdState& crowd, std::size_t i) {
     if ((route.points[k] - here).norm() < kAtHand) continue;
     return zebra_of(crowd.zone.zebras, here, route.points[k]);
   }
-  return zebra_of(crowd.zone.zebras, here, nearest_on_segment(here, route.aim_a, route.aim_b));
+  return zebra_of(crowd.zone.zebras, here, nearest_on(route.aim_a, route.aim_b, here));
 }
 
 double speed_in_range(double speed) { return std::clamp(speed, kLeastSpeed, kMostSpeed); }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/vec.hpp"
-#include "model/trigonometry.hpp"
 
 namespace pedzone {
 namespace {
@@ -74,16 +73,7 @@ void Scenery::prepare_vehicles() {
 Walker Scenery::walker(std::size_t i) const {
   const Persons& persons = *snapshot_.persons;
   const Parameters& parameters = *snapshot_.parameters;
-  Walker w;
-  w.at = to_lattice(persons.x[i], persons.y[i], origin_);
-  w.heading = wrapped(persons.heading[i]);
-  const SineCosine heading = sine_cosine(w.heading);
-  w.heading_cos = static_cast<float>(heading.cos);
-  w.heading_sin = static_cast<float>(heading.sin);
-  w.vx = static_cast<float>(persons.vx[i]);
-  w.vy = static_cast<float>(persons.vy[i]);
-  w.radius = static_cast<float>(persons.radius[i]);
-  w.turned_radius = static_cast<float>(persons.turned_radius[i]);
+  Walker w = onlooker(persons, i, origin_);
   w.speed = static_cast<float>(std::max(persons.preferred_speed[i], kLeastSpeed));
   // Nobody avoids what stands behind its goal. Not nearer than what Eq. 3 brakes for, so that the
   // speed never depends on the goal. The paper is silent; without this a person turns away from

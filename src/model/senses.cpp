@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/vec.hpp"
+#include "model/trigonometry.hpp"
 
 namespace pedzone {
 namespace {
@@ -37,6 +38,20 @@ Senses with(Senses senses, const Perception& perception) {
   senses.hearing = static_cast<float>(perception.hearing);
   if (perception.field_of_view != senses.field_of_view) set_field(senses, perception.field_of_view);
   return senses;
+}
+
+Walker onlooker(const Persons& persons, std::size_t i, const LatticeOrigin& origin) {
+  Walker w;
+  w.at = to_lattice(persons.x[i], persons.y[i], origin);
+  w.heading = wrapped(persons.heading[i]);
+  const SineCosine heading = sine_cosine(w.heading);
+  w.heading_cos = static_cast<float>(heading.cos);
+  w.heading_sin = static_cast<float>(heading.sin);
+  w.vx = static_cast<float>(persons.vx[i]);
+  w.vy = static_cast<float>(persons.vy[i]);
+  w.radius = static_cast<float>(persons.radius[i]);
+  w.turned_radius = static_cast<float>(persons.turned_radius[i]);
+  return w;
 }
 
 }  // namespace pedzone

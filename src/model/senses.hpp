@@ -17,4 +17,7 @@ Senses senses_of(const Parameters& parameters, VehicleForm form);
 /// The same for one who perceives differently.
 Senses with(Senses senses, const Perception& perception);
 
+/// The person as it looks round: its place, body, velocity and where it faces.
+Walker onlooker(const Persons& persons, std::size_t person, const LatticeOrigin& origin);
+
 }  // namespace pedzone

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "crowd/sense/danger.hpp"
+#include "geometry/segment.hpp"
 
 namespace pedzone {
 namespace {
@@ -33,7 +34,7 @@ double left_in_all(const CrowdState& crowd, std::size_t i) {
     at = waypoints[k].at;
   }
   const Destination& end = path->destination;
-  return left + (nearest_on_segment(at, end.a, end.b) - at).norm();
+  return left + (nearest_on(end.a, end.b, at) - at).norm();
 }
 
 /// The rule itself. Whoever is waited for may take its time as long as it comes nearer. Who has

@@ -1,6 +1,7 @@
 #include "crowd/behaviour/path_walk.hpp"
 
 #include "crowd/behaviour/crossing_plan.hpp"
+#include "geometry/segment.hpp"
 
 namespace pedzone {
 namespace {
@@ -54,7 +55,7 @@ void start_way(CrowdState& crowd, std::size_t i, const Destination& destination)
 
 bool comes_by(const WallIndex& walls, const Waypoint& waypoint, const Vec2& from, const Vec2& to) {
   // Between two substeps a person can pass a small radius.
-  const Vec2 nearest = nearest_on_segment(waypoint.at, from, to);
+  const Vec2 nearest = nearest_on(from, to, waypoint.at);
   return (nearest - waypoint.at).norm() <= waypoint.radius && walls.free_line(nearest, waypoint.at);
 }
 

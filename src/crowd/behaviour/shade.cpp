@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "crowd/state/route.hpp"
+#include "geometry/segment.hpp"
 
 namespace pedzone {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kInside = 0.5;  // [m] numerical: towards the middle, so that t
 Vec2 enter(const Ring& shade, const Vec2& point) {
   Vec2 nearest = shade.front(), middle = Vec2::Zero();
   for (std::size_t k = 0; k < shade.size(); ++k) {
-    const Vec2 on = nearest_on_segment(point, shade[k], shade[(k + 1) % shade.size()]);
+    const Vec2 on = nearest_on(shade[k], shade[(k + 1) % shade.size()], point);
     if ((on - point).squaredNorm() < (nearest - point).squaredNorm()) nearest = on;
     middle += shade[k] / static_cast<double>(shade.size());
   }

@@ -8,6 +8,7 @@
 #include "crowd/behaviour/path_walk.hpp"
 #include "crowd/state/parallel.hpp"
 #include "crowd/state/state.hpp"
+#include "geometry/segment.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
@@ -41,10 +42,10 @@ bool reaches(const Route& route, double radius, const Vec2& from, const Vec2& to
   const Vec2 &a = route.destination.a, &b = route.destination.b;
   const double near = std::max(a == b ? kAtPoint : kAtLine, radius + kBodySlack);
   const auto distance = [](const Vec2& point, const Vec2& c, const Vec2& d) {
-    return (nearest_on_segment(point, c, d) - point).norm();
+    return (nearest_on(c, d, point) - point).norm();
   };
   if (distance(to, a, b) <= near || segments_cross(from, to, a, b)) return true;
-  const Vec2 aim = nearest_on_segment(to, route.aim_a, route.aim_b);
+  const Vec2 aim = nearest_on(route.aim_a, route.aim_b, to);
   return (aim - to).norm() <= near && distance(aim, a, b) > near;
 }
 
@@ -88,7 +89,7 @@ class Follower {
   /// The point that would be headed for if the next waypoint were taken.
   Vec2 point_after() const {
     if (route_.next + 2 < route_.points.size()) return route_.points[route_.next + 1];
-    return nearest_on_segment(here_, route_.aim_a, route_.aim_b);
+    return nearest_on(route_.aim_a, route_.aim_b, here_);
   }
 
   void take_next(bool in_view) {
@@ -120,7 +121,7 @@ class Follower {
   void check_sight() {
     if (route_.on_last()) {
       route_.last_in_view =
-          sees(nearest_on_segment(here_, route_.aim_a, route_.aim_b), passing_clearance(radius_));
+          sees(nearest_on(route_.aim_a, route_.aim_b, here_), passing_clearance(radius_));
       if (route_.last_in_view) return;
     }
     if (!route_.found || crowd_.substep - walker_.planned < kPlanEvery) return;

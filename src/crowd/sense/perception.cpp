@@ -118,14 +118,8 @@ class Observer {
         memory_(memory),
         attention_(attention),
         perception_(attention.persons[i]),
-        senses_(with(traffic.senses, perception_)) {
-    const Persons& persons = crowd.persons;
-    self_.at = to_lattice(persons.x[i], persons.y[i], traffic.origin);
-    self_.heading = persons.heading[i];
-    self_.heading_cos = static_cast<float>(std::cos(self_.heading));
-    self_.heading_sin = static_cast<float>(std::sin(self_.heading));
-    self_.radius = static_cast<float>(persons.radius[i]);
-  }
+        senses_(with(traffic.senses, perception_)),
+        self_(onlooker(crowd.persons, i, traffic.origin)) {}
 
   void look() {
     for (Noticed& noticed : memory_.noticed) noticed.minds = noticed.near = false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/segment.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -36,7 +38,7 @@ void set_aim(const WallIndex& walls, double radius, Route& route) {
 std::optional<std::vector<Vec2>> shortest_way(const Zone& zone, const Vec2& from, double clearance,
                                               const Route& route) {
   const Vec2 &a = route.aim_a, &b = route.aim_b;
-  const std::array<Vec2, 4> aims{nearest_on_segment(from, a, b), 0.5 * (a + b), a, b};
+  const std::array<Vec2, 4> aims{nearest_on(a, b, from), 0.5 * (a + b), a, b};
   std::optional<std::vector<Vec2>> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < aims.size(); ++k) {
@@ -49,7 +51,7 @@ std::optional<std::vector<Vec2>> shortest_way(const Zone& zone, const Vec2& from
     way->back() = aims[k];
     if (way->size() > 1) {
       const Vec2& corner = (*way)[way->size() - 2];
-      const Vec2 nearest = nearest_on_segment(corner, a, b);
+      const Vec2 nearest = nearest_on(a, b, corner);
       if (zone.walls.free_line(corner, nearest, clearance)) way->back() = nearest;
     }
     const double length = length_from(from, *way);
@@ -62,13 +64,6 @@ std::optional<std::vector<Vec2>> shortest_way(const Zone& zone, const Vec2& from
 }
 
 }  // namespace
-
-Vec2 nearest_on_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double squared = along.squaredNorm();
-  if (squared <= 0.0) return a;
-  return a + along * std::clamp((point - a).dot(along) / squared, 0.0, 1.0);
-}
 
 double passing_clearance(double radius) { return std::min(kGrazing * radius, kNarrowest); }
 
@@ -83,7 +78,7 @@ void go_on_to(Route& route, std::size_t index) {
 
 Vec2 heading_point(const Route& route, const Vec2& position) {
   if (route.on_last() && route.last_in_view) {
-    return nearest_on_segment(position, route.aim_a, route.aim_b);
+    return nearest_on(route.aim_a, route.aim_b, position);
   }
   return route.points[route.next] + route.beside;
 }
@@ -99,7 +94,7 @@ void plan(const Zone& zone, const Vec2& from, double radius, const Destination& 
   route.beyond = 0.0;
   route.start = from;
   set_aim(zone.walls, radius, route);
-  const Vec2 straight = nearest_on_segment(from, route.aim_a, route.aim_b);
+  const Vec2 straight = nearest_on(route.aim_a, route.aim_b, from);
   route.points.clear();
   route.last_in_view = zone.walls.free_line(from, straight, clearance);
   if (!route.last_in_view) {

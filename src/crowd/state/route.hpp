@@ -43,9 +43,6 @@ Vec2 heading_point(const Route& route, const Vec2& position);
 /// Way [m] that is left from `position` to the end.
 double way_left(const Route& route, const Vec2& position);
 
-/// The point of segment a–b nearest to `point`.
-Vec2 nearest_on_segment(const Vec2& point, const Vec2& a, const Vec2& b);
-
 /// Clearance [m] that a body of `radius` needs for a line to count as a way it can take: less
 /// than the body itself, since it slides along a wall that it grazes, and no more than the
 /// narrowest passage that ways lead through.
