@@ -108,9 +108,9 @@ TEST(WallIndexNear, allocates_nothing_once_the_list_has_grown) {
   const WallIndex index(shapes::obstacle_scene(random, 60.0, 40));
   std::vector<std::uint32_t> found;
   found.reserve(10000);
-  const long before = shapes::allocations();
+  const long before = test::allocations();
   for (int i = 0; i < 100; ++i) index.near(random_point(random, 0.0, 60.0), 20.0, found);
-  EXPECT_EQ(shapes::allocations(), before);
+  EXPECT_EQ(test::allocations(), before);
 }
 
 TEST(WallIndexSlide, allocates_nothing) {
@@ -118,11 +118,11 @@ TEST(WallIndexSlide, allocates_nothing) {
   const Region scene = shapes::obstacle_scene(random, 25.0, 20);
   const WallIndex index(scene);
   Vec2 place = random_place(random, scene, 25.0, 0.3);
-  const long before = shapes::allocations();
+  const long before = test::allocations();
   for (int i = 0; i < 10000; ++i) {
     place = index.slide(place, place + random_point(random, -0.5, 0.5), 0.3);
   }
-  EXPECT_EQ(shapes::allocations(), before);
+  EXPECT_EQ(test::allocations(), before);
 }
 
 TEST(WallIndexRoom, is_the_distance_to_the_nearest_wall_up_to_the_limit) {

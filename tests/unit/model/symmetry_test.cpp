@@ -1,10 +1,9 @@
-// What must not change a decision: mirroring, turning and moving the scene, the order of people,
-// the number of threads, the calls before.
+// What must not change a decision: mirroring, turning and moving the scene, the order of people.
+// (Threads, ranges and the calls before: models_test.cpp.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
-#include <thread>
 
 #include "oracle.hpp"
 #include "scene.hpp"
@@ -166,29 +165,6 @@ TEST(Symmetry, the_order_of_people_vehicles_and_walls_does_not_matter_to_the_bit
     std::shuffle(shuffled.vehicles.begin(), shuffled.vehicles.end(), random);
     const std::vector<Decision> a = scene.decide(), b = shuffled.decide();
     for (std::size_t i = 0; i < order.size(); ++i) expect_equal(b[i], a[order[i]], i);
-  }
-}
-
-TEST(Symmetry, neither_threads_nor_ranges_nor_calls_before_matter_to_the_bit) {
-  const auto model = make_model("heuristic");
-  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
-    const Scene scene = crowded(seed);
-    const std::vector<Decision> expected = scene.decide();  // a fresh model, one range
-    const Persons persons = persons_of(scene.people);
-    const WallIndex walls(scene.walls);
-    model->prepare({&persons, scene.vehicles, &walls, &scene.parameters});
-    std::vector<Decision> decisions(scene.people.size());
-    std::vector<std::thread> threads;
-    constexpr std::size_t kRange = 37;
-    for (std::size_t t = 0; t < 4; ++t) {
-      threads.emplace_back([&, t] {
-        for (std::size_t first = t * kRange; first < decisions.size(); first += 4 * kRange) {
-          model->decide(first, std::min(first + kRange, decisions.size()), decisions);
-        }
-      });
-    }
-    for (std::thread& thread : threads) thread.join();
-    for (std::size_t i = 0; i < expected.size(); ++i) expect_equal(decisions[i], expected[i], i);
   }
 }
 
