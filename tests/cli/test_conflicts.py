@@ -138,7 +138,7 @@ class Conflicts(RefusalChecks, unittest.TestCase):
     def crowded_street(self):
         tiny = TinyScenario(self.folder)
         demand = '<vType id="van" length="6" width="2" maxSpeed="4"/>'
-        for i in range(90):
+        for i in range(120):
             way = 'from="west" to="east"' if i % 2 else 'from="east" to="west"'
             demand += f'<person id="p{i}" depart="{i}"><walk {way}/></person>'
             if i % 12 == 10:

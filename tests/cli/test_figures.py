@@ -13,19 +13,10 @@ from pathlib import Path
 
 from drawn import SVG, Picture, points
 from refusal import RefusalChecks
-from tiny_scenario import sumo_environment
+from tiny_scenario import FCD, sumo_environment
 
 PEDZONE = None  # set from the command line
 
-FCD = """<fcd-export>
-<timestep time="0.00">
-  <vehicle id="car" x="10.00" y="0.00" angle="90.00" type="van" speed="8.00"/>
-  <person id="{person}" x="30.00" y="2.00" angle="0.00" speed="0.00"/></timestep>
-<timestep time="1.00">
-  <vehicle id="car" x="18.00" y="0.00" angle="90.00" type="van" speed="8.00"/>
-  <person id="{person}" x="30.00" y="3.00" angle="0.00" speed="1.00"/></timestep>
-</fcd-export>
-"""
 COLUMNS = "time,id,x,y,vx,vy,heading,motion,activity\n"
 TYPES = '<routes><vType id="van" length="6" width="2"/></routes>'
 

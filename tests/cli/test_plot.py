@@ -22,7 +22,7 @@ from shapely.geometry import Point, Polygon, box
 
 from drawn import SVG, Picture, Recorded, corners, lightness, numbers, points
 from refusal import RefusalChecks
-from tiny_scenario import sumo_environment
+from tiny_scenario import FCD, sumo_environment
 
 PEDZONE = SCENARIOS = None  # set from the command line
 ROUNDED = 0.02  # [m] positions in files and pictures are rounded to 0.01 m, twice
@@ -30,15 +30,6 @@ RADIUS = 0.239  # [m] of SUMO's default pedestrian: half its width of 0.478 m
 SHUTTLE = (3.93, 1.98)  # [m] length and width
 SHOWN = ("--begin", "60", "--end", "110")
 
-FCD = """<fcd-export>
-<timestep time="0.00">
-  <vehicle id="car" x="10.00" y="0.00" angle="90.00" type="van" speed="8.00"/>
-  <person id="{person}" x="30.00" y="2.00" angle="0.00" speed="0.00"/></timestep>
-<timestep time="1.00">
-  <vehicle id="car" x="18.00" y="0.00" angle="90.00" type="van" speed="8.00"/>
-  <person id="{person}" x="30.00" y="3.00" angle="0.00" speed="1.00"/></timestep>
-</fcd-export>
-"""
 ROWS = """time,id,x,y,vx,vy,heading,motion,activity
 0.00,p,1,2,0,1,1.57,walking,none
 1.00,p,1,3,0,1,1.57,walking,none

@@ -32,6 +32,17 @@ CONFIG = """<configuration>
 {more}
 </configuration>"""
 
+# A person called {person} beside a van that drives.
+FCD = """<fcd-export>
+<timestep time="0.00">
+  <vehicle id="car" x="10.00" y="0.00" angle="90.00" type="van" speed="8.00"/>
+  <person id="{person}" x="30.00" y="2.00" angle="0.00" speed="0.00"/></timestep>
+<timestep time="1.00">
+  <vehicle id="car" x="18.00" y="0.00" angle="90.00" type="van" speed="8.00"/>
+  <person id="{person}" x="30.00" y="3.00" angle="0.00" speed="1.00"/></timestep>
+</fcd-export>
+"""
+
 
 def sumo_environment():
     return {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
