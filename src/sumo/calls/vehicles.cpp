@@ -59,6 +59,7 @@ class VehicleCalls final : public SumoVehicles {
     traits.decel = Vehicle::getDecel(id);
     traits.emergency_decel = std::max(traits.decel, Vehicle::getEmergencyDecel(id));
     traits.accel = Vehicle::getAccel(id);
+    traits.min_gap = Vehicle::getMinGap(id);
   }
 
   std::string parameter(const std::string& id, const std::string& key) const override {

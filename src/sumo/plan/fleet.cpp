@@ -1,6 +1,8 @@
 #include "sumo/plan/fleet.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -10,11 +12,12 @@
 namespace pedzone {
 namespace {
 
-constexpr double kNear = 60.0;         // [m] numerical: vehicles farther from every zone are not read on
+constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
 constexpr double kNearStreets = 150.0;  // [m] ... where people cross streets: as far as they look
-constexpr double kLookAhead = 30.0;    // [m] numerical: least length of the way that is built
-constexpr double kWaitingSpeed = 0.5;  // [m/s] numerical: slower vehicles wait
-constexpr double kMoved = 0.01;        // [m] numerical: less than this in a step gives no direction
+constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
+constexpr double kLeaderAhead = 10.0;   // [m] numerical: who is farther ahead lets it drive off
+constexpr double kWaitingSpeed = 0.5;   // [m/s] numerical: slower vehicles wait
+constexpr double kMoved = 0.01;  // [m] numerical: less than this in a step gives no direction
 
 /// What is carried over from a vehicle's last step, of `dt` [s].
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
@@ -29,10 +32,38 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   if (dt > 0.0 && moved.norm() > kMoved) vehicle.velocity = moved.normalized() * vehicle.speed;
 }
 
-/// [m/s] it will drive at most in the next step of `dt` [s].
+/// [m/s] that is safe `gap` [m] behind one that drives at `speed` and may brake as hard: SUMO's
+/// default model (Krauss 1998), with its reaction time of 1 s.
+double safe_behind(const VehicleTraits& traits, double gap, double speed) {
+  const double room = std::max(0.0, gap - traits.min_gap);
+  return -traits.decel + std::sqrt(traits.decel * (traits.decel + 2.0 * room) + speed * speed);
+}
+
+/// [m] from the vehicle's front to the other's body along its way; nothing where that is not ahead
+/// on it, within `distance` [m].
+std::optional<double> gap_before(const FleetVehicle& vehicle, const FleetVehicle& other,
+                                 double distance) {
+  const Vec2 to = other.front - vehicle.front;
+  if (to.norm() > distance + other.traits.length) return std::nullopt;
+  std::optional<double> gap;
+  const Vec2 axis = unit(other.heading);
+  for (const double back : {0.0, 0.5, 1.0}) {
+    const Vec2 point = other.front - axis * (back * other.traits.length);
+    const LineProjection at = project_on(vehicle.way, point);
+    const double ahead = at.offset - vehicle.traits.length;
+    const double sideways = 0.5 * (vehicle.traits.width + other.traits.width);
+    if (ahead <= 0.0 || std::abs(at.lateral) >= sideways) continue;
+    gap = std::min(gap.value_or(ahead), ahead);
+  }
+  return gap && *gap <= distance ? gap : std::nullopt;
+}
+
+/// [m/s] it will drive at most in the next step of `dt` [s], as far as it can be foreseen. In steps
+/// of 1 s that is metres: taken too fast, people behind it walk into its rear.
 double next_speed(const FleetVehicle& vehicle, double dt) {
   double next = std::min(vehicle.speed + vehicle.traits.accel * dt,
                          std::max(vehicle.allowed_speed, vehicle.speed));
+  next = std::min(next, vehicle.follows_at);
   if (vehicle.stopped || vehicle.waits) next = 0.0;  // as long as it does not drive off
   if (vehicle.commanded >= 0.0) next = std::min(next, vehicle.commanded);
   return next;
@@ -109,6 +140,23 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     vehicles_.push_back(std::move(vehicle));
   }
   share_junctions();
+  find_leaders();
+}
+
+/// In a queue nobody drives off before the one ahead: people behind it would walk into its rear.
+void Fleet::find_leaders() {
+  for (FleetVehicle& vehicle : vehicles_) {
+    if (!goes_on(vehicle)) continue;
+    const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
+    const double distance = braking + vehicle.speed + kLeaderAhead;
+    for (const FleetVehicle& other : vehicles_) {
+      if (&other == &vehicle) continue;
+      const auto gap = gap_before(vehicle, other, distance);
+      if (!gap) continue;
+      vehicle.follows_at =
+          std::min(vehicle.follows_at, safe_behind(vehicle.traits, *gap, other.speed));
+    }
+  }
 }
 
 /// Tells which vehicles come to a junction, or are in it, with others from another edge.

@@ -39,6 +39,7 @@ class Fleet {
 
  private:
   void share_junctions();
+  void find_leaders();
 
   const Network& network_;
   WayAhead ways_;

@@ -50,45 +50,53 @@ bool StandOffs::meets_zone(const FleetVehicle& vehicle) const {
   return false;
 }
 
-/// Whether people beside a vehicle at a zone, and nothing in its way, may be all it waits for.
-bool StandOffs::stands_off(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
-                           std::span<const PersonAhead> people) const {
-  if (!meets_zone(vehicle)) return false;
+/// What ends a stand-off with people beside a vehicle at a zone; to wait where it may be none.
+StandOffs::Way StandOffs::way_out(const FleetVehicle& vehicle,
+                                  std::span<const FleetVehicle> vehicles,
+                                  std::span<const PersonAhead> people) const {
+  if (!meets_zone(vehicle)) return Way::kWait;
+  if (first_in_way(vehicle, people, kMargin, kFreeWay)) return Way::kLetGo;
   const Rectangle body = body_of(vehicle);
   const bool beside = std::any_of(people.begin(), people.end(), [&](const PersonAhead& person) {
     return body.signed_distance(person.position) < kBeside;
   });
-  return beside && !first_in_way(vehicle, people, kMargin, kFreeWay) &&
-         free_of_vehicles(vehicle, vehicles);
+  return beside && free_of_vehicles(vehicle, vehicles) ? Way::kPass : Way::kWait;
+}
+
+/// From what the vehicle did to what it does now; `held`: people hold it, who are told elsewhere.
+void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool held,
+                     std::vector<SpeedOrder>& orders) const {
+  if (before == Way::kPass && now != before) orders.push_back({vehicle.id, SpeedMode::kDefault});
+  if (before != Way::kWait && now == Way::kWait && !held) orders.push_back({vehicle.id, kOwnSpeed});
+  if (now == Way::kPass) {
+    if (before != now) orders.push_back({vehicle.id, SpeedMode::kPass});
+    vehicle.commanded = zones_[vehicle.zone].parameters.creep_speed;
+    orders.push_back({vehicle.id, vehicle.commanded});
+  } else if (now == Way::kLetGo) {
+    orders.push_back({vehicle.id, 0.0});
+  }
 }
 
 std::vector<SpeedOrder> StandOffs::plan(std::span<FleetVehicle> vehicles,
                                         std::span<const PersonAhead> people, double dt) {
   std::vector<SpeedOrder> orders;
-  std::unordered_map<std::string, double> stood;
+  std::unordered_map<std::string, StandOff> stand_offs;
   for (FleetVehicle& vehicle : vehicles) {
-    const bool passing = passing_.contains(vehicle.id);
+    const auto known = stand_offs_.find(vehicle.id);
+    StandOff one = known == stand_offs_.end() ? StandOff{} : known->second;
+    const Way before = one.way;
     const bool ours = vehicle.traits.yields && !vehicle.traits.external;
-    if (!ours || (!passing && vehicle.speed > kHaltingSpeed)) continue;
-    const auto before = stood_.find(vehicle.id);
-    const double time = before == stood_.end() ? dt : before->second + dt;
-    const Parameters& parameters = zones_[vehicle.zone].parameters;
+    if (!ours || (before == Way::kWait && vehicle.speed > kHaltingSpeed)) continue;
+    one.stood += dt;
+    const double patience = zones_[vehicle.zone].parameters.creep_after;
     const bool held = vehicle.stopped || vehicle.commanded >= 0.0;
-    const bool pass =
-        !held && time >= parameters.creep_after && stands_off(vehicle, vehicles, people);
-    if (pass) {
-      if (!passing) orders.push_back({vehicle.id, SpeedMode::kPass});
-      orders.push_back({vehicle.id, parameters.creep_speed});
-      vehicle.commanded = parameters.creep_speed;
-      passing_.insert(vehicle.id);
-    } else if (passing) {
-      orders.push_back({vehicle.id, SpeedMode::kDefault});
-      if (!held) orders.push_back({vehicle.id, kOwnSpeed});
-      passing_.erase(vehicle.id);
-    }
-    if (pass || (!held && vehicle.speed <= kHaltingSpeed)) stood[vehicle.id] = time;
+    one.way = held || one.stood < patience ? Way::kWait : way_out(vehicle, vehicles, people);
+    if (one.way == Way::kLetGo && one.stood >= 2.0 * patience) one = {};
+    tell(vehicle, before, one.way, held, orders);
+    const bool waits = !held && vehicle.speed <= kHaltingSpeed;
+    if (waits || one.way != Way::kWait) stand_offs[vehicle.id] = one;
   }
-  stood_ = std::move(stood);
+  stand_offs_ = std::move(stand_offs);
   return orders;
 }
 

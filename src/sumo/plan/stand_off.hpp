@@ -1,12 +1,13 @@
 // Vehicles and SUMO's own people that wait for each other for ever at a zone's border. SUMO stops
 // a vehicle for anybody on a walking area before it, also for whom it would pass, and keeps people
-// from a lane with a vehicle on it. Inside the zone people make way; there SUMO walks them.
+// from a lane with a vehicle on it, and from a crossing before one that means to drive. Inside the
+// zone people make way; there SUMO walks them.
 #pragma once
 
 #include <span>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
+#include <vector>
 
 #include "sumo/plan/vehicle_order.hpp"
 #include "sumo/plan/yield_plan.hpp"
@@ -18,21 +19,29 @@ class StandOffs {
  public:
   explicit StandOffs(const std::vector<Zone>& zones) : zones_(zones) {}
 
-  /// Before SUMO's next step of `dt` [s]: lets a vehicle in or at a zone that has stood for
-  /// creepAfter beside one of `people` (all near the zone) creep past, where its way is free of
-  /// people and vehicles. To be called after Yielding::plan; vehicles that this holds are left
-  /// alone.
+  /// Before SUMO's next step of `dt` [s]: what a vehicle in or at a zone is told that has stood for
+  /// creepAfter beside one of `people` (all near the zone). Where its way is free of people and
+  /// vehicles it creeps past. Where somebody stands in its way it lets people go first, for
+  /// creepAfter at most before it waits again: while it is told to stand, SUMO opens crossings to
+  /// them. To be called after Yielding::plan; vehicles that this holds are left alone.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, double dt);
 
  private:
+  enum class Way { kWait, kPass, kLetGo };
+  struct StandOff {
+    double stood = 0.0;  ///< [s]
+    Way way = Way::kWait;
+  };
+
   bool meets_zone(const FleetVehicle& vehicle) const;
-  bool stands_off(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
-                  std::span<const PersonAhead> people) const;
+  Way way_out(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
+              std::span<const PersonAhead> people) const;
+  void tell(FleetVehicle& vehicle, Way before, Way now, bool held,
+            std::vector<SpeedOrder>& orders) const;
 
   const std::vector<Zone>& zones_;
-  std::unordered_map<std::string, double> stood_;  ///< [s]
-  std::unordered_set<std::string> passing_;
+  std::unordered_map<std::string, StandOff> stand_offs_;  ///< by vehicle
 };
 
 }  // namespace pedzone

@@ -1,6 +1,7 @@
 // A vehicle in or near a zone, as plain values.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace pedzone {
 struct VehicleTraits {
   double length = 5.0, width = 1.8;                        ///< [m]
   double decel = 4.5, emergency_decel = 9.0, accel = 2.6;  ///< [m/s²] > 0
+  double min_gap = 2.5;   ///< [m] ≥ 0 to the one before it, as it likes to keep
   bool yields = true;     ///< vType or vehicle parameter pedzone.yield
   bool external = false;  ///< another program drives it: perceived, never touched
   bool electric = false;  ///< parameter pedzone.electric: no engine is heard
@@ -40,10 +42,10 @@ struct VehicleSeen {
 
 /// The junction that a vehicle is in, or comes to first on its way.
 struct JunctionAhead {
-  int junction = -1;   ///< index into Network::junctions; -1: none
-  double begin = 0.0;  ///< [m] from the front to its stop line; ≤ 0: it is in the junction
-  double end = 0.0;    ///< [m] from the front to where its way leaves the junction
-  bool shared = false; ///< another vehicle is in it or comes to it from elsewhere
+  int junction = -1;    ///< index into Network::junctions; -1: none
+  double begin = 0.0;   ///< [m] from the front to its stop line; ≤ 0: it is in the junction
+  double end = 0.0;     ///< [m] from the front to where its way leaves the junction
+  bool shared = false;  ///< another vehicle is in it or comes to it from elsewhere
 };
 
 /// A vehicle near a zone.
@@ -53,14 +55,15 @@ struct FleetVehicle : VehicleSeen {
   std::vector<int> behind;       ///< lanes that it came by to its present one, the last first
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
   JunctionAhead junction;
-  int zone = 0;                  ///< index of the zone it is in or comes to first
-  double commanded = -1.0;       ///< [m/s] speed set by us for the next step; -1: SUMO's own
-  double pull = 0.0;             ///< [m/s²] that this speed asks for; of use while it is commanded
-  double held_up = 0.0;          ///< [s] how long people have held it up
-  double slowed = 0.0;           ///< [s] people have made it slower without a break
-  double claim = 0.0;            ///< [m] see VehicleState
+  double follows_at = std::numeric_limits<double>::infinity();  ///< [m/s] for the one before it
+  int zone = 0;             ///< index of the zone it is in or comes to first
+  double commanded = -1.0;  ///< [m/s] speed set by us for the next step; -1: SUMO's own
+  double pull = 0.0;        ///< [m/s²] that this speed asks for; of use while it is commanded
+  double held_up = 0.0;     ///< [s] how long people have held it up
+  double slowed = 0.0;      ///< [s] people have made it slower without a break
+  double claim = 0.0;       ///< [m] see VehicleState
   bool creeping = false;
-  bool waits = false;            ///< it stands, as it did before, and not since we told it to
+  bool waits = false;  ///< it stands, as it did before, and not since we told it to
 
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };

@@ -207,5 +207,3 @@ for _kind in ("car", "van", "bus"):
     SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
 for _width in ("2.6", "2.8"):
     SCENES[f"two-lanes-{_width}m"] = two_lanes(3, "van", width=_width)
-for _seed in range(24):
-    SCENES[f"zone-end-{_seed}"] = zone_end(_seed)

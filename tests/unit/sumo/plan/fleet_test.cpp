@@ -172,6 +172,27 @@ TEST_F(FleetTest, shows_people_how_fast_a_vehicle_will_be_in_the_step) {
   EXPECT_NEAR(state(vehicle, 0.5).velocity.x(), 0.0, 1e-9) << "at its stop";
 }
 
+TEST_F(FleetTest, shows_people_that_nobody_drives_off_in_a_queue) {
+  const auto behind = [&](double gap, double leaders_speed, double lateral = 0.0) {
+    VehicleSeen leader = car(60.0, leaders_speed);
+    leader.id = "leader";
+    leader.front.y() += lateral;
+    VehicleSeen follower = car(60.0 - leader.traits.length - gap, 0.5);
+    const std::vector<Zone> all = zones();
+    Fleet fleet(network, all);
+    fleet.update({follower, leader}, 1.0);
+    std::vector<VehicleState> states;
+    fleet.states(1.0, states);
+    return states.at(0).velocity.norm();
+  };
+  EXPECT_NEAR(behind(2.5, 0.0), 0.0, 1e-9) << "its minGap is all there is";
+  EXPECT_NEAR(behind(4.5, 0.0), -4.5 + std::sqrt(4.5 * 4.5 + 2.0 * 4.5 * 2.0), 1e-9)
+      << "what Krauss's model finds safe";
+  EXPECT_GT(behind(2.5, 2.0), behind(2.5, 1.0)) << "behind one that drives it may";
+  EXPECT_GT(behind(2.5, 0.0, 3.0), 3.0) << "not held by one beside its way";
+  EXPECT_GT(behind(30.0, 0.0), 3.0);
+}
+
 TEST_F(FleetTest, shows_people_where_a_vehicle_turns) {
   FleetVehicle vehicle = one(car(60.0, 5.0));
   vehicle.way = {{56.0, 0.0}, {60.0, 0.0}, {60.0, 30.0}};

@@ -96,11 +96,41 @@ TEST_F(StandOffTest, needs_somebody_within_three_metres) {
   EXPECT_THAT(wait(100.0), testing::SizeIs(2));
 }
 
-TEST_F(StandOffTest, is_none_with_people_in_the_way) {
+TEST_F(StandOffTest, lets_people_in_its_way_go_first) {
   people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
+  EXPECT_THAT(wait(100.0), ElementsAre(SpeedOrder{"van", 0.0}));
+  EXPECT_NEAR(time_, creep_after_, 0.1 + 1e-6);
+  EXPECT_LT(vehicles_[0].commanded, 0.0) << "nobody whom pedzone walks holds it";
+  EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", 0.0})) << "as long as they are there";
+  people_.clear();
+  EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", kOwnSpeed}));
+  EXPECT_THAT(step(0.1), IsEmpty());
+}
+
+TEST_F(StandOffTest, waits_again_where_people_do_not_go) {
+  people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
+  wait(100.0);
+  std::vector<SpeedOrder> orders;
+  for (double told = 0.0; told < creep_after_ - 0.15; told += 0.1) orders = step(0.1);
+  EXPECT_THAT(orders, ElementsAre(SpeedOrder{"van", 0.0}));
+  EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", kOwnSpeed}));
+  EXPECT_THAT(wait(creep_after_ - 0.15), IsEmpty());
+  EXPECT_THAT(wait(1.0), ElementsAre(SpeedOrder{"van", 0.0}));
+}
+
+TEST_F(StandOffTest, goes_from_passing_to_letting_go) {
+  wait(100.0);
+  vehicles_[0].commanded = kOwnSpeed;
+  people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
+  EXPECT_THAT(step(0.1),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", 0.0}));
+}
+
+TEST_F(StandOffTest, looks_five_metres_ahead) {
+  people_ = {{{80.0 + 5.0 + 1.0, 0.0}, {0.0, 0.0}, 0.24}};
   EXPECT_THAT(wait(100.0), IsEmpty());
-  people_.back().position.x() = 80.0 + 5.0 + 2.0;  // farther than the 5 m that must be free
-  EXPECT_THAT(wait(100.0), testing::SizeIs(2));
+  people_[0].position.x() = 80.0 + 5.0;
+  EXPECT_THAT(wait(100.0), ElementsAre(SpeedOrder{"van", 0.0}));
 }
 
 TEST_F(StandOffTest, is_none_with_a_vehicle_in_the_way) {
