@@ -129,8 +129,10 @@ class Directories(StudyCase):
         done = self.make(study, "--jobs", "2", code=2)
         self.assertIn("No space left on device", done.stderr)
         self.assertEqual(done.stderr.count("Error: "), 1, done.stderr)
-        kept = finished(done)
-        self.assertEqual(self.run_names(), kept)
+        kept = self.run_names()
+        # The other run may have ended in the moment in which the disk was full: kept, but not told.
+        self.assertLessEqual(set(finished(done)), set(kept))
+        self.assertLessEqual(len(kept) - len(finished(done)), 1)
         self.assertEqual({record["status"] for record in self.records().values()}, {"done"})
         subprocess.run(["mount", "-o", "remount,size=1g", self.results], check=True)
         self.assertEqual(sorted(kept + finished(self.make(study))), self.run_names())
