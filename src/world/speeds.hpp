@@ -15,4 +15,7 @@ inline constexpr float kStaticSpeed = 0.05F;
 /// in front of it. Assumed: crawling is not driving.
 inline constexpr double kDrivingSpeed = 0.3;
 
+/// [m/s] slower, a body faces where it likes; faster, it faces where it goes. Assumed.
+inline constexpr double kFacingSpeed = 0.3;
+
 }  // namespace pedzone

@@ -9,12 +9,12 @@
 
 #include "crowd/sense/danger.hpp"
 #include "geometry/segment.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
 
 constexpr double kNearer = 0.5;  // [m] assumed: less within the patience is nothing (waypoints.cpp)
-constexpr double kTurnSpeed = 0.3;  // [m/s] slower than this a body turns as it likes (moves.cpp)
 constexpr double kPastReach = 2.0;  // [m] assumed: who is so near before somebody is in its way
 constexpr double kPastGap = 0.2;    // [m] assumed: gap that is enough to go past
 constexpr double kHeldUpShare =
@@ -164,7 +164,7 @@ void restrain_by_groups(const CrowdState& crowd, Restraints& restraints) {
     const std::size_t i = member.row;
     if (!waits(crowd, member) || member.steps_aside || !may_stand(crowd, i)) continue;
     // A body that still moves keeps the direction in which its way is known to be free.
-    if (crowd.velocity(i).norm() < kTurnSpeed) {
+    if (crowd.velocity(i).norm() < kFacingSpeed) {
       restraints.stand_facing(i, crowd.persons.goal_direction[i]);
     } else {
       restraints.stand(i);

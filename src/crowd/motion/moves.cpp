@@ -5,12 +5,10 @@
 
 #include "crowd/state/parallel.hpp"
 #include "crowd/state/state.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
-
-// [m/s] assumed: slower than this a body's facing is its own choice and not its velocity's.
-constexpr double kFacingSpeed = 0.3;
 
 /// dv/dt = (wanted − v) / τ over `dt`, solved exactly, so that substeps of any length agree.
 struct Relaxation {
