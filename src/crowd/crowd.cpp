@@ -161,7 +161,7 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
   // The variation starts in its stationary state, with the number of the substep before.
   walker.heading_noise =
       state.zone.parameters.heading_noise * kPi / 180.0 *
-      random_normal(state.seed, person.key, state.substep - 1, Purpose::kHeadingNoise);
+      random_normal(state.seed, person.key, state.clock.substep - 1, Purpose::kHeadingNoise);
   std::vector<Waypoint> path = person.path;
   if (path.empty()) path = way_through_shade(state.zone, place, person.destination);
   if (!path.empty()) {
@@ -200,7 +200,7 @@ void Crowd::see(std::span<const SeenPerson> others) {
     return !finite(person.position) || !finite(person.velocity) || !std::isfinite(person.radius) ||
            !std::isfinite(person.heading);
   });
-  recognise_seen(*state_);
+  recognise_seen(state_->seen, state_->seen_memory, state_->seen_before);
 }
 
 void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
@@ -272,7 +272,7 @@ bool Crowd::kept_anybody_out() const { return state_->kept_out; }
 void Crowd::let_vehicles_through() { state_->solid_vehicles = false; }
 
 std::size_t Crowd::size() const { return state_->persons.walking; }
-std::uint64_t Crowd::person_steps() const { return state_->person_steps; }
+std::uint64_t Crowd::person_steps() const { return state_->clock.person_steps; }
 
 bool Crowd::has(Handle handle) const {
   const State& state = *state_;

@@ -33,7 +33,7 @@ std::vector<Insight> look_into(CrowdState& crowd, std::span<const std::size_t> r
 
   append_seen(crowd, crowd.persons);
   crowd.perception_varies = perceives_otherwise(crowd);
-  if (crowd.perception_varies) perceive(crowd, crowd.time, crowd.traffic, crowd.attention);
+  if (crowd.perception_varies) perceive(crowd, crowd.clock.time, crowd.traffic, crowd.attention);
   crowd.proposals.begin(crowd.persons.walking);
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     crowd.proposals.propose(i, wish_of_route(crowd, i));

@@ -51,7 +51,7 @@ Snapshot snapshot_of(const CrowdState& crowd, double dt, std::span<const Vehicle
           crowd.perception_varies ? &crowd.attention : nullptr,
           crowd.seed,
           dt,
-          crowd.time};
+          crowd.clock.time};
 }
 
 /// Whoever is on a carriageway is between other walls, and looks after vehicles itself.
@@ -68,22 +68,21 @@ void decide_on_streets(const CrowdState& crowd, double dt, std::vector<Decision>
   for (const std::size_t i : rows) model.decide(i, i + 1, decisions);
 }
 
-void count(CrowdState& crowd, double dt) {
-  crowd.person_steps += crowd.persons.walking;
-  ++crowd.substep;
-  crowd.time += dt;
+void count(std::size_t walking, double dt, Clock& clock) {
+  clock.person_steps += walking;
+  ++clock.substep;
+  clock.time += dt;
 }
 
-/// Whom a vehicle moves into others, these make room for.
-void keep_apart_from_vehicles(CrowdState& crowd, double dt) {
-  const auto keep_out = [&] {
-    return keep_out_of_vehicles(crowd, dt, crowd.near.hits, crowd.moves, crowd.pushes);
-  };
-  bool moved = keep_out();
-  crowd.kept_out = crowd.kept_out || moved;
-  for (int round = 0; round < kRounds && moved && settle_cores(crowd); ++round) {
-    moved = keep_out();
+/// Whom a vehicle moves into others, these make room for. Returns whether it moved anybody.
+bool keep_apart_from_vehicles(const CrowdState& crowd, double dt, std::vector<WalkState>& walkers,
+                              Moves& moves, std::vector<VehiclePush>& pushes) {
+  const bool any = keep_out_of_vehicles(crowd, dt, moves, pushes);
+  bool moved = any;
+  for (int round = 0; round < kRounds && moved && settle_cores(crowd, walkers, moves); ++round) {
+    moved = keep_out_of_vehicles(crowd, dt, moves, pushes);
   }
+  return any;
 }
 
 void walk_substep(CrowdState& crowd, double dt) {
@@ -94,7 +93,8 @@ void walk_substep(CrowdState& crowd, double dt) {
   begin_dashes(crowd, dt, crowd.activities);
   set_paces(crowd, crowd.persons.preferred_speed);
   crowd.perception_varies = perceives_otherwise(crowd);
-  if (crowd.perception_varies) perceive(crowd, crowd.time + dt, crowd.traffic, crowd.attention);
+  if (crowd.perception_varies)
+    perceive(crowd, crowd.clock.time + dt, crowd.traffic, crowd.attention);
   observe_streets(crowd.zone.streets, crowd.vehicles, dt, crowd.street_traffic);
   index_members(crowd, crowd.members, crowd.groups, crowd.children);
   guide_children(crowd, dt, crowd.children);
@@ -130,22 +130,25 @@ void walk_substep(CrowdState& crowd, double dt) {
   lead_by_hand(crowd, crowd.decisions);
 
   // Bodies move, and settle their contacts.
-  set_moves(crowd, dt);
+  set_moves(crowd, dt, crowd.walkers, crowd.persons, crowd.moves);
   notice_standing(crowd, dt, crowd.standing, crowd.moves.reach);
   find_neighbours(crowd, crowd.grid, crowd.near);
-  make_room(crowd, dt);
-  hold_shoulders(crowd, dt);
-  move_freely(crowd);
-  settle_contacts(crowd);
-  if (crowd.solid_vehicles) keep_apart_from_vehicles(crowd, dt);
-  commit(crowd);
+  make_room(crowd, dt, crowd.standing.passed, crowd.seen_memory, crowd.moves);
+  hold_shoulders(crowd, dt, crowd.walkers, crowd.next_radius, crowd.persons);
+  move_freely(crowd, crowd.walkers, crowd.moves);
+  settle_contacts(crowd, crowd.walkers, crowd.moves);
+  if (crowd.solid_vehicles &&
+      keep_apart_from_vehicles(crowd, dt, crowd.walkers, crowd.moves, crowd.pushes)) {
+    crowd.kept_out = true;
+  }
+  commit(crowd, crowd.walkers, crowd.persons, crowd.moves);
 
   // What has come of it.
   remember_seen(crowd, dt, crowd.seen_memory);
   follow_waypoints(crowd, dt);
   notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
   move_others_on(dt, crowd.seen, crowd.vehicles);
-  count(crowd, dt);
+  count(crowd.persons.walking, dt, crowd.clock);
 }
 
 /// Those who walk freely walk the whole step at once; the others see them walk meanwhile.
@@ -163,14 +166,14 @@ void walk_free(CrowdState& crowd, double dt, std::uint64_t substeps) {
   propose_way(crowd, dt, crowd.walkers, crowd.proposals);
   resolve(crowd.proposals, crowd.persons);
   decide(crowd, dt, {}, crowd.decisions);
-  set_moves(crowd, dt);
+  set_moves(crowd, dt, crowd.walkers, crowd.persons, crowd.moves);
   crowd.grid.build(crowd.persons.x, crowd.persons.y, kCornerCell);
-  move_freely(crowd);
-  commit(crowd);
+  move_freely(crowd, crowd.walkers, crowd.moves);
+  commit(crowd, crowd.walkers, crowd.persons, crowd.moves);
   follow_waypoints(crowd, dt, substeps);
   notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
 
-  crowd.person_steps += free * substeps;
+  crowd.clock.person_steps += free * substeps;
   set_apart(crowd, free, dt, crowd.free_walk_ends);
 }
 

@@ -19,7 +19,8 @@ Activity begun(const CrowdState& crowd, std::size_t i, const ActivityMemory& mem
   for (std::size_t k = 0; k < kActivities; ++k) {
     if (memory.rates[k] <= 0.0) continue;
     if (drawn < 0.0) {
-      drawn = random_uniform(crowd.seed, crowd.persons.key[i], crowd.substep, Purpose::kActivity);
+      drawn =
+          random_uniform(crowd.seed, crowd.persons.key[i], crowd.clock.substep, Purpose::kActivity);
     }
     sum += 1.0 - std::exp(-memory.rates[k] * dt / kMinute);
     if (drawn < sum) return static_cast<Activity>(k);
@@ -29,8 +30,8 @@ Activity begun(const CrowdState& crowd, std::size_t i, const ActivityMemory& mem
 
 bool ended(const CrowdState& crowd, std::size_t i, Activity activity, double dt) {
   const double stays = std::exp(-dt / info_of(activity).duration);
-  return random_uniform(crowd.seed, crowd.persons.key[i], crowd.substep, Purpose::kActivity) >=
-         stays;
+  return random_uniform(crowd.seed, crowd.persons.key[i], crowd.clock.substep,
+                        Purpose::kActivity) >= stays;
 }
 
 /// Index of the nearest seat that the person can go straight to; -1: none within kSeatReach.

@@ -171,39 +171,31 @@ Vec2 step_home(const Stander& stander, const SeenMemory& seen, double most) {
   return stander.others_allow(step, kPassGap) ? step : Vec2(Vec2::Zero());
 }
 
-/// What person i, who stands, does for others.
-void make_room_by(CrowdState& crowd, std::size_t i, double dt, double widest) {
-  Stander stander(crowd, i, widest);
-  std::optional<Vec2> step = stander.step_aside(kStepSpeed * dt);
-  const std::size_t walking = crowd.persons.walking;
-  if (i < walking) {
-    crowd.standing.passed[i] = stander.passed() ? 1 : 0;
-  } else {
-    SeenMemory& seen = crowd.seen_memory[i - crowd.first_seen()];
-    const double change = dt / std::max(crowd.zone.parameters.turn_time, dt);
-    seen.turn = stander.passed() ? 1.0 : std::max(0.0, seen.turn - change);
-    step = seen.key == 0
-               ? Vec2(Vec2::Zero())
-               : within_reach(seen, step ? *step : step_home(stander, seen, kReturnSpeed * dt));
-    seen.stepped += *step;
-  }
-  if (!step) return;
-  crowd.moves.dx[i] = step->x();
-  crowd.moves.dy[i] = step->y();
+/// What somebody in SUMO's hands, who stands, does for others: turns, and makes the step [m] that
+/// is returned.
+Vec2 make_room_by_seen(Stander& stander, double dt, double turn_time, SeenMemory& seen) {
+  const auto aside = stander.step_aside(kStepSpeed * dt);
+  seen.turn = stander.passed() ? 1.0 : std::max(0.0, seen.turn - dt / std::max(turn_time, dt));
+  if (seen.key == 0) return Vec2::Zero();
+  const Vec2 step =
+      within_reach(seen, aside ? *aside : step_home(stander, seen, kReturnSpeed * dt));
+  seen.stepped += step;
+  return step;
 }
 
 }  // namespace
 
-void recognise_seen(CrowdState& crowd) {
-  std::ranges::sort(crowd.seen, {}, &SeenPerson::key);
-  std::swap(crowd.seen_memory, crowd.seen_before);
-  crowd.seen_memory.clear();
-  auto known = crowd.seen_before.begin();
-  for (const SeenPerson& person : crowd.seen) {
-    while (known != crowd.seen_before.end() && known->key < person.key) ++known;
-    SeenMemory& now = crowd.seen_memory.emplace_back();
+void recognise_seen(std::vector<SeenPerson>& seen, std::vector<SeenMemory>& memory,
+                    std::vector<SeenMemory>& before) {
+  std::ranges::sort(seen, {}, &SeenPerson::key);
+  std::swap(memory, before);
+  memory.clear();
+  auto known = before.begin();
+  for (const SeenPerson& person : seen) {
+    while (known != before.end() && known->key < person.key) ++known;
+    SeenMemory& now = memory.emplace_back();
     if (person.key == 0) continue;
-    const bool again = known != crowd.seen_before.end() && known->key == person.key &&
+    const bool again = known != before.end() && known->key == person.key &&
                        (known->foreseen - person.position).norm() < kMoved;
     if (again) now = *known;
     now.key = person.key;
@@ -226,12 +218,27 @@ void notice_standing(const CrowdState& crowd, double dt, Standing& standing, dou
   if (standing.anybody) reach = std::max(reach, kStepSpeed * dt);
 }
 
-void make_room(CrowdState& crowd, double dt) {
+void make_room(const CrowdState& crowd, double dt, std::vector<std::uint8_t>& passed,
+               std::vector<SeenMemory>& seen_memory, Moves& moves) {
   if (!crowd.standing.anybody) return;
   const double widest = std::ranges::max(crowd.persons.turned_radius);
+  const double turn_time = crowd.zone.parameters.turn_time;
+  const auto make_room_by = [&](std::size_t i) {
+    Stander stander(crowd, i, widest);
+    std::optional<Vec2> step;
+    if (i < crowd.persons.walking) {
+      passed[i] = stander.passed() ? 1 : 0;
+      step = stander.step_aside(kStepSpeed * dt);
+    } else {
+      step = make_room_by_seen(stander, dt, turn_time, seen_memory[i - crowd.first_seen()]);
+    }
+    if (!step) return;
+    moves.dx[i] = step->x();
+    moves.dy[i] = step->y();
+  };
   for_each_block(crowd.persons.size(), [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      if (crowd.standing.stands[i] != 0) make_room_by(crowd, i, dt, widest);
+      if (crowd.standing.stands[i] != 0) make_room_by(i);
     }
   });
 }

@@ -104,7 +104,7 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
   event.street = crossing.street;
   event.s = choice.walk.s;
   event.position = crowd.position(i);
-  event.time = crowd.time;
+  event.time = crowd.clock.time;
   event.waited = crossing.waited;
   event.gap = choice.view.next;
   event.needed = critical_gap(choice.walk);

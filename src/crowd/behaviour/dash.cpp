@@ -32,7 +32,7 @@ bool begins(const CrowdState& crowd, std::size_t i, double dt) {
   if (walker.profile == nullptr || walker.profile->impulsiveness <= 0.0) return false;
   if (walker.arrived || nearest_moving(crowd, i) == nullptr) return false;
   const double stays = std::exp(-walker.profile->impulsiveness * dt / kMinute);
-  return random_uniform(crowd.seed, crowd.persons.key[i], crowd.substep, Purpose::kImpulse) >=
+  return random_uniform(crowd.seed, crowd.persons.key[i], crowd.clock.substep, Purpose::kImpulse) >=
          stays;
 }
 

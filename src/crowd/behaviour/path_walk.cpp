@@ -16,7 +16,7 @@ void plan_way(CrowdState& crowd, std::size_t i, const Destination& destination) 
   }
   plan(crowd.zone, here, crowd.persons.radius[i], destination, walker.route);
   plan_crossing(crowd, i, destination);
-  walker.planned = crowd.substep;
+  walker.planned = crowd.clock.substep;
   walker.entered = walker.arrived = walker.gave_up = false;
   walker.least_left = std::numeric_limits<double>::infinity();
   walker.blocked = 0.0;

@@ -39,9 +39,10 @@ void propose_way(const CrowdState& crowd, double dt, std::vector<WalkState>& wal
     for (std::size_t i = first; i < last; ++i) {
       WalkState& walker = walkers[i];
       if (deviation > 0.0 && !walker.arrived) {
-        walker.heading_noise = variation.keep * walker.heading_noise +
-                               variation.add * random_normal(crowd.seed, crowd.persons.key[i],
-                                                             crowd.substep, Purpose::kHeadingNoise);
+        walker.heading_noise =
+            variation.keep * walker.heading_noise +
+            variation.add * random_normal(crowd.seed, crowd.persons.key[i], crowd.clock.substep,
+                                          Purpose::kHeadingNoise);
       }
       proposals.propose(i, wish_of_route(crowd, i));
     }

@@ -60,7 +60,7 @@ class Follower {
         route_(walker_.route),
         here_(crowd.position(i)),
         radius_(crowd.persons.radius[i]),
-        turn_(crowd.substep + crowd.persons.key[i]),
+        turn_(crowd.clock.substep + crowd.persons.key[i]),
         substeps_(substeps) {}
 
   void follow(double dt) {
@@ -124,7 +124,7 @@ class Follower {
           sees(nearest_on(route_.aim_a, route_.aim_b, here_), passing_clearance(radius_));
       if (route_.last_in_view) return;
     }
-    if (!route_.found || crowd_.substep - walker_.planned < kPlanEvery) return;
+    if (!route_.found || crowd_.clock.substep - walker_.planned < kPlanEvery) return;
     if (!sees(heading_point(route_, here_), 0.0)) plan_again();
   }
 
@@ -133,7 +133,7 @@ class Follower {
     plan(crowd_.zone, here_, radius_, route_.destination, route_);
     route_.beyond = beyond;
     go_on_to(route_, route_.next);
-    walker_.planned = crowd_.substep;
+    walker_.planned = crowd_.clock.substep;
     walker_.entered = false;
   }
 

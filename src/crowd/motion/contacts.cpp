@@ -5,7 +5,9 @@
 #include "crowd/motion/contacts.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "core/random.hpp"
 #include "crowd/state/parallel.hpp"
@@ -20,7 +22,7 @@ constexpr double kPushPerPass = 0.05;  // [m] numerical: a pile comes apart in s
 constexpr double kEvenShare = 1e-4;    // [m] numerical: bodies that both stand share a push evenly
 constexpr double kHindered = 0.5;      // assumed: share of its way that a push must take from it
 constexpr double kCoincident = 1e-9;   // [m] numerical: no direction between centres so near
-// Numerical: what a block's lists hold from the start, so that they need not grow step by step.
+// Numerical: what a block's list holds from the start, so that it need not grow step by step.
 // A person at four persons per square metre has about eight neighbours.
 constexpr std::size_t kNeighbours = 8 * kBlock;
 constexpr double kUnitsPerMetre = 0x1p40;  // numerical: sums of pushes are exact to 1e-12 m
@@ -87,9 +89,9 @@ Vec2 push_of_pair(const CrowdState& crowd, Part part, std::size_t i, std::size_t
   return overlap * share * normal;
 }
 
-void prepare_blocks(std::size_t persons, std::vector<BlockScratch>& blocks) {
-  for (std::size_t n = blocks.size(); n < block_count(persons); ++n) {
-    blocks.emplace_back().neighbours.reserve(kNeighbours);
+void prepare_lists(std::size_t persons, std::vector<std::vector<std::uint32_t>>& lists) {
+  for (std::size_t n = lists.size(); n < block_count(persons); ++n) {
+    lists.emplace_back().reserve(kNeighbours);
   }
 }
 
@@ -99,10 +101,10 @@ bool hinders(const Vec2& push, const Moves& moves, std::size_t i) {
   return -push.dot(move) > kHindered * move.squaredNorm();
 }
 
-/// Where person i is after its contacts of one pass.
-Vec2 pushed(CrowdState& crowd, Part part, std::size_t block, std::size_t i) {
+/// Where person i is after its contacts of one pass; nothing where it has none.
+std::optional<Vec2> pushed(const CrowdState& crowd, Part part, std::size_t block, std::size_t i,
+                           WalkState& walker) {
   const Moves& moves = crowd.moves;
-  BlockScratch& scratch = crowd.near.blocks[block];
   const Vec2 here(moves.x[i], moves.y[i]);
   ExactSum sum;
   for (const std::uint32_t j : crowd.near.of(block, i)) {
@@ -111,35 +113,33 @@ Vec2 pushed(CrowdState& crowd, Part part, std::size_t block, std::size_t i) {
     const Vec2 push = push_of_pair(crowd, part, i, j, start, now);
     if (push != Vec2::Zero()) sum.add(push);
   }
-  if (sum.terms() == 0) return here;
-  scratch.touching = true;
-  crowd.walkers[i].pressed = crowd.walkers[i].pressed || hinders(sum.value(), moves, i);
+  if (sum.terms() == 0) return std::nullopt;
+  walker.pressed = walker.pressed || hinders(sum.value(), moves, i);
   // With many contacts their sum overshoots (each pair counts on itself alone).
   Vec2 push = sum.value() * (2.0 / (sum.terms() + 1.0));
   const double most = kPushPerPass + std::hypot(moves.dx[i], moves.dy[i]);
   if (push.norm() > most) push *= most / push.norm();
   return kept_inside(crowd.walls_of(i), crowd.position(i), here + push,
-                     crowd.persons.present_radius[i], crowd.walkers[i].wall_room);
+                     crowd.persons.present_radius[i], walker.wall_room);
 }
 
 /// One pass over all contacts; whether there were any.
-bool push_apart(CrowdState& crowd, Part part) {
-  Moves& moves = crowd.moves;
+bool push_apart(const CrowdState& crowd, Part part, std::vector<WalkState>& walkers, Moves& moves) {
+  std::atomic<bool> touching = false;
   for_each_block(crowd.persons.walking,
                  [&](std::size_t block, std::size_t first, std::size_t last) {
-                   crowd.near.blocks[block].touching = false;
+                   bool touches = false;  // somebody of this block
                    for (std::size_t i = first; i < last; ++i) {
-                     const Vec2 at = pushed(crowd, part, block, i);
-                     moves.next_x[i] = at.x();
-                     moves.next_y[i] = at.y();
+                     const std::optional<Vec2> at = pushed(crowd, part, block, i, walkers[i]);
+                     moves.next_x[i] = at ? at->x() : moves.x[i];
+                     moves.next_y[i] = at ? at->y() : moves.y[i];
+                     touches = touches || at;
                    }
+                   if (touches) touching = true;
                  });
   moves.x.swap(moves.next_x);
   moves.y.swap(moves.next_y);
-  const auto used =
-      crowd.near.blocks.begin() + static_cast<std::ptrdiff_t>(block_count(crowd.persons.walking));
-  return std::any_of(crowd.near.blocks.begin(), used,
-                     [](const BlockScratch& scratch) { return scratch.touching; });
+  return touching;
 }
 
 }  // namespace
@@ -147,14 +147,14 @@ bool push_apart(CrowdState& crowd, Part part) {
 void find_neighbours(const CrowdState& crowd, BodyGrid& grid, Neighbourhood& near) {
   const Persons& persons = crowd.persons;
   if (persons.size() == 0) return;
-  prepare_blocks(persons.size(), near.blocks);
+  prepare_lists(persons.size(), near.lists);
   const double widest = *std::max_element(persons.radius.begin(), persons.radius.end());
   const double slack = 2.0 * (crowd.moves.reach + kPushPerPass);
   grid.build(persons.x, persons.y, 2.0 * widest + slack);
   near.first.resize(persons.walking);
   near.last.resize(persons.walking);
   for_each_block(persons.walking, [&](std::size_t block, std::size_t first, std::size_t last) {
-    std::vector<std::uint32_t>& list = near.blocks[block].neighbours;
+    std::vector<std::uint32_t>& list = near.lists[block];
     list.clear();
     for (std::size_t i = first; i < last; ++i) {
       near.first[i] = static_cast<std::uint32_t>(list.size());
@@ -170,14 +170,13 @@ void find_neighbours(const CrowdState& crowd, BodyGrid& grid, Neighbourhood& nea
   });
 }
 
-void move_freely(CrowdState& crowd) {
-  Moves& moves = crowd.moves;
+void move_freely(const CrowdState& crowd, std::vector<WalkState>& walkers, Moves& moves) {
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const Vec2 from = crowd.position(i);
       const Vec2 to = from + Vec2(moves.dx[i], moves.dy[i]);
       const Vec2 at = kept_inside(crowd.walls_of(i), from, to, crowd.persons.present_radius[i],
-                                  crowd.walkers[i].wall_room);
+                                  walkers[i].wall_room);
       moves.x[i] = at.x();
       moves.y[i] = at.y();
     }
@@ -188,29 +187,28 @@ void move_freely(CrowdState& crowd) {
   }
 }
 
-void settle_contacts(CrowdState& crowd) {
+void settle_contacts(const CrowdState& crowd, std::vector<WalkState>& walkers, Moves& moves) {
   for (int pass = 0; pass < kPasses; ++pass) {
-    if (!push_apart(crowd, Part::kBody)) break;
+    if (!push_apart(crowd, Part::kBody, walkers, moves)) break;
   }
-  settle_cores(crowd);
+  settle_cores(crowd, walkers, moves);
 }
 
-bool settle_cores(CrowdState& crowd) {
+bool settle_cores(const CrowdState& crowd, std::vector<WalkState>& walkers, Moves& moves) {
   int pass = 0;
-  while (pass < kCorePasses && push_apart(crowd, Part::kCore)) ++pass;
+  while (pass < kCorePasses && push_apart(crowd, Part::kCore, walkers, moves)) ++pass;
   return pass > 0;
 }
 
 /// What a contact stopped is taken from the velocity; a push never adds to it.
-void commit(CrowdState& crowd) {
-  Persons& persons = crowd.persons;
-  Moves& moves = crowd.moves;
+void commit(const CrowdState& crowd, std::vector<WalkState>& walkers, Persons& persons,
+            Moves& moves) {
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const Vec2 way = Vec2(moves.x[i], moves.y[i]) - crowd.position(i);
       const Vec2 push = way - Vec2(moves.dx[i], moves.dy[i]);
       const double length = push.norm();
-      crowd.walkers[i].wall_room.spend(way.norm());
+      walkers[i].wall_room.spend(way.norm());
       if (length <= kCoincident) continue;
       const Vec2 normal = push / length;
       const Vec2 v = crowd.velocity(i);

@@ -41,9 +41,8 @@ double turned(double heading, const Vec2& velocity, const Decision& decision, do
 /// the free distance that the decision rests on (Eq. 3 alone with t_coll = τ overshoots): the
 /// move is cut there. A model that gives velocities has seen to inertia itself. Seen persons and
 /// vehicles simply move on.
-void set_moves(CrowdState& crowd, double dt) {
-  Persons& persons = crowd.persons;
-  Moves& moves = crowd.moves;
+void set_moves(const CrowdState& crowd, double dt, std::vector<WalkState>& walkers,
+               Persons& persons, Moves& moves) {
   const Relaxation turning(crowd.zone.parameters.relaxation_time, dt);
   const Relaxation relaxation = crowd.model->sets_velocity() ? Relaxation::none() : turning;
   moves.by_vehicles.assign(persons.walking, 0.0);
@@ -53,7 +52,7 @@ void set_moves(CrowdState& crowd, double dt) {
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const Decision& decision = crowd.decisions[i];
-      WalkState& walker = crowd.walkers[i];
+      WalkState& walker = walkers[i];
       walker.waits = decision.waits && !walker.arrived;
       Vec2 move = Vec2::Zero(), velocity = Vec2::Zero();
       if (!walker.arrived || decision.escapes) {

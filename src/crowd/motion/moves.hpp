@@ -5,8 +5,8 @@
 
 namespace pedzone {
 
-/// Velocities, headings and meant displacements of a substep of `dt` [s], and who waits. Writes
-/// crowd.persons, crowd.moves and the walkers' `waits`.
-void set_moves(CrowdState& crowd, double dt);
+/// Velocities, headings and meant displacements of a substep of `dt` [s], and which walkers wait.
+void set_moves(const CrowdState& crowd, double dt, std::vector<WalkState>& walkers,
+               Persons& persons, Moves& moves);
 
 }  // namespace pedzone

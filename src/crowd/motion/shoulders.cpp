@@ -10,7 +10,7 @@ namespace {
 
 /// [m] by which the body can grow on all sides before it touches a wall, or another body that grows
 /// as much.
-double room_around(CrowdState& crowd, std::size_t block, std::size_t i) {
+double room_around(const CrowdState& crowd, std::size_t block, std::size_t i) {
   const Vec2 here = crowd.position(i);
   const double full = crowd.persons.radius[i], present = crowd.persons.present_radius[i];
   double least = crowd.walls_of(i).room(here, full) - present;
@@ -33,13 +33,13 @@ void set_widths(const CrowdState& crowd, const WalkState& walker, double& full, 
 
 }  // namespace
 
-void hold_shoulders(CrowdState& crowd, double dt) {
-  Persons& persons = crowd.persons;
-  crowd.next_radius.resize(persons.walking);
+void hold_shoulders(const CrowdState& crowd, double dt, std::vector<WalkState>& walkers,
+                    std::vector<double>& next_radius, Persons& persons) {
+  next_radius.resize(persons.walking);
   const double time = std::max(crowd.zone.parameters.turn_time, dt);
   for_each_block(persons.walking, [&](std::size_t block, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      WalkState& walker = crowd.walkers[i];
+      WalkState& walker = walkers[i];
       set_widths(crowd, walker, persons.radius[i], persons.turned_radius[i]);
       const bool turns =
           crowd.decisions[i].turns || walker.pressed || crowd.standing.passed[i] != 0;
@@ -50,7 +50,7 @@ void hold_shoulders(CrowdState& crowd, double dt) {
       // somebody has just put here is as wide as there is room for.
       const double growth =
           walker.new_here ? walker.full_radius : 0.5 * walker.full_radius * dt / time;
-      crowd.next_radius[i] =
+      next_radius[i] =
           present < wanted
               ? std::min(wanted, present + std::min(growth, room_around(crowd, block, i)))
               : wanted;
@@ -58,7 +58,7 @@ void hold_shoulders(CrowdState& crowd, double dt) {
       walker.pressed = false;
     }
   });
-  std::ranges::copy(crowd.next_radius, persons.present_radius.begin());
+  std::ranges::copy(next_radius, persons.present_radius.begin());
 }
 
 }  // namespace pedzone

@@ -5,10 +5,11 @@
 
 namespace pedzone {
 
-/// Sets how wide everybody is in the substep of `dt` [s], once it is known who is near whom: as
-/// narrow as can be who lacks room by its decision (whatever model made it), whom others kept from
-/// moving in the substep before, and who stands while others go past. Others straighten within
-/// `turnTime`, and no more than there is room for: straightening pushes nobody.
-void hold_shoulders(CrowdState& crowd, double dt);
+/// Sets everybody's width for a substep of `dt` [s], once it is known who is near whom. As narrow
+/// as possible: who lacks room by its decision, whom others pressed in the last substep, who stands
+/// while others pass. All others straighten within `turnTime`, as far as there is room: that pushes
+/// nobody. `next_radius` [m] holds the new widths until all are known.
+void hold_shoulders(const CrowdState& crowd, double dt, std::vector<WalkState>& walkers,
+                    std::vector<double>& next_radius, Persons& persons);
 
 }  // namespace pedzone

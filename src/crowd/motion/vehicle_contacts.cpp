@@ -146,12 +146,12 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
 
 }  // namespace
 
-bool keep_out_of_vehicles(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits,
-                          Moves& moves, std::vector<VehiclePush>& pushes) {
+bool keep_out_of_vehicles(const CrowdState& crowd, double dt, Moves& moves,
+                          std::vector<VehiclePush>& pushes) {
   if (crowd.vehicles.empty() || crowd.persons.size() == 0) return false;
-  find_hits(crowd, dt, hits);
+  find_hits(crowd, dt, moves.hits);
   bool moved = false;
-  for (const VehicleHit& hit : hits) {
+  for (const VehicleHit& hit : moves.hits) {
     double& way = moves.by_vehicles[hit.person];
     const double left = std::max(0.0, kSteppingSpeed * dt - way);
     const VehiclePush push = push_out(crowd, hit, dt, left, moves);

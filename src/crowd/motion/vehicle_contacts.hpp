@@ -9,11 +9,11 @@ namespace pedzone {
 /// steps a second of 1.5 m.
 inline constexpr double kSteppingSpeed = 3.0;
 
-/// Moves every walked person whose body (at crowd.moves.x, y) would be within a small gap of
-/// where a vehicle will be in `dt` [s] out of its way, never through a wall and by at most
-/// kSteppingSpeed in the whole substep. Adds to `pushes` what each vehicle that drives did, by
-/// person and vehicle. Returns whether anybody was moved.
-bool keep_out_of_vehicles(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits,
-                          Moves& moves, std::vector<VehiclePush>& pushes);
+/// Moves every walked person whose body (at moves.x, y) would be within a small gap of where a
+/// vehicle will be in `dt` [s] out of its way, never through a wall and by at most kSteppingSpeed
+/// in the whole substep. Adds to `pushes` what each vehicle that drives did, by person and vehicle.
+/// Returns whether anybody was moved.
+bool keep_out_of_vehicles(const CrowdState& crowd, double dt, Moves& moves,
+                          std::vector<VehiclePush>& pushes);
 
 }  // namespace pedzone

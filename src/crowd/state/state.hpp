@@ -40,12 +40,18 @@ struct WalkState {
   bool arrived = false, gave_up = false;
 };
 
+/// A person that a vehicle may reach within the substep.
+struct VehicleHit {
+  std::uint32_t person, vehicle;
+};
+
 /// The moves of all bodies within one substep, in the order of Persons.
 struct Moves {
   std::vector<double> dx, dy;          ///< [m] displacement that each body means to make
   std::vector<double> x, y;            ///< [m] where it gets to, as far as that is known
   std::vector<double> next_x, next_y;  ///< [m] the same after one more pass over the contacts
   std::vector<double> by_vehicles;     ///< [m] by which vehicles have moved it in this substep
+  std::vector<VehicleHit> hits;        ///< by person, of the last look at vehicles
   double reach = 0.0;                  ///< [m] longest displacement
 };
 
@@ -56,26 +62,15 @@ struct Standing {
   bool anybody = false;
 };
 
-/// What one block of persons works with; no two blocks share it.
-struct BlockScratch {
-  std::vector<std::uint32_t> neighbours;  ///< of the block's persons, one after the other
-  bool touching = false;                  ///< somebody of the block was pushed in the last pass
-};
-
-/// A person that a vehicle may reach within the substep.
-struct VehicleHit {
-  std::uint32_t person, vehicle;
-};
-
 /// Which bodies may touch within a substep.
 struct Neighbourhood {
-  std::vector<BlockScratch> blocks;
+  /// Of each block of persons (parallel.hpp), of one person after the other.
+  std::vector<std::vector<std::uint32_t>> lists;
   std::vector<std::uint32_t> first, last;  ///< of each walked person, in the list of its block
-  std::vector<VehicleHit> hits;            ///< by person
 
   /// Bodies that person i of that block may touch.
   std::span<const std::uint32_t> of(std::size_t block, std::size_t i) const {
-    const std::uint32_t* const list = blocks[block].neighbours.data();
+    const std::uint32_t* const list = lists[block].data();
     return {list + first[i], list + last[i]};
   }
 };
@@ -92,6 +87,13 @@ struct GroupMember {
 struct FreeWalkEnd {
   PersonHandle handle = 0;
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
+};
+
+/// How far a crowd has come: its one clock.
+struct Clock {
+  double time = 0.0;               ///< [s] of all substeps so far
+  std::uint64_t substep = 0;       ///< their number: a key of random numbers
+  std::uint64_t person_steps = 0;  ///< substeps of all persons, added up
 };
 
 struct CrowdState {
@@ -124,10 +126,7 @@ struct CrowdState {
   ByHandle<CrossingMemory> crossings;  ///< empty where the zone has no streets to cross
   std::size_t grouped = 0;  ///< how many walkers have a group
 
-  // The clock: one.
-  double time = 0.0;          ///< [s] of all substeps so far
-  std::uint64_t substep = 0;  ///< their number: a key of random numbers
-  std::uint64_t person_steps = 0;
+  Clock clock;
 
   // Made anew in every substep, each by one phase.
   Attention attention;                   ///< where people differ in what they perceive
