@@ -168,7 +168,7 @@ Crowd::Handle Crowd::add(const NewPerson& person) {
     state.paths[walker.handle] =
         std::make_unique<PathWalk>(PathWalk{std::move(path), 0, person.destination});
   }
-  start_way(state, i, person.destination);
+  start_way(state, i, person.destination, state.ways());
   return walker.handle;
 }
 
@@ -185,7 +185,7 @@ void Crowd::remove(Handle handle) {
 
 void Crowd::set_destination(Handle handle, const Destination& destination) {
   require(finite(destination.a) && finite(destination.b), "a destination");
-  start_way(*state_, state_->row_of(handle), destination);
+  start_way(*state_, state_->row_of(handle), destination, state_->ways());
 }
 
 void Crowd::set_preferred_speed(Handle handle, double speed) {

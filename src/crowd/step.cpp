@@ -1,6 +1,6 @@
 // The step: what happens to a person in 0.1 s, on one screen. Each phase reads the crowd as it is
-// and writes what stands after it among the arguments; those that are given nothing else say in
-// their headers what they write. Who wins when behaviours disagree: state/proposals.hpp.
+// and writes what stands after it among the arguments. Who wins when behaviours disagree:
+// state/proposals.hpp.
 #include "crowd/step.hpp"
 
 #include <algorithm>
@@ -100,7 +100,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   guide_children(crowd, dt, crowd.children);
   update_waits(crowd, dt, crowd.groups);
 
-  cross_streets(crowd, dt, crowd.crossings_begun);
+  cross_streets(crowd, dt, crowd.ways(), crowd.crossings_begun);
   order_claims(crowd, crowd.claimants);
 
   // Every behaviour proposes; the most important one wins.
@@ -145,7 +145,7 @@ void walk_substep(CrowdState& crowd, double dt) {
 
   // What has come of it.
   remember_seen(crowd, dt, crowd.seen_memory);
-  follow_waypoints(crowd, dt);
+  follow_waypoints(crowd, dt, 1, crowd.ways());
   notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
   move_others_on(dt, crowd.seen, crowd.vehicles);
   count(crowd.persons.walking, dt, crowd.clock);
@@ -170,7 +170,7 @@ void walk_free(CrowdState& crowd, double dt, std::uint64_t substeps) {
   crowd.grid.build(crowd.persons.x, crowd.persons.y, kCornerCell);
   move_freely(crowd, crowd.walkers, crowd.moves);
   commit(crowd, crowd.walkers, crowd.persons, crowd.moves);
-  follow_waypoints(crowd, dt, substeps);
+  follow_waypoints(crowd, dt, substeps, crowd.ways());
   notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
 
   crowd.clock.person_steps += free * substeps;

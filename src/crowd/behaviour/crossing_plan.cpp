@@ -80,11 +80,11 @@ std::vector<Candidate> candidates(const CrowdState& crowd, std::size_t i, const 
 }
 
 /// The ways to a street and from it on [m].
-struct Ways {
+struct Legs {
   double to_kerb, on;
 };
 
-Ways ways_over(const CrowdState& crowd, std::size_t i, const Candidate& candidate, const Vec2& to) {
+Legs legs_over(const CrowdState& crowd, std::size_t i, const Candidate& candidate, const Vec2& to) {
   const Street& street = crowd.zone.streets[candidate.street];
   const double radius = crowd.persons.radius[i];
   const Vec2 kerb = before(street, candidate.s, candidate.side, radius);
@@ -101,9 +101,8 @@ double next_stop(const Street& street, double from, double kerb, int side) {
   return stop;
 }
 
-void head_for_kerb(CrowdState& crowd, std::size_t i) {
+void head_for_kerb(const CrowdState& crowd, std::size_t i, Route& route) {
   const StreetCrossing& crossing = *crowd.crossing(i);
-  Route& route = crowd.walkers[i].route;
   const Vec2 kerb = kerb_before(crowd, i, crossing.at);
   plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], {kerb, kerb}, route);
   route.beyond = crowd.zone.streets[crossing.street].at(crossing.at).width() + crossing.beyond;
@@ -117,16 +116,16 @@ std::unique_ptr<StreetCrossing> best_crossing(const CrowdState& crowd, std::size
   std::unique_ptr<StreetCrossing> best;
   for (const Candidate& candidate : candidates(crowd, i, to, length)) {
     if (candidate.least >= length - kWorthWhile) break;
-    const Ways ways = ways_over(crowd, i, candidate, to);
+    const Legs legs = legs_over(crowd, i, candidate, to);
     const double width = crowd.zone.streets[candidate.street].at(candidate.s).width();
-    const double over = ways.to_kerb + width + ways.on;
+    const double over = legs.to_kerb + width + legs.on;
     if (!std::isfinite(over) || over > length - kWorthWhile) continue;
     length = over;
     best = std::make_unique<StreetCrossing>();
     best->street = candidate.street;
     best->side = candidate.side;
     best->at = candidate.s;
-    best->beyond = ways.on;
+    best->beyond = legs.on;
   }
   return best;
 }
@@ -178,11 +177,12 @@ CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s) {
   return walk;
 }
 
-void plan_crossing(CrowdState& crowd, std::size_t i, const Destination& destination) {
+void plan_crossing(const CrowdState& crowd, std::size_t i, const Destination& destination,
+                   Ways ways) {
   if (crowd.zone.streets.empty()) return;
-  CrossingMemory& memory = crowd.crossings[crowd.handle(i)];
+  CrossingMemory& memory = ways.crossings[crowd.handle(i)];
   memory.now.reset();
-  const Route& route = crowd.walkers[i].route;
+  Route& route = ways.walkers[i].route;
   const Vec2 here = crowd.position(i), to = 0.5 * (route.aim_a + route.aim_b);
   const double by_nodes = route.found ? way_left(route, here) : memory.by_junctions;
   if (by_nodes - (to - here).norm() < kWorthWhile) return;
@@ -202,20 +202,19 @@ void plan_crossing(CrowdState& crowd, std::size_t i, const Destination& destinat
   // Once it is the crowd's there is no way by junctions outside the zone.
   crossing.detour = route.found ? (by_nodes - length) / speed : kInfinity;
   crossing.phase = CrossingPhase::kToKerb;
-  head_for_kerb(crowd, i);
+  head_for_kerb(crowd, i, route);
 }
 
-void go_by_nodes(CrowdState& crowd, std::size_t i) {
-  StreetCrossing& crossing = *crowd.crossing(i);
+void go_by_nodes(const CrowdState& crowd, std::size_t i, Ways ways) {
+  StreetCrossing& crossing = ways.crossing(i);
   crossing.phase = CrossingPhase::kByNodes;
   crossing.at_kerb = false;
   plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], crossing.destination,
-       crowd.walkers[i].route);
+       ways.walkers[i].route);
 }
 
-void head_across(CrowdState& crowd, std::size_t i, double s) {
+void head_across(const CrowdState& crowd, std::size_t i, double s, Route& route) {
   const StreetCrossing& crossing = *crowd.crossing(i);
-  Route& route = crowd.walkers[i].route;
   const Vec2 far = kerb_beyond(crowd, i, s);
   route.destination = {far, far};
   route.aim_a = route.aim_b = far;
@@ -226,11 +225,9 @@ void head_across(CrowdState& crowd, std::size_t i, double s) {
   go_on_to(route, 0);
 }
 
-void head_along(CrowdState& crowd, std::size_t i, double s) {
-  head_across(crowd, i, s);
-  const StreetCrossing& crossing = *crowd.crossing(i);
-  const Street& street = crowd.zone.streets[crossing.street];
-  Route& route = crowd.walkers[i].route;
+void head_along(const CrowdState& crowd, std::size_t i, double s, Route& route) {
+  head_across(crowd, i, s, route);
+  const Street& street = crowd.zone.streets[crowd.crossing(i)->street];
   const double t = street.place(crowd.position(i)).t;
   route.points.insert(route.points.begin(), street.point(s, t));
   go_on_to(route, 0);
@@ -250,16 +247,16 @@ std::optional<CrossingLine> nearest_line(const CrowdState& crowd, std::size_t i,
   return std::nullopt;
 }
 
-void move_along_kerb(CrowdState& crowd, std::size_t i,
-                     const std::function<bool(double s)>& is_barred) {
-  StreetCrossing& crossing = *crowd.crossing(i);
+void move_along_kerb(const CrowdState& crowd, std::size_t i,
+                     const std::function<bool(double s)>& is_barred, Ways ways) {
+  StreetCrossing& crossing = ways.crossing(i);
   const double length = crowd.zone.streets[crossing.street].length;
   const auto line = nearest_line(crowd, i, crossing.at, kStreetStep, length, is_barred);
   if (!line) return;
   crossing.at = line->s;
   crossing.at_kerb = false;
   crossing.beyond += line->way;
-  head_for_kerb(crowd, i);
+  head_for_kerb(crowd, i, ways.walkers[i].route);
 }
 
 }  // namespace pedzone

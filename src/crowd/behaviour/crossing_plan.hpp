@@ -15,16 +15,17 @@ bool is_impulsive(const CrowdState& crowd, std::size_t i);
 /// After row i has planned its way to `destination` [m]: weighs crossing one street of the zone
 /// between the junctions against that. Where this takes less time, the route leads to the kerb
 /// first. Else it crosses only if a gap comes while it walks along.
-void plan_crossing(CrowdState& crowd, std::size_t i, const Destination& destination);
+void plan_crossing(const CrowdState& crowd, std::size_t i, const Destination& destination,
+                   Ways ways);
 
 /// Row i goes by the junctions after all.
-void go_by_nodes(CrowdState& crowd, std::size_t i);
+void go_by_nodes(const CrowdState& crowd, std::size_t i, Ways ways);
 
 /// The route of row i leads straight across its street, at s [m].
-void head_across(CrowdState& crowd, std::size_t i, double s);
+void head_across(const CrowdState& crowd, std::size_t i, double s, Route& route);
 
-/// Row i, on the carriageway, goes along it to s, then over.
-void head_along(CrowdState& crowd, std::size_t i, double s);
+/// That of row i, which is on the carriageway, leads along it to s, then over.
+void head_along(const CrowdState& crowd, std::size_t i, double s, Route& route);
 
 /// A line straight across a street.
 struct CrossingLine {
@@ -39,8 +40,8 @@ std::optional<CrossingLine> nearest_line(const CrowdState& crowd, std::size_t i,
                                          const std::function<bool(double s)>& is_barred);
 
 /// Row i goes to the nearest place of the kerb that is not barred.
-void move_along_kerb(CrowdState& crowd, std::size_t i,
-                     const std::function<bool(double s)>& is_barred);
+void move_along_kerb(const CrowdState& crowd, std::size_t i,
+                     const std::function<bool(double s)>& is_barred, Ways ways);
 
 /// The walk of row i straight across its street from where it is, start-up and margin as it takes
 /// them at present.

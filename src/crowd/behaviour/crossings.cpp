@@ -95,9 +95,9 @@ Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
   return choice;
 }
 
-void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
+void step_out(const CrowdState& crowd, std::size_t i, const Choice& choice, Ways ways,
               std::vector<CrossingBegun>& begun) {
-  StreetCrossing& crossing = *crowd.crossing(i);
+  StreetCrossing& crossing = ways.crossing(i);
   if (choice.looked) note_gap(choice.view, crossing);
   CrossingBegun event;
   event.handle = crowd.handle(i);
@@ -113,8 +113,8 @@ void step_out(CrowdState& crowd, std::size_t i, const Choice& choice,
   event.rejected = std::move(crossing.rejected);
   begun.push_back(std::move(event));
   crossing.phase = CrossingPhase::kOver;
-  head_across(crowd, i, choice.walk.s);
-  WalkState& walker = crowd.walkers[i];
+  WalkState& walker = ways.walkers[i];
+  head_across(crowd, i, choice.walk.s, walker.route);
   walker.wall_room = {};
   walker.least_left = std::numeric_limits<double>::infinity();
   walker.blocked = 0.0;
@@ -131,18 +131,20 @@ bool is_barred_at(const CrowdState& crowd, std::size_t i, double s) {
 }
 
 /// Of who has not stepped out.
-void wait_or_leave(CrowdState& crowd, std::size_t i, const Choice& choice, double dt) {
-  StreetCrossing& crossing = *crowd.crossing(i);
+void wait_or_leave(const CrowdState& crowd, std::size_t i, const Choice& choice, double dt,
+                   Ways ways) {
+  StreetCrossing& crossing = ways.crossing(i);
   if (choice.considers && choice.looked) note_gap(choice.view, crossing);
   if (!crossing.at_kerb) return;
   const Vec2 kerb = kerb_before(crowd, i, crossing.at);
   if ((kerb - crowd.position(i)).norm() > kAway) crossing.at_kerb = false;
   crossing.waited += dt;
   if (choice.view.barred) {
-    move_along_kerb(crowd, i, [&](double s) { return is_barred_at(crowd, i, s); });
+    const auto barred = [&](double s) { return is_barred_at(crowd, i, s); };
+    move_along_kerb(crowd, i, barred, ways);
   } else if (crossing.waited > crossing.detour) {
     // Whoever does not know how long it will take loses at most as much as it would have saved.
-    go_by_nodes(crowd, i);
+    go_by_nodes(crowd, i, ways);
   }
 }
 
@@ -156,7 +158,7 @@ bool has_come_over(const CrowdState& crowd, std::size_t i, const StreetCrossing&
 
 /// Round vehicles that stand on the line: straight to where it may leave the carriageway, or first
 /// along it where that way is much shorter. False where there is none.
-bool step_aside(CrowdState& crowd, std::size_t i, CrossingWalk walk) {
+bool step_aside(const CrowdState& crowd, std::size_t i, CrossingWalk walk, Route& route) {
   const auto free = nearest_line(crowd, i, walk.s, kAside, kFarAside,
                                  [&](double s) { return is_barred_at(crowd, i, s); });
   if (!free) return false;
@@ -166,34 +168,34 @@ bool step_aside(CrowdState& crowd, std::size_t i, CrossingWalk walk) {
     return is_barred(crowd, i, walk);
   });
   if (straight) {
-    head_across(crowd, i, straight->s);
+    head_across(crowd, i, straight->s, route);
   } else {
-    head_along(crowd, i, free->s);
+    head_along(crowd, i, free->s, route);
   }
   return true;
 }
 
 /// Back to the kerb that it has left, to go by the junctions: it has stood at a lane's edge for as
 /// long as they take, and no gap came.
-void turn_back(CrowdState& crowd, std::size_t i, double s) {
-  StreetCrossing& crossing = *crowd.crossing(i);
+void turn_back(const CrowdState& crowd, std::size_t i, double s, Ways ways) {
+  StreetCrossing& crossing = ways.crossing(i);
   crossing.side = -crossing.side;
   crossing.turned_back = true;
-  head_across(crowd, i, s);
+  head_across(crowd, i, s, ways.walkers[i].route);
 }
 
 /// It is on the ground again, on the other side or where it came from.
-void end_crossing(CrowdState& crowd, std::size_t i) {
+void end_crossing(const CrowdState& crowd, std::size_t i, Ways ways) {
   const Destination destination = crowd.crossing(i)->destination;
   const bool turned_back = crowd.crossing(i)->turned_back;
-  crowd.crossings[crowd.handle(i)].now.reset();
-  crowd.walkers[i].wall_room = {};
+  std::unique_ptr<StreetCrossing>& now = ways.crossings[crowd.handle(i)].now;
+  now.reset();
+  ways.walkers[i].wall_room = {};
   const PathMemory& path = crowd.paths[crowd.handle(i)];
-  start_way(crowd, i, path != nullptr ? path->destination : destination);
-  StreetCrossing* const again = crowd.crossing(i);
-  if (!turned_back || again == nullptr) return;
-  again->turned_back = true;
-  if (again->phase == CrossingPhase::kToKerb) go_by_nodes(crowd, i);
+  start_way(crowd, i, path != nullptr ? path->destination : destination, ways);
+  if (!turned_back || now == nullptr) return;
+  now->turned_back = true;
+  if (now->phase == CrossingPhase::kToKerb) go_by_nodes(crowd, i, ways);
 }
 
 /// Whoever comes out from behind parked cars goes slowly until it sees along the lane.
@@ -205,10 +207,11 @@ void peer_out(const CrowdState& crowd, std::size_t i, const Lookout& lookout,
 }
 
 /// Of who is on the carriageway: how fast, or that it has got over.
-void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt) {
-  StreetCrossing& crossing = *crowd.crossing(i);
+void go_over(const CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt, Ways ways) {
+  StreetCrossing& crossing = ways.crossing(i);
+  Route& route = ways.walkers[i].route;
   if (has_come_over(crowd, i, crossing)) {
-    end_crossing(crowd, i);
+    end_crossing(crowd, i, ways);
     return;
   }
   crossing.hurry = 1.0;
@@ -217,7 +220,7 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt
   const Street& street = street_of(crowd, crossing);
   CrossingWalk walk = walk_across(crowd, i, street.place(crowd.position(i)).s);
   walk.start_up = 0.0;
-  walk.drift = street.place(crowd.walkers[i].route.points.back()).s - walk.s;
+  walk.drift = street.place(route.points.back()).s - walk.s;
   walk.speed = crowd.walkers[i].own_speed;
   const Profile* profile = crowd.walkers[i].profile;
   const double fastest =
@@ -229,14 +232,14 @@ void go_over(CrowdState& crowd, std::size_t i, const Lookout& lookout, double dt
   crossing.room = passage.room;
   if (!passage.committed) peer_out(crowd, i, lookout, walk, crossing);
   if (!passage.barred()) {
-    if (!crowd.walkers[i].route.on_last()) head_across(crowd, i, walk.s + walk.drift);
-  } else if (!step_aside(crowd, i, walk)) {
+    if (!route.on_last()) head_across(crowd, i, walk.s + walk.drift, route);
+  } else if (!step_aside(crowd, i, walk, route)) {
     crossing.room = std::min(crossing.room, passage.standing);
   }
   if (crowd.velocity(i).norm() >= kHaltingSpeed) return;
   crossing.waited += dt;
   const bool in_vain = !passage.committed && crossing.waited > crossing.detour;
-  if (in_vain && !crossing.turned_back) turn_back(crowd, i, walk.s);
+  if (in_vain && !crossing.turned_back) turn_back(crowd, i, walk.s, ways);
 }
 
 /// The slowest speed of each walker's group [m/s]; its own, of who is alone.
@@ -288,9 +291,10 @@ bool is_at_street(const CrowdState& crowd, std::size_t i) {
          alongside(crowd, i, *crossing).open;
 }
 
-void come_to_kerb(CrowdState& crowd, std::size_t i) { crowd.crossing(i)->at_kerb = true; }
+void come_to_kerb(StreetCrossing& crossing) { crossing.at_kerb = true; }
 
-void cross_streets(CrowdState& crowd, double dt, std::vector<CrossingBegun>& begun) {
+void cross_streets(const CrowdState& crowd, double dt, Ways ways,
+                   std::vector<CrossingBegun>& begun) {
   if (crowd.zone.streets.empty()) return;
   const std::size_t walking = crowd.persons.walking;
   const Lookout lookout(crowd);
@@ -306,11 +310,11 @@ void cross_streets(CrowdState& crowd, double dt, std::vector<CrossingBegun>& beg
     const StreetCrossing* const crossing = crowd.crossing(i);
     if (crossing == nullptr) continue;
     if (crossing->phase == CrossingPhase::kOver) {
-      go_over(crowd, i, lookout, dt);
+      go_over(crowd, i, lookout, dt, ways);
     } else if (choices[i].ready) {
-      step_out(crowd, i, choices[i], begun);
+      step_out(crowd, i, choices[i], ways, begun);
     } else {
-      wait_or_leave(crowd, i, choices[i], dt);
+      wait_or_leave(crowd, i, choices[i], dt, ways);
     }
   }
 }

@@ -7,49 +7,49 @@ namespace pedzone {
 namespace {
 
 /// Plans the way of row i to `destination`, and starts its clocks anew.
-void plan_way(CrowdState& crowd, std::size_t i, const Destination& destination) {
-  WalkState& walker = crowd.walkers[i];
+void plan_way(const CrowdState& crowd, std::size_t i, const Destination& destination, Ways ways) {
+  WalkState& walker = ways.walkers[i];
   const Vec2 here = crowd.position(i);
   if (crowd.is_over(i)) {  // gets over first
-    crowd.crossing(i)->destination = destination;
+    ways.crossing(i).destination = destination;
     return;
   }
   plan(crowd.zone, here, crowd.persons.radius[i], destination, walker.route);
-  plan_crossing(crowd, i, destination);
+  plan_crossing(crowd, i, destination, ways);
   walker.planned = crowd.clock.substep;
   walker.entered = walker.arrived = walker.gave_up = false;
   walker.least_left = std::numeric_limits<double>::infinity();
   walker.blocked = 0.0;
-  crowd.jams[walker.handle] = {};
+  ways.jams[walker.handle] = {};
   const Vec2 to_goal = heading_point(walker.route, here) - here;
-  crowd.persons.goal_direction[i] = angle_of(to_goal);
-  crowd.persons.goal_distance[i] = to_goal.norm();
+  ways.persons.goal_direction[i] = angle_of(to_goal);
+  ways.persons.goal_distance[i] = to_goal.norm();
 }
 
 /// Plans the way to the current waypoint, or to the first one after it to which there is any way:
 /// walls do not move, so that patience would not help.
-void plan_leg(CrowdState& crowd, std::size_t i) {
-  PathMemory& path = crowd.paths[crowd.handle(i)];
+void plan_leg(const CrowdState& crowd, std::size_t i, Ways ways) {
+  PathMemory& path = ways.paths[crowd.handle(i)];
   for (; path->next < path->waypoints.size(); ++path->next) {
     const Vec2& at = path->waypoints[path->next].at;
-    plan_way(crowd, i, {at, at});
+    plan_way(crowd, i, {at, at}, ways);
     if (crowd.walkers[i].route.found) return;
   }
   const Destination destination = path->destination;
   path.reset();
-  plan_way(crowd, i, destination);
+  plan_way(crowd, i, destination, ways);
 }
 
 }  // namespace
 
-void start_way(CrowdState& crowd, std::size_t i, const Destination& destination) {
-  crowd.walkers[i].waits = false;
-  const PathMemory& path = crowd.paths[crowd.handle(i)];
+void start_way(const CrowdState& crowd, std::size_t i, const Destination& destination, Ways ways) {
+  ways.walkers[i].waits = false;
+  const PathMemory& path = ways.paths[crowd.handle(i)];
   if (path == nullptr) {
-    plan_way(crowd, i, destination);
+    plan_way(crowd, i, destination, ways);
   } else {
     path->destination = destination;
-    plan_leg(crowd, i);
+    plan_leg(crowd, i, ways);
   }
 }
 
@@ -59,9 +59,9 @@ bool comes_by(const WallIndex& walls, const Waypoint& waypoint, const Vec2& from
   return (nearest - waypoint.at).norm() <= waypoint.radius && walls.free_line(nearest, waypoint.at);
 }
 
-void leave_waypoint(CrowdState& crowd, std::size_t i) {
-  ++crowd.paths[crowd.handle(i)]->next;
-  plan_leg(crowd, i);
+void leave_waypoint(const CrowdState& crowd, std::size_t i, Ways ways) {
+  ++ways.paths[crowd.handle(i)]->next;
+  plan_leg(crowd, i, ways);
 }
 
 }  // namespace pedzone

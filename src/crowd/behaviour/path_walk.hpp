@@ -7,7 +7,7 @@ namespace pedzone {
 
 /// Plans the way of row i from where it stands: to the current waypoint of its path, if any is
 /// left, else to `destination`. It has not arrived.
-void start_way(CrowdState& crowd, std::size_t i, const Destination& destination);
+void start_way(const CrowdState& crowd, std::size_t i, const Destination& destination, Ways ways);
 
 /// Whether who moves from `from` to `to` [m] comes by the waypoint: within its radius and with
 /// nothing but air between, for who passes outside the wall of a yard has not been inside.
@@ -15,6 +15,6 @@ bool comes_by(const WallIndex& walls, const Waypoint& waypoint, const Vec2& from
 
 /// Row i, which has a path, goes on to the next waypoint or, after the last, to its destination.
 /// From there on it is a person without a path.
-void leave_waypoint(CrowdState& crowd, std::size_t i);
+void leave_waypoint(const CrowdState& crowd, std::size_t i, Ways ways);
 
 }  // namespace pedzone

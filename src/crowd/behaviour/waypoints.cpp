@@ -52,11 +52,12 @@ bool reaches(const Route& route, double radius, const Vec2& from, const Vec2& to
 /// One person's look at its way.
 class Follower {
  public:
-  Follower(CrowdState& crowd, std::size_t i, std::uint64_t substeps)
+  Follower(const CrowdState& crowd, std::size_t i, std::uint64_t substeps, Ways ways)
       : crowd_(crowd),
         row_(i),
+        ways_(ways),
         walls_(crowd.zone.walls),
-        walker_(crowd.walkers[i]),
+        walker_(ways.walkers[i]),
         route_(walker_.route),
         here_(crowd.position(i)),
         radius_(crowd.persons.radius[i]),
@@ -152,7 +153,7 @@ class Follower {
     }
     if (walker_.blocked < patience(crowd_.zone, walker_)) return;
     if (crowd_.paths[walker_.handle] != nullptr) {
-      leave_waypoint(crowd_, row_);
+      leave_waypoint(crowd_, row_, ways_);
       return;
     }
     walker_.least_left = left;
@@ -173,8 +174,9 @@ class Follower {
            info_of(crowd_.activities[walker_.handle].activity).speed <= 0.0;
   }
 
-  CrowdState& crowd_;
+  const CrowdState& crowd_;
   std::size_t row_;
+  Ways ways_;
   const WallIndex& walls_;
   WalkState& walker_;
   Route& route_;
@@ -186,11 +188,11 @@ class Follower {
 
 }  // namespace
 
-void follow_waypoints(CrowdState& crowd, double dt, std::uint64_t substeps) {
-  Persons& persons = crowd.persons;
+void follow_waypoints(const CrowdState& crowd, double dt, std::uint64_t substeps, Ways ways) {
+  Persons& persons = ways.persons;
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      WalkState& walker = crowd.walkers[i];
+      WalkState& walker = ways.walkers[i];
       const Vec2 from(crowd.moves.x[i], crowd.moves.y[i]), to = crowd.position(i);
       walker.standing = (to - from).norm() < kHaltingSpeed * dt ? walker.standing + dt : 0.0;
       if (!walker.arrived && !crowd.is_over(i)) {
@@ -198,13 +200,13 @@ void follow_waypoints(CrowdState& crowd, double dt, std::uint64_t substeps) {
         const bool to_kerb = crossing != nullptr && crossing->phase == CrossingPhase::kToKerb;
         const PathMemory& path = crowd.paths[walker.handle];
         if (path != nullptr && comes_by(crowd.zone.walls, current(*path), from, to)) {
-          leave_waypoint(crowd, i);
+          leave_waypoint(crowd, i, ways);
         } else if (to_kerb && reaches(walker.route, persons.radius[i], from, to)) {
-          come_to_kerb(crowd, i);
+          come_to_kerb(ways.crossing(i));
         } else if (!to_kerb && path == nullptr && reaches(walker.route, persons.radius[i], from, to)) {
           walker.arrived = true;
         } else {
-          Follower(crowd, i, substeps).follow(dt);
+          Follower(crowd, i, substeps, ways).follow(dt);
         }
       }
       if (walker.arrived && !crowd.decisions[i].escapes) persons.vx[i] = persons.vy[i] = 0.0;

@@ -6,8 +6,7 @@
 namespace pedzone {
 
 /// Once everybody is where `dt` [s] have brought it, a substep or a step of so many `substeps`: who
-/// goes on to the next waypoint, plans anew, loses patience or has arrived. Writes routes, paths,
-/// and what walkers tell of both.
-void follow_waypoints(CrowdState& crowd, double dt, std::uint64_t substeps = 1);
+/// goes on to the next waypoint, plans anew, loses patience or has arrived.
+void follow_waypoints(const CrowdState& crowd, double dt, std::uint64_t substeps, Ways ways);
 
 }  // namespace pedzone

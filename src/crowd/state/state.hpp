@@ -96,6 +96,19 @@ struct Clock {
   std::uint64_t person_steps = 0;  ///< substeps of all persons, added up
 };
 
+/// What those write who plan ways and follow them. To plan a way starts its clocks, and those of
+/// jams, anew; it sets the goal at once.
+struct Ways {
+  std::vector<WalkState>& walkers;
+  ByHandle<PathMemory>& paths;
+  ByHandle<CrossingMemory>& crossings;
+  ByHandle<JamMemory>& jams;
+  Persons& persons;
+
+  /// The street that row i has to cross: it has one.
+  StreetCrossing& crossing(std::size_t i) { return *crossings[walkers[i].handle].now; }
+};
+
 struct CrowdState {
   CrowdState(const Zone& its_zone, std::uint64_t its_seed, std::unique_ptr<WalkingModel> its_model)
       : zone(its_zone), seed(its_seed), model(std::move(its_model)) {}
@@ -149,6 +162,8 @@ struct CrowdState {
   bool solid_vehicles = true;               ///< bodies are kept out of vehicles
   bool kept_out = false;                    ///< one ever was
 
+  Ways ways() { return {walkers, paths, crossings, jams, persons}; }
+
   /// Row of the first of crowd.seen.
   std::size_t first_seen() const { return persons.walking + others; }
   Vec2 position(std::size_t i) const { return {persons.x[i], persons.y[i]}; }
@@ -156,9 +171,6 @@ struct CrowdState {
   PersonHandle handle(std::size_t i) const { return walkers[i].handle; }
   /// The street that row i may cross; null: none.
   const StreetCrossing* crossing(std::size_t i) const {
-    return zone.streets.empty() ? nullptr : crossings[handle(i)].now.get();
-  }
-  StreetCrossing* crossing(std::size_t i) {
     return zone.streets.empty() ? nullptr : crossings[handle(i)].now.get();
   }
   /// Whether row i is on a carriageway between the junctions.
