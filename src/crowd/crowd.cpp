@@ -24,7 +24,6 @@ constexpr double kLeastRadius = 0.05;  // [m] numerical: a body is never a point
 constexpr double kMostRadius = 1.0;    // [m] as Persons::radius
 constexpr double kLeastSpeed = 1e-3;   // [m/s] numerical: models divide by the preferred speed;
                                        // at this one a person stands
-constexpr double kMostSpeed = 5.0;     // [m/s] as Persons::preferred_speed
 constexpr double kAtHand = 2.0;        // [m] assumed: who waits at a kerb steps to and fro so far
 
 bool finite(const VehicleState& v) {

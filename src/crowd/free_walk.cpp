@@ -1,11 +1,10 @@
 #include "crowd/free_walk.hpp"
 
-#include "crowd/behaviour/crossings.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "crowd/behaviour/crossings.hpp"
 #include "crowd/state/parallel.hpp"
 #include "model/senses.hpp"
 #include "model/vehicle_view.hpp"
@@ -40,16 +39,16 @@ std::vector<Traffic> traffic_of(const CrowdState& crowd, double dt) {
 }
 
 /// Whether it walks along its route as it likes, and has nothing else to do.
-bool strolls(const CrowdState& crowd, std::size_t i) {
+bool walks_undisturbed(const CrowdState& crowd, std::size_t i) {
   const WalkState& walker = crowd.walkers[i];
   const PersonHandle handle = walker.handle;
   const ActivityMemory& activity = crowd.activities[handle];
-  const bool held_up = walker.new_here || walker.arrived || walker.waits || walker.pressed ||
-                       walker.standing > 0.0 || crowd.jams[handle].squeezes() ||
-                       crowd.persons.present_radius[i] != crowd.persons.radius[i];
+  const bool hindered = walker.new_here || walker.arrived || walker.waits || walker.pressed ||
+                        walker.standing > 0.0 || crowd.jams[handle].squeezes() ||
+                        crowd.persons.present_radius[i] != crowd.persons.radius[i];
   const bool busy = activity.activity != Activity::kNone || activity.dash > 0.0 ||
                     std::ranges::any_of(activity.rates, [](float rate) { return rate > 0.0F; });
-  return !held_up && !busy && crowd.groups[handle].group == 0 && crowd.paths[handle] == nullptr &&
+  return !hindered && !busy && crowd.groups[handle].group == 0 && crowd.paths[handle] == nullptr &&
          walker.route.found && !walker.entered && !is_at_street(crowd, i);
 }
 
@@ -107,7 +106,7 @@ std::vector<std::uint8_t> find_free(CrowdState& crowd, double dt) {
       const auto minds = [&](const Traffic& vehicle) {
         return (vehicle.centre - crowd.position(i)).norm() < vehicle.reach + way;
       };
-      free[i] = strolls(crowd, i) && room_ahead(crowd, i, way) &&
+      free[i] = walks_undisturbed(crowd, i) && room_ahead(crowd, i, way) &&
                         nobody_within_reach(crowd, i, way, most, widest, dt) &&
                         std::ranges::none_of(traffic, minds)
                     ? 1

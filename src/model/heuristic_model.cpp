@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-/// [s] assumed: a person whom a vehicle would reach so soon minds nothing but to get out of its way
-/// (the last-metre guard of those who give way by discomfort).
-constexpr double kLastMoment = 1.0;
-
 /// Unit vector.
 struct Heading {
   float x, y;

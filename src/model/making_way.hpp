@@ -6,6 +6,10 @@
 
 namespace pedzone {
 
+/// [s] assumed: a person whom a vehicle would reach so soon minds nothing but to get out of its
+/// way: the last-moment guard of those who give way by discomfort, and of a child and its adult.
+inline constexpr double kLastMoment = 1.0;
+
 /// How somebody gets out of the way.
 struct Haste {
   float soon = 1.0F;             ///< [s] so much time there is
@@ -14,12 +18,14 @@ struct Haste {
   bool stays = false;            ///< it goes nowhere: it takes the shortest way out
 };
 
-/// Standing is no way out for that person, though Eq. 1 and 2 price it at 0 and any way back at
-/// more. So only those directions count in which it is beside the way of every vehicle it is aware
-/// of before that touches it; where there is none, those that lack least time for it, since the
-/// vehicle may brake; and where there is no room beside it, those that keep clear longest. Among
-/// them Eq. 1 or 2 decide, over the whole circle. The person is taken to walk with a mean of its
-/// velocity and of what that relaxes to, and to stop where something that stands blocks it.
+/// Eq. 1 and 2 price standing at 0 and any way back at more, but for this person standing is no way
+/// out. So only some directions count:
+/// - those in which the person gets beside the way of every vehicle it is aware of, before the
+///   vehicle touches it;
+/// - where there is none, those that lack least time for that: the vehicle may brake;
+/// - where there is no room beside the way, those that keep clear of vehicles longest.
+/// Among these Eq. 1 or 2 decide, over the whole circle. The person is taken to walk with a mean of
+/// its velocity and of what that relaxes to. It stops where something that stands blocks it.
 class MakingWay {
  public:
   PacedChoice choose(const Walker& walker, const Surroundings& surroundings,

@@ -267,7 +267,7 @@ bool holds_back(const CrowdState& crowd, std::size_t j, std::size_t i,
 
 /// A group steps out together: nobody who has one that is not ready yet does.
 void hold_groups_together(const CrowdState& crowd, std::vector<Choice>& choices) {
-  std::vector<std::size_t> held;
+  std::vector<std::size_t> not_ready;
   for_each_group(crowd.members, [&](std::span<const GroupMember> group) {
     for (const GroupMember& member : group) {
       const std::size_t i = member.row;
@@ -276,10 +276,10 @@ void hold_groups_together(const CrowdState& crowd, std::vector<Choice>& choices)
       const auto holds = [&](const GroupMember& other) {
         return holds_back(crowd, other.row, i, choices);
       };
-      if (std::ranges::any_of(group, holds)) held.push_back(i);
+      if (std::ranges::any_of(group, holds)) not_ready.push_back(i);
     }
   });
-  for (const std::size_t i : held) choices[i].ready = false;
+  for (const std::size_t i : not_ready) choices[i].ready = false;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "crowd/behaviour/groups.hpp"
 #include "crowd/sense/danger.hpp"
+#include "model/making_way.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
@@ -26,7 +27,6 @@ constexpr double kLead = 0.5;       // [s] assumed: a child goes to where its ad
 constexpr double kOtherSide = 1.0;  // [m] assumed: so far aside a vehicle makes them change sides
 constexpr double kHandShare = 0.9;  // assumed: of the child's speed, so that it keeps up
 constexpr double kCatchUpShare = 0.5;      // assumed: while the child is behind
-constexpr double kLastMoment = 1.0;        // [s] as the models' last-moment guard
 constexpr double kLastMomentMargin = 0.1;  // [m] numerical
 constexpr double kRound = kPi / 3.0;       // [rad] numerical: of the way round the adult at a time
 

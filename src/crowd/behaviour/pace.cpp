@@ -5,11 +5,6 @@
 #include "crowd/state/parallel.hpp"
 
 namespace pedzone {
-namespace {
-
-constexpr double kMost = 5.0;  // [m/s] as Persons::preferred_speed
-
-}  // namespace
 
 void set_paces(const CrowdState& crowd, std::vector<double>& preferred_speed) {
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
@@ -20,7 +15,7 @@ void set_paces(const CrowdState& crowd, std::vector<double>& preferred_speed) {
       preferred_speed[i] =
           walker.own_speed * crowd.zone.weather->speed * (share > 0.0 ? share : 1.0);
       if (const StreetCrossing* crossing = crowd.crossing(i)) {
-        preferred_speed[i] = std::min(preferred_speed[i] * crossing->hurry, kMost);
+        preferred_speed[i] = std::min(preferred_speed[i] * crossing->hurry, kMostSpeed);
       }
       if (memory.dash > 0.0) preferred_speed[i] = walker.profile->top_speed;
     }

@@ -187,6 +187,9 @@ struct CrowdState {
 /// [s] assumed: so long slower than walking, a person stands.
 constexpr double kStandingTime = 1.0;
 
+/// [m/s] fastest preferred speed, as Persons::preferred_speed.
+constexpr double kMostSpeed = 5.0;
+
 /// Substeps are at most this long [s].
 constexpr double kLongestSubstep = 0.1;
 
