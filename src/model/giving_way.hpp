@@ -1,23 +1,36 @@
-// Giving way to moving vehicles: direction and speed chosen together, by a discomfort that grows
-// before contact. Source: the formulation of vehicle.md, fitted to recordings by `pedzone
+// Giving way to moving vehicles: direction and speed are chosen together, by a discomfort that
+// grows before contact. Source: the formulation of vehicle.md, fitted to recordings by `pedzone
 // calibrate`.
 //
-// Eq. 1 or 2 gets a further term. Of directions α and speed shares s ∈ {1, 1.2, ½, 0} (1.2 as far
-// as the person can walk so fast) that pair is chosen for which
+// Eq. 1 or 2 gets a further term. Chosen are the direction α and the share s of the speed with the
+// least
 //     d(α) + d_max²·[k·h(α, s) + w·(1 − s)²]
-// is smallest, w being another one for hurrying (s > 1) than for slowing down, h the worst
-// discomfort that any vehicle is within the next T, if it keeps its velocity and the person is
-// taken to stop where something that stands blocks its way (a wall it cannot walk through is no way
-// out), with the margin m = (m0 + m_v·|v|)·(1 + r·a)·exp(σ·z), z each person's own standard normal
-// number, a = max(0, cos) of the angle between the vehicle's velocity and the person's heading:
-// what comes from behind cannot be watched. A slow vehicle's margin fades: a parked one is passed
-// close. With k = 0 nothing is left of it.
+// where a vehicle is a discomfort within the margin
+//     m = (m0 + m_v·|v|)·(1 + r·a)·exp(σ·z)
 //
-// Who has chosen so walks on before or beside a car of little more than its own speed for as long
-// as that drives, since every choice looks T ahead only. So it slows down until such a car is past:
-// by the share p·a·g·(1 − c/8 m), c its distance now, g from 0 where a·|v| is V to 1 at 1.5 V. On
-// the recordings (CITR, back) people slow down from about 6 m on, to 0.87 of their speed beside it.
-// Before one that comes towards them they slow down a little, too (CITR, front).
+//   d, d_max     as in Eq. 1 and 2
+//   s            1, 1.2, ½ or 0; 1.2 only as far as the person can walk so fast
+//   h            the worst discomfort that any vehicle is within the next T. The vehicle keeps its
+//                velocity v. The person stops where something that stands blocks its way: a wall
+//                is no way out
+//   k            weight of the discomfort; 0: there is no further term
+//   w            what another speed costs: one w for hurrying (s > 1), one for slowing down
+//   m0, m_v, r   parameters of the margin
+//   a            max(0, cosine) of the angle between v and the person's heading: what comes from
+//                behind cannot be watched
+//   σ, z         by how much people differ, and each person's own standard normal number
+//
+// A slow vehicle's margin fades: a parked one is passed close.
+//
+// Every choice looks T ahead only. So a person would walk on before or beside a car of little more
+// than its own speed V for as long as that drives. Instead it slows down until such a car is past,
+// by the share
+//     p·a·g·(1 − c/8 m)
+//   p            a parameter (`lettingPass`)
+//   g            from 0 where a·|v| is V to 1 at 1.5 V
+//   c            distance of the car now
+// On the recordings (CITR, back) people slow down from about 6 m on, to 0.87 of their speed beside
+// it. Before one that comes towards them they slow down a little, too (CITR, front).
 #pragma once
 
 #include <span>

@@ -1,8 +1,8 @@
 // Room for vehicles that people hold up: those in the way step out of it, those beside it wait.
 //
-// Where the claims of two vehicles meet, people who may neither stay in the one nor step into the
-// other hold up both for ever. So vehicles have their turns: who has claimed room for longest is
-// first, and who is in its room is not held back by the claims of those after it.
+// Where the claims of two vehicles meet, somebody may neither stay in the one nor step into the
+// other, and would hold up both for ever. So vehicles have their turns. Who has claimed room for
+// longest is first. A person in its room is not held back by the claims of those after it.
 #pragma once
 
 #include <optional>
@@ -30,9 +30,9 @@ double room_beside_claims(const CrowdState& crowd, std::size_t i);
 /// Whether the claim and the body of a vehicle are out of reach: cheap and generous.
 bool far_from(const VehicleState& vehicle, const Vec2& point);
 
-/// Calls visit(vehicle, place) for the claims that row i minds, in the order of their turns: those
-/// near whose room it is not in (place: nothing), up to the first in whose room it is or that it
-/// holds up from beside.
+/// Calls visit(vehicle, place) for the claims near row i that it minds, in the order of their
+/// turns. `place`: where it is in the claimed room; nothing where it is not in it. The first claim
+/// that it is in, or that it holds up from beside, is the last one that it minds.
 template <class Visit>
 void visit_claims(const CrowdState& crowd, std::size_t i, const Visit& visit) {
   const Vec2 here = crowd.position(i);

@@ -17,8 +17,8 @@ struct WallRoom {
   }
 };
 
-/// Where a body of `radius` [m] at `from` gets to that wants to be at `to`. `room` is that of
-/// `from`: walls are looked up only where it does not suffice.
+/// A body of `radius` [m] at `from` wants to be at `to`: where it gets to. `room` is that around
+/// `from`. Walls are looked up only where that is too little, and `room` is then measured anew.
 Vec2 kept_inside(const WallIndex& walls, const Vec2& from, const Vec2& to, double radius,
                  WallRoom& room);
 
