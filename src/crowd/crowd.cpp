@@ -26,8 +26,8 @@ constexpr double kLeastSpeed = 1e-3;   // [m/s] numerical: models divide by the 
                                        // at this one a person stands
 constexpr double kAtHand = 2.0;        // [m] assumed: who waits at a kerb steps to and fro so far
 
-bool finite(const VehicleState& v) {
-  return pedzone::finite(v.centre) && pedzone::finite(v.velocity) && std::isfinite(v.heading) &&
+bool is_finite(const VehicleState& v) {
+  return finite(v.centre) && finite(v.velocity) && std::isfinite(v.heading) &&
          std::isfinite(v.yaw_rate) && std::isfinite(v.length) && std::isfinite(v.width);
 }
 
@@ -48,6 +48,71 @@ std::optional<Zebra> zebra_used(const CrowdState& crowd, std::size_t i) {
 }
 
 double speed_in_range(double speed) { return std::clamp(speed, kLeastSpeed, kMostSpeed); }
+
+void require_finite(const NewPerson& person) {
+  require(finite(person.position), "a position");
+  require(finite(person.velocity) && std::isfinite(person.heading), "a velocity or heading");
+  require(finite(person.destination.a) && finite(person.destination.b), "a destination");
+  require(std::isfinite(person.radius), "a radius");
+  for (const Waypoint& waypoint : person.path) {
+    require(finite(waypoint.at) && std::isfinite(waypoint.radius), "a waypoint");
+  }
+  require(std::isfinite(person.preferred_speed), "a preferred speed");
+}
+
+/// Row i becomes that person, at `place` [m].
+void put_there(const NewPerson& person, const Vec2& place, std::size_t i, CrowdState& crowd) {
+  Persons& persons = crowd.persons;
+  WalkState& walker = crowd.walkers[i];
+  const double preferred = speed_in_range(person.preferred_speed);
+  const double speed = person.velocity.norm();
+  const Vec2 velocity =
+      speed > preferred ? Vec2(person.velocity * (preferred / speed)) : person.velocity;
+  persons.key[i] = person.key;
+  persons.x[i] = place.x();
+  persons.y[i] = place.y();
+  persons.vx[i] = velocity.x();
+  persons.vy[i] = velocity.y();
+  persons.heading[i] = wrap_angle(person.heading);
+  persons.preferred_speed[i] = walker.own_speed = preferred;
+  walker.profile = person.profile;
+  // The variation starts in its stationary state, with the number of the substep before.
+  walker.heading_noise =
+      crowd.zone.parameters.heading_noise * kPi / 180.0 *
+      random_normal(crowd.seed, person.key, crowd.clock.substep - 1, Purpose::kHeadingNoise);
+}
+
+/// How wide row i is, with a body of `radius` [m].
+void set_widths(const NewPerson& person, double radius, std::size_t i, CrowdState& crowd) {
+  Persons& persons = crowd.persons;
+  WalkState& walker = crowd.walkers[i];
+  walker.turned_width =
+      static_cast<float>(person.profile != nullptr ? person.profile->turned_width
+                                                   : crowd.zone.parameters.turned_width);
+  walker.full_radius = static_cast<float>(radius);
+  persons.radius[i] = walker.full_radius;
+  persons.turned_radius[i] = static_cast<double>(walker.turned_width * walker.full_radius);
+  persons.present_radius[i] = persons.turned_radius[i];  // until it is known who is near
+}
+
+/// What behaviours know of the person from the start.
+void remember(const NewPerson& person, PersonHandle handle, CrowdState& crowd) {
+  crowd.groups[handle].group = person.group;
+  if (person.group != 0) ++crowd.grouped;
+  std::ranges::copy(person.rates, crowd.activities[handle].rates.begin());
+  if (!crowd.zone.streets.empty()) crowd.crossings[handle].by_junctions = person.by_junctions;
+  const double awareness = person.profile != nullptr ? person.profile->awareness : 1.0;
+  crowd.traffic[handle].aware = person.aware.value_or(
+      random_uniform(crowd.seed, person.key, 0, Purpose::kAwareness) < awareness);
+}
+
+/// By the user's waypoints; else from `place` [m] through shade, where the zone has any; else null.
+PathMemory path_of(const NewPerson& person, const Vec2& place, const Zone& zone) {
+  std::vector<Waypoint> path = person.path;
+  if (path.empty()) path = way_through_shade(zone, place, person.destination);
+  if (path.empty()) return nullptr;
+  return std::make_unique<PathWalk>(PathWalk{std::move(path), 0, person.destination});
+}
 
 }  // namespace
 
@@ -72,6 +137,16 @@ struct Crowd::State : CrowdState {
     jams.begin(handle);
     if (!zone.streets.empty()) crossings.begin(handle);
     return handle;
+  }
+
+  /// Of a person of whom nothing is known yet.
+  std::size_t new_row() {
+    const Handle handle = new_handle();
+    const std::size_t i = persons.walking++;
+    resize_rows(persons, persons.walking);
+    walkers.emplace_back().handle = handle;
+    row[handle] = static_cast<std::uint32_t>(i);
+    return i;
   }
 
   /// Puts row `from` where row `to` is.
@@ -108,67 +183,20 @@ Crowd::Crowd(Crowd&&) noexcept = default;
 Crowd& Crowd::operator=(Crowd&&) noexcept = default;
 
 Crowd::Handle Crowd::add(const NewPerson& person) {
+  require_finite(person);
   State& state = *state_;
-  require(finite(person.position), "a position");
-  require(finite(person.velocity) && std::isfinite(person.heading), "a velocity or heading");
-  require(finite(person.destination.a) && finite(person.destination.b), "a destination");
-  require(std::isfinite(person.radius), "a radius");
-  for (const Waypoint& waypoint : person.path) {
-    require(finite(waypoint.at) && std::isfinite(waypoint.radius), "a waypoint");
-  }
-  require(std::isfinite(person.preferred_speed), "a preferred speed");
   const double radius = std::clamp(person.radius, kLeastRadius, kMostRadius);
-  const double preferred = speed_in_range(person.preferred_speed);
   Vec2 place = state.zone.walls.nearest_inside(person.position, radius);
   if (person.place_freely) place = free_place(state, place, radius);
 
-  Persons& persons = state.persons;
-  const std::size_t i = persons.walking++;
-  resize_rows(persons, persons.walking);
-  state.walkers.emplace_back();
-  const double speed = person.velocity.norm();
-  const Vec2 velocity =
-      speed > preferred ? Vec2(person.velocity * (preferred / speed)) : person.velocity;
-  persons.x[i] = place.x();
-  persons.y[i] = place.y();
-  persons.vx[i] = velocity.x();
-  persons.vy[i] = velocity.y();
-  persons.heading[i] = wrap_angle(person.heading);
-  WalkState& walker = state.walkers[i];
-  walker.turned_width =
-      static_cast<float>(person.profile != nullptr ? person.profile->turned_width
-                                                   : state.zone.parameters.turned_width);
-  walker.full_radius = static_cast<float>(radius);
-  persons.radius[i] = walker.full_radius;
-  persons.turned_radius[i] = static_cast<double>(walker.turned_width * walker.full_radius);
-  persons.present_radius[i] = persons.turned_radius[i];  // until it is known who is near
-  persons.preferred_speed[i] = preferred;
-  persons.key[i] = person.key;
-  walker.handle = state.new_handle();
-  walker.profile = person.profile;
-  state.groups[walker.handle].group = person.group;
-  if (person.group != 0) ++state.grouped;
-  std::ranges::copy(person.rates, state.activities[walker.handle].rates.begin());
-  walker.own_speed = preferred;
-  if (!state.zone.streets.empty()) {
-    state.crossings[walker.handle].by_junctions = person.by_junctions;
-  }
-  const double awareness = person.profile != nullptr ? person.profile->awareness : 1.0;
-  state.traffic[walker.handle].aware = person.aware.value_or(
-      random_uniform(state.seed, person.key, 0, Purpose::kAwareness) < awareness);
-  state.row[walker.handle] = static_cast<std::uint32_t>(i);
-  // The variation starts in its stationary state, with the number of the substep before.
-  walker.heading_noise =
-      state.zone.parameters.heading_noise * kPi / 180.0 *
-      random_normal(state.seed, person.key, state.clock.substep - 1, Purpose::kHeadingNoise);
-  std::vector<Waypoint> path = person.path;
-  if (path.empty()) path = way_through_shade(state.zone, place, person.destination);
-  if (!path.empty()) {
-    state.paths[walker.handle] =
-        std::make_unique<PathWalk>(PathWalk{std::move(path), 0, person.destination});
-  }
+  const std::size_t i = state.new_row();
+  const Handle handle = state.handle(i);
+  put_there(person, place, i, state);
+  set_widths(person, radius, i, state);
+  remember(person, handle, state);
+  state.paths[handle] = path_of(person, place, state.zone);
   start_way(state, i, person.destination, state.ways());
-  return walker.handle;
+  return handle;
 }
 
 void Crowd::remove(Handle handle) {
@@ -206,7 +234,7 @@ void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
   if (!(dt > 0.0) || !std::isfinite(dt)) return;
   std::vector<VehicleState>& present = state_->vehicles;
   present.assign(vehicles.begin(), vehicles.end());
-  std::erase_if(present, [](const VehicleState& vehicle) { return !finite(vehicle); });
+  std::erase_if(present, [](const VehicleState& vehicle) { return !is_finite(vehicle); });
   if (state_->persons.walking > 0) {
     for (VehicleState& vehicle : present) {
       vehicle.apart = keeps_apart(state_->zone.walls, vehicle);
