@@ -16,10 +16,17 @@ namespace {
 constexpr double kGap = 1.0;    // [m] assumed: left between bodies that hurry towards each other
 constexpr double kAhead = 1.0;  // [m] assumed: what somebody heads for is farther than the step
 
-/// A place where people may mind a vehicle within the step.
+/// A vehicle that people may mind within the step.
 struct Traffic {
   Vec2 centre;
-  double reach;  ///< [m]
+  float noticed;   ///< [m] within which it is seen, or its horn is heard
+  float loudness;  ///< as of VehicleShape; 0: its horn is all that is heard
+  double around;   ///< [m] more: its body, its claim, its way within the step
+
+  /// [m] from its centre, within which somebody of that hearing [m] may mind it.
+  double reach(float hearing) const {
+    return static_cast<double>(std::max(noticed, hearing * loudness)) + around;
+  }
 };
 
 std::vector<Traffic> traffic_of(const CrowdState& crowd, double dt) {
@@ -27,15 +34,21 @@ std::vector<Traffic> traffic_of(const CrowdState& crowd, double dt) {
   std::vector<Traffic> traffic;
   for (const VehicleState& vehicle : crowd.vehicles) {
     if (vehicle.apart) continue;
-    const auto speed = static_cast<float>(vehicle.velocity.norm());
-    const float heard =
-        vehicle.horn ? kHornReach : senses.hearing * loudness_of(speed, vehicle.electric);
-    const auto range = static_cast<double>(std::max(senses.vehicle_sight, heard));
+    const double speed = vehicle.velocity.norm();
     const double body = 0.5 * std::hypot(vehicle.length, vehicle.width);
     traffic.push_back(
-        {vehicle.centre, range + body + vehicle.claim + vehicle.velocity.norm() * dt});
+        {vehicle.centre, std::max(senses.vehicle_sight, vehicle.horn ? kHornReach : 0.0F),
+         vehicle.horn ? 0.0F : loudness_of(static_cast<float>(speed), vehicle.electric),
+         body + vehicle.claim + speed * dt});
   }
   return traffic;
+}
+
+/// [m] Who hears less than most is taken to hear as they do: it walks in substeps more often.
+float hearing_of(const CrowdState& crowd, std::size_t i) {
+  const Profile* const profile = crowd.walkers[i].profile;
+  const double usual = crowd.zone.parameters.hearing;
+  return static_cast<float>(profile != nullptr ? std::max(usual, profile->hearing) : usual);
 }
 
 /// Whether it walks along its route as it likes, and has nothing else to do.
@@ -103,8 +116,9 @@ std::vector<std::uint8_t> find_free(CrowdState& crowd, double dt) {
   for_each_block(persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const double way = longest_way(crowd, i, dt);
+      const float hearing = hearing_of(crowd, i);
       const auto minds = [&](const Traffic& vehicle) {
-        return (vehicle.centre - crowd.position(i)).norm() < vehicle.reach + way;
+        return (vehicle.centre - crowd.position(i)).norm() < vehicle.reach(hearing) + way;
       };
       free[i] = walks_undisturbed(crowd, i) && room_ahead(crowd, i, way) &&
                         nobody_within_reach(crowd, i, way, most, widest, dt) &&

@@ -96,6 +96,23 @@ TEST(FreeWalk, ends_where_a_vehicle_can_be_seen) {
   }
 }
 
+TEST(FreeWalk, ends_where_a_vehicle_can_be_heard) {
+  // Farther than it is seen: 45 m. The zone says 8 m of hearing.
+  for (const double hearing : {8.0, 50.0}) {
+    Profile profile = *Profiles().find("adult");
+    profile.hearing = hearing;
+    Footway footway;
+    NewPerson person;
+    person.position = {10, 2};
+    person.destination = point(190, 2);
+    person.profile = &profile;
+    person.aware = true;
+    footway.scene.add(person);
+    footway.scene.vehicles.push_back(vehicle_at({55, 2}, 0.0, 2.0));
+    EXPECT_EQ(footway.decisions_of(1), hearing > 45.0 ? 10 : 1) << hearing;
+  }
+}
+
 TEST(FreeWalk, ends_before_a_corner_and_the_destination) {
   Footway footway("heuristic", {{0, 0}, {32, 0}, {32, 40}, {29, 40}, {29, 3}, {0, 3}});
   const auto person = footway.scene.add({2, 1.5}, point(30.5, 38));
