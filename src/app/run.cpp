@@ -89,7 +89,7 @@ SimulationOptions prepare(const RunOptions& options) {
   prepared.profiles = std::move(file.profiles);
   prepared.paths = std::move(file.paths);
   prepared.panels = std::move(file.panels);
-  if (!options.zone_file.empty()) prepared.vehicle_paths = read_vehicle_paths(options.zone_file);
+  prepared.vehicle_paths = read_vehicle_paths(file.vehicle_paths);
   prepared.seed = options.seed;
   prepared.end = options.end;
   return prepared;

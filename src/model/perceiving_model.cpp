@@ -76,7 +76,7 @@ SeenVehicle seen(const VehicleShape& shape, const LatticePoint& from) {
 
 void PerceivingModel::prepare(const Snapshot& snapshot) {
   snapshot_ = snapshot;
-  scenery_.prepare(snapshot, VehicleForm::kDiscomfort, reach_);
+  scenery_.prepare(snapshot, vehicle_form(), reach_);
 }
 
 void PerceivingModel::decide(std::size_t first, std::size_t last,

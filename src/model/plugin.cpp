@@ -50,6 +50,8 @@ class PluginModel : public WalkingModel {
   }
 
   bool sets_velocity() const override { return model_->sets_velocity(); }
+  VehicleForm vehicle_form() const override { return model_->vehicle_form(); }
+  bool minds_vehicles() const override { return model_->minds_vehicles(); }
 
   void rays(std::size_t person, std::vector<Ray>& out) const override {
     guarded_call(path_, [&] { model_->rays(person, out); });
@@ -88,6 +90,8 @@ const PluginEntry& entry_of(const std::string& path) {
 }
 
 }  // namespace
+
+void check_plugin(const std::string& path) { (void)entry_of(path); }
 
 std::unique_ptr<WalkingModel> load_plugin(const std::string& path) {
   const PluginEntry& entry = entry_of(path);

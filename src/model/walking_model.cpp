@@ -19,29 +19,45 @@ std::unique_ptr<WalkingModel> make() {
   return std::make_unique<Model>();
 }
 
+using Maker = std::unique_ptr<WalkingModel> (*)();
+
 struct ModelEntry {
   std::string_view name;
-  std::unique_ptr<WalkingModel> (*make)();
+  Maker make;
 };
 
 constexpr ModelEntry kModels[] = {
     {"heuristic", make<HeuristicModel>},
     {"heuristic-original", make<OriginalHeuristicModel>},
     {"plain", make<PlainHeuristicModel>},
+    {"orca", make<OrcaModel>},
     {"social-force", make<SocialForceModel>},
     {"gradient-navigation", make<GradientNavigationModel>},
     {"optimal-steps", make<OptimalStepsModel>},
-    {"orca", make<OrcaModel>},
     {"constant-velocity", make<ConstantVelocityModel>},
 };
+static_assert(std::ranges::equal(kModels, kModelNames, {}, &ModelEntry::name),
+              "the same models in the same order as in world/model_names.hpp");
+
+/// Throws ModelError where there is no such model.
+Maker maker_of(const std::string& name) {
+  const auto found = std::ranges::find(kModels, name, &ModelEntry::name);
+  if (found == std::end(kModels)) throw ModelError(name, "is not known", allowed_models());
+  return found->make;
+}
 
 }  // namespace
 
 std::unique_ptr<WalkingModel> make_model(const std::string& name) {
-  if (names_plugin(name)) return load_plugin(name);
-  const auto found = std::ranges::find(kModels, name, &ModelEntry::name);
-  if (found != std::end(kModels)) return found->make();
-  throw ModelError(name, "is not known", allowed_models());
+  return names_plugin(name) ? load_plugin(name) : maker_of(name)();
+}
+
+void check_model(const std::string& name) {
+  if (names_plugin(name)) {
+    check_plugin(name);
+  } else {
+    (void)maker_of(name);
+  }
 }
 
 }  // namespace pedzone

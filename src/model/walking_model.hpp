@@ -69,4 +69,8 @@ struct ModelError : std::invalid_argument {
 /// Throws ModelError.
 std::unique_ptr<WalkingModel> make_model(const std::string& name);
 
+/// Throws ModelError where make_model() would, but for a plug-in whose constructor throws. Makes
+/// no model.
+void check_model(const std::string& name);
+
 }  // namespace pedzone

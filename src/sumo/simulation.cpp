@@ -39,7 +39,7 @@ std::string time_text(double time) { return std::to_string(time) + " s"; }
 const std::vector<ZoneSpec>& with_models(const std::vector<ZoneSpec>& specs) {
   for (const ZoneSpec& spec : specs) {
     try {
-      (void)make_model(spec.model);
+      check_model(spec.model);
     } catch (const ModelError& error) {
       throw zone_error(spec, error.problem, "model", spec.model, error.allowed);
     }

@@ -116,7 +116,7 @@ TestResult judged(const StandardTest& test, std::vector<Outcome> seeds) {
 
 Verification verify(const VerifyOptions& options, const std::function<void(double)>& progress) {
   Verification verification{options.models, options.seeds, chosen_tests(options.only), {}};
-  for (const std::string& model : options.models) make_model(model);
+  for (const std::string& model : options.models) check_model(model);
   const auto seeds = static_cast<std::size_t>(options.seeds);
   std::vector<Unit> units;
   for (std::size_t test = 0; test < verification.tests.size(); ++test) {

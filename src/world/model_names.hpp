@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/text.hpp"
+
 namespace pedzone {
 
 /// Names that make_model() knows.
@@ -25,9 +27,8 @@ inline bool may_be_model(std::string_view name) {
 
 /// What may_be_model() allows, for messages.
 inline std::string allowed_models() {
-  std::string allowed;
-  for (const std::string_view model : kModelNames) allowed += std::string(model) + ", ";
-  return allowed + "or the path of a plug-in (*" + std::string(kPluginEnding) + ")";
+  return comma_list(kModelNames) + ", or the path of a plug-in (*" + std::string(kPluginEnding) +
+         ")";
 }
 
 }  // namespace pedzone

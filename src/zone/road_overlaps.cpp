@@ -1,5 +1,6 @@
 #include "zone/road_overlaps.hpp"
 
+#include "zone/box_tree.hpp"
 #include "zone/levels.hpp"
 #include "zone/shapes.hpp"
 
@@ -13,20 +14,24 @@ constexpr double kShare = 0.25;
 
 void warn_of_roads_under_lanes(const Network& network, const Selection& selection,
                                std::vector<std::string>& warnings) {
-  std::vector<std::pair<const Lane*, Box>> lanes_of_roads;
+  std::vector<const Lane*> lanes_of_roads;
+  std::vector<Box> boxes;
   for (const Lane& lane : network.lanes) {
     const bool road = lane.vehicles && !lane.persons &&
                       network.edges[lane.edge].function == EdgeFunction::kNormal;
-    if (road) lanes_of_roads.emplace_back(&lane, box_of(lane));
+    if (!road) continue;
+    lanes_of_roads.push_back(&lane);
+    boxes.push_back(box_of(lane));
   }
+  const BoxTree roads_by_place(boxes);
   for (const int index : selection.lanes) {
     const Lane& lane = network.lanes[index];
     const Region ground = area_of(lane);
-    const Box box = box_of(lane);
     std::string roads;
     double covered = 0.0;
-    for (const auto& [other, other_box] : lanes_of_roads) {
-      if (other->edge == lane.edge || !box.intersects(other_box)) continue;
+    for (const std::size_t k : roads_by_place.meeting(box_of(lane))) {
+      const Lane* const other = lanes_of_roads[k];
+      if (other->edge == lane.edge) continue;
       const double common = area(intersect(ground, area_of(*other)));
       if (common <= 0.0 || on_different_levels(lane, *other)) continue;
       covered += common;

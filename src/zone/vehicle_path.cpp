@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "core/csv_stream.hpp"
-#include "core/xml.hpp"
 
 namespace pedzone {
 namespace {
@@ -97,8 +96,7 @@ InputError VehiclePath::error(const std::string& problem, const std::string& all
   return InputError(problem, {file, line, "<vehiclePath> attribute vehicle", vehicle_, allowed});
 }
 
-std::vector<VehiclePathSpec> read_vehicle_path_specs(const std::string& zone_file) {
-  const XmlFile file(zone_file, {"zones"});
+std::vector<VehiclePathSpec> read_vehicle_path_specs(const XmlFile& file) {
   std::vector<VehiclePathSpec> specs;
   for (const pugi::xml_node& node : file.root().children("vehiclePath")) {
     VehiclePathSpec spec = read_spec(file, node);
@@ -110,11 +108,9 @@ std::vector<VehiclePathSpec> read_vehicle_path_specs(const std::string& zone_fil
   return specs;
 }
 
-std::vector<VehiclePath> read_vehicle_paths(const std::string& zone_file) {
+std::vector<VehiclePath> read_vehicle_paths(const std::vector<VehiclePathSpec>& specs) {
   std::vector<VehiclePath> paths;
-  for (const VehiclePathSpec& spec : read_vehicle_path_specs(zone_file)) {
-    paths.push_back(read_path_of(spec));
-  }
+  for (const VehiclePathSpec& spec : specs) paths.push_back(read_path_of(spec));
   return paths;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/vec.hpp"
+#include "core/xml.hpp"
 
 namespace pedzone {
 
@@ -61,11 +62,11 @@ struct VehiclePathSpec {
   int line = 0;           ///< there
 };
 
-/// Reads the <vehiclePath>s of a zone file, without their CSV files. Throws InputError, also for a
-/// vehicle with two paths.
-std::vector<VehiclePathSpec> read_vehicle_path_specs(const std::string& zone_file);
+/// The <vehiclePath>s of a zone file, without their CSV files. Throws InputError, also for a vehicle
+/// with two paths.
+std::vector<VehiclePathSpec> read_vehicle_path_specs(const XmlFile& zone_file);
 
-/// The same with their CSV files: header t,x,y, then a row for each time. Throws InputError.
-std::vector<VehiclePath> read_vehicle_paths(const std::string& zone_file);
+/// Reads their CSV files: header t,x,y, then a row for each time. Throws InputError.
+std::vector<VehiclePath> read_vehicle_paths(const std::vector<VehiclePathSpec>& specs);
 
 }  // namespace pedzone

@@ -150,6 +150,7 @@ ZoneFile read_zone_file(const std::string& path) {
     if (known) throw file.error("is used twice", node, "id", read.zones.back().id, "a new id");
   }
   read.panels = read_panels(file, read.profiles, read.paths);
+  read.vehicle_paths = read_vehicle_path_specs(file);
   if (!file.root().first_child()) {
     throw file.error("has no <zone>", file.root(), "", "", "one <zone> or more");
   }

@@ -11,6 +11,7 @@
 #include "world/weather.hpp"
 #include "zone/panel.hpp"
 #include "zone/paths.hpp"
+#include "zone/vehicle_path.hpp"
 
 namespace pedzone {
 
@@ -52,6 +53,7 @@ struct ZoneFile {
   Profiles profiles;              ///< the built-in ones and those of the file
   std::vector<PathSpec> paths;    ///< ids are unique
   std::vector<PanelSpec> panels;  ///< people to be made
+  std::vector<VehiclePathSpec> vehicle_paths;
 };
 
 /// Reads a zone file. Throws InputError naming file, line, element, value and what is allowed.

@@ -32,7 +32,7 @@ void add_json_flag(CLI::App& command, bool& json) {
 void require_models(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     try {
-      (void)make_model(name);
+      check_model(name);
     } catch (const ModelError& error) {
       throw InputError(error.problem, {"", 0, "option --model", name, error.allowed});
     }

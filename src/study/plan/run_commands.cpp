@@ -17,7 +17,7 @@
 #include "sumo/files/scenario.hpp"
 #include "world/model_names.hpp"
 #include "zone/any_zones.hpp"
-#include "zone/vehicle_path.hpp"
+#include "zone/zone_file.hpp"
 
 namespace pedzone::study {
 namespace {
@@ -84,7 +84,7 @@ class Commands {
     if (!scenario_.zone_file.empty()) {
       const std::string zone_file = study_.resolve(scenario_.zone_file);
       files.push_back(zone_file);
-      for (const VehiclePathSpec& path : read_vehicle_path_specs(zone_file)) {
+      for (const VehiclePathSpec& path : read_zone_file(zone_file).vehicle_paths) {
         files.push_back(path.file);
       }
     }

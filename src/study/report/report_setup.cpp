@@ -5,7 +5,7 @@
 
 #include "study/report/report_numbers.hpp"
 #include "study/report/report_parts.hpp"
-#include "zone/vehicle_path.hpp"
+#include "zone/zone_file.hpp"
 
 namespace pedzone::study::report {
 namespace {
@@ -86,7 +86,7 @@ std::vector<std::string> unknown_to_sumo(const Study& study) {
 bool steers_vehicles(const Study& study) {
   return std::ranges::any_of(study.scenarios, [&](const StudyScenario& scenario) {
     return !scenario.zone_file.empty() &&
-           !read_vehicle_path_specs(study.resolve(scenario.zone_file)).empty();
+           !read_zone_file(study.resolve(scenario.zone_file)).vehicle_paths.empty();
   });
 }
 

@@ -7,15 +7,20 @@
 #include <set>
 #include <utility>
 
+#include "world/model_names.hpp"
+
 namespace pedzone {
 namespace {
 
 using ::testing::HasSubstr;
 
-const std::vector<std::string> kPedzoneAndSumo{
-    "heuristic",    "heuristic-original",  "plain",         "orca",
-    "social-force", "gradient-navigation", "optimal-steps", "constant-velocity",
-    "striping",     "nonInteracting"};
+std::vector<std::string> all_models() {
+  std::vector<std::string> names(std::begin(kModelNames), std::end(kModelNames));
+  names.insert(names.end(), {"striping", "nonInteracting"});
+  return names;
+}
+
+const std::vector<std::string> kPedzoneAndSumo = all_models();
 
 double channel(std::string_view colour, std::size_t c) {
   const double value = std::stoi(std::string(colour.substr(1 + 2 * c, 2)), nullptr, 16) / 255.0;

@@ -97,12 +97,12 @@ TEST(VehiclePath, way_ends_with_the_path) {
 TEST(VehiclePath, is_named_by_the_zone_file_without_reading_its_places) {
   const std::string file = ::testing::TempDir() + "vehicle_path_specs_test.zone.xml";
   std::ofstream(file) << "<zones>\n<vehiclePath vehicle=\"av\" file=\"paths/none.csv\"/></zones>";
-  const std::vector<VehiclePathSpec> specs = read_vehicle_path_specs(file);
+  const std::vector<VehiclePathSpec> specs = read_vehicle_path_specs(XmlFile(file, {"zones"}));
   ASSERT_EQ(specs.size(), 1U);
   EXPECT_EQ(specs[0].vehicle, "av");
   EXPECT_EQ(specs[0].file, ::testing::TempDir() + "paths/none.csv") << "beside the zone file";
   EXPECT_EQ(specs[0].line, 2);
-  EXPECT_THROW(read_vehicle_paths(file), InputError);
+  EXPECT_THROW(read_vehicle_paths(specs), InputError);
   std::remove(file.c_str());
 }
 
@@ -111,7 +111,7 @@ TEST(VehiclePath, the_schema_says_the_same) {
   std::ofstream(file) << "<zones><vehiclePath speed=\"3\"/></zones>";
   std::string message;
   try {
-    read_vehicle_paths(file);
+    read_vehicle_path_specs(XmlFile(file, {"zones"}));
   } catch (const InputError& error) {
     message = error.what();
   }
