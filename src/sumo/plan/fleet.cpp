@@ -17,11 +17,11 @@ constexpr double kNearStreets = 150.0;  // [m] ... where people cross streets: a
 constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
 constexpr double kLeaderAhead = 10.0;   // [m] numerical: who is farther ahead lets it drive off
 constexpr double kWaitingSpeed = 0.5;   // [m/s] numerical: slower vehicles wait
-constexpr double kMoved = 0.01;  // [m] numerical: less than this in a step gives no direction
+constexpr double kShortMove = 0.01;     // [m] numerical: so little in a step gives no direction
 
 /// What is carried over from a vehicle's last step, of `dt` [s].
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
-  vehicle.held_up = old.held_up;
+  vehicle.blocked_time = old.blocked_time;
   vehicle.creeping = old.creeping;
   vehicle.slowed = old.slowed;
   vehicle.commanded = old.commanded;
@@ -29,7 +29,7 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   const bool told = old.commanded >= 0.0 && old.commanded < kHaltingSpeed;
   vehicle.waits = !told && std::max(old.speed, vehicle.speed) < kHaltingSpeed;
   const Vec2 moved = vehicle.centre() - old.centre();
-  if (dt > 0.0 && moved.norm() > kMoved) vehicle.velocity = moved.normalized() * vehicle.speed;
+  if (dt > 0.0 && moved.norm() > kShortMove) vehicle.velocity = moved.normalized() * vehicle.speed;
 }
 
 /// [m/s] that is safe `gap` [m] behind one that drives at `speed` and may brake as hard: SUMO's

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/speeds.hpp"
+
 namespace pedzone {
 namespace {
 
-constexpr double kSame = 0.05;   // [m/s] numerical
-constexpr int kSure = 2;         // numerical: steps; a stop or an insertion is odd for one
-constexpr double kLetGo = 2.0;   // [s] assumed: a controller is not equal to SUMO for so long
-constexpr double kMoving = 0.1;  // [m/s] numerical: two that stand are the same
+constexpr double kSame = 0.05;  // [m/s] numerical
+constexpr int kSure = 2;        // numerical: steps; a stop or an insertion is odd for one
+constexpr double kLetGo = 2.0;  // [s] assumed: a controller is not equal to SUMO for so long
 
 }  // namespace
 
@@ -43,7 +44,7 @@ void OutsideDrivers::mark(std::vector<VehicleSeen>& seen,
     suspect.last_speed = vehicle.speed;
     suspect.odd_steps = odd ? suspect.odd_steps + 1 : 0;
     if (odd) suspect.as_sumo = 0.0;
-    if (!odd && vehicle.speed > kMoving) suspect.as_sumo += dt;
+    if (!odd && vehicle.speed > kHaltingSpeed) suspect.as_sumo += dt;
     if (suspect.odd_steps >= kSure) suspect.driven = true;
     if (suspect.as_sumo >= kLetGo) suspect.driven = false;
     vehicle.traits.external = suspect.driven;

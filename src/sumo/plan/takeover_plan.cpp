@@ -42,7 +42,8 @@ bool is_reachable_over_a_street(const Zone& zone, const Vec2& from, const Vec2& 
   return std::ranges::any_of(zone.streets, [&](const Street& street) {
     const auto open = std::ranges::find_if(street.places, &CrossingPlace::open);
     const double s = kStreetStep * static_cast<double>(open - street.places.begin());
-    const Vec2 low = street.point(s, open->low - kStand), high = street.point(s, open->high + kStand);
+    const Vec2 low = street.point(s, open->low - kStand),
+               high = street.point(s, open->high + kStand);
     return (zone.ways.way(from, low) && zone.ways.way(high, to)) ||
            (zone.ways.way(from, high) && zone.ways.way(low, to));
   });

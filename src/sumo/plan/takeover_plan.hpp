@@ -37,8 +37,8 @@ struct PersonPast {
 /// The walk of a person that is taken over.
 struct TakeoverPlan {
   ZoneStretch stretch;
-  Vec2 start = Vec2::Zero();  ///< [m] inside the walls
-  std::size_t plan = 0;       ///< number of SUMO's plan for it
+  Vec2 start = Vec2::Zero();     ///< [m] inside the walls
+  std::size_t plan = 0;          ///< number of SUMO's plan for it
   double by_junctions = kNoWay;  ///< [m] as NewPerson
   bool place_freely = false;  ///< it departs here, or SUMO has brought it into a vehicle: it may be
                               ///< moved to the nearest free place

@@ -61,20 +61,20 @@ TEST_F(FleetTest, remembers_what_people_did_to_a_vehicle_while_it_is_near) {
   FleetVehicle& vehicle = fleet.vehicles()[0];
   EXPECT_LT(vehicle.commanded, 0.0);
   vehicle.commanded = 1.5;
-  vehicle.held_up = 7.0;
+  vehicle.blocked_time = 7.0;
   vehicle.slowed = 3.0;
   vehicle.creeping = true;
   vehicle.claim = 8.0;
   fleet.update({test::seen_vehicle("other", {70.0, 0.0}, 2.0), car(60.2, 2.0)}, 0.1);
   const FleetVehicle &other = fleet.vehicles()[0], &same = fleet.vehicles()[1];
-  EXPECT_EQ(other.held_up, 0.0);
+  EXPECT_EQ(other.blocked_time, 0.0);
   EXPECT_FALSE(other.creeping);
-  EXPECT_EQ(std::tuple(same.commanded, same.held_up, same.slowed, same.creeping),
+  EXPECT_EQ(std::tuple(same.commanded, same.blocked_time, same.slowed, same.creeping),
             std::tuple(1.5, 7.0, 3.0, true));
   EXPECT_EQ(same.claim, 0.0) << "is asked for anew in each step";
   fleet.update({}, 0.1);
   fleet.update({car(60.4, 2.0)}, 0.1);
-  EXPECT_EQ(fleet.vehicles()[0].held_up, 0.0);
+  EXPECT_EQ(fleet.vehicles()[0].blocked_time, 0.0);
 }
 
 TEST_F(FleetTest, sees_from_two_places_that_a_vehicle_reverses) {
