@@ -140,6 +140,13 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
   return plan;
 }
 
+Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius,
+               const Fleet& fleet) {
+  if (view.stays_outside) return Entry::kStaysOutside;
+  const bool in_vehicle = plan.place_freely && fleet.touches(view.position, radius);
+  return in_vehicle ? Entry::kNoRoom : Entry::kWalks;
+}
+
 double striping_share(double dawdling) { return 1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0); }
 
 NewPerson new_person(const WalkerSeen& walker, const TakeoverPlan& plan, const PersonHints& hints,

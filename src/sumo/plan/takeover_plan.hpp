@@ -58,6 +58,16 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
                                           const WalkerSeen& walker, bool walked_until_now,
                                           const Fleet& fleet, PersonPast& past);
 
+/// What becomes of a person once the crowd has it.
+enum class Entry {
+  kWalks,
+  kStaysOutside,  ///< SUMO walks it over a signalled crossing, to which the zone does not reach
+  kNoRoom,        ///< there is none beside a vehicle: it is SUMO's for this step
+};
+
+/// The crowd shows a person of `radius` [m], whose walk was planned, as `view`.
+Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius, const Fleet& fleet);
+
 /// The share of its top speed at which SUMO's striping model lets a person walk freely. It takes a
 /// random share of up to `dawdling` off in every step; ours walk as fast as that on average, or a
 /// comparison would measure free speed.
