@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
 #include <tuple>
 
 #include "four_edges.hpp"
@@ -191,6 +192,36 @@ TEST_F(FleetTest, shows_people_that_nobody_drives_off_in_a_queue) {
   EXPECT_GT(behind(2.5, 2.0), behind(2.5, 1.0)) << "behind one that drives it may";
   EXPECT_GT(behind(2.5, 0.0, 3.0), 3.0) << "not held by one beside its way";
   EXPECT_GT(behind(30.0, 0.0), 3.0);
+}
+
+TEST_F(FleetTest, follows_among_many_as_the_slowest_of_each_pair_alone_lets_it) {
+  std::mt19937 random(1);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  std::vector<VehicleSeen> all;
+  for (int i = 0; i < 40; ++i) {  // on no lane, so that all go straight on
+    all.push_back(test::seen_vehicle(std::to_string(i), {between(0.0, 80.0), between(0.0, 80.0)},
+                                     between(0.0, 15.0)));
+    all.back().heading = between(-kPi, kPi);
+    all.back().traits.length = between(1.0, 20.0);
+  }
+  const std::vector<Zone> zone_list = zones();
+  Fleet together(network, zone_list);
+  together.update(all, 0.1);
+  int followers = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    double slowest = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (i == j) continue;
+      Fleet pair(network, zone_list);
+      pair.update({all[i], all[j]}, 0.1);
+      slowest = std::min(slowest, pair.vehicles()[0].follows_at);
+    }
+    EXPECT_EQ(together.vehicles()[i].follows_at, slowest) << i;
+    followers += slowest < 1e9;
+  }
+  EXPECT_GT(followers, 10);
 }
 
 TEST_F(FleetTest, shows_people_where_a_vehicle_turns) {
