@@ -79,8 +79,8 @@ class Reader {
         begin(first);
       }
     } else if (element.depth() <= 1) {
-      waiting_ = name == "vehicle" || name == "trip" || name == "flow" ? read(element)
-                                                                     : std::nullopt;
+      waiting_ =
+          name == "vehicle" || name == "trip" || name == "flow" ? read(element) : std::nullopt;
     }
   }
 
@@ -151,8 +151,8 @@ class Reader {
 
   int lane_of(const Edge& edge, const std::string& wished) const {
     if (wished.empty() || wished == "first") {
-      const auto first = std::ranges::find_if(
-          edge.lanes, [&](int lane) { return network_.lanes[lane].vehicles; });
+      const auto first =
+          std::ranges::find_if(edge.lanes, [&](int lane) { return network_.lanes[lane].vehicles; });
       return first == edge.lanes.end() ? -1 : *first;
     }
     const auto lane = network_.lane_index.find(edge.id + "_" + wished);

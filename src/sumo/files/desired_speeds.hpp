@@ -1,5 +1,6 @@
 // How fast the persons of a type like to walk, from a scenario's own files: over TraCI SUMO tells
-// a type's greatest speed only (measured: 10.4 m/s for pedestrians, with 1.15 and its default type).
+// a type's greatest speed only (measured: 10.4 m/s for pedestrians, with 1.15 and its default
+// type).
 #pragma once
 
 #include <string>

@@ -13,9 +13,9 @@ namespace pedzone {
 
 /// What a run's crossings add up to.
 struct CrossingTotals {
-  long crossings = 0;         ///< times that somebody stepped out
-  long without_looking = 0;   ///< of those
-  double mean_wait_s = 0.0;   ///< at the kerb, of all of them
+  long crossings = 0;                 ///< times that somebody stepped out
+  long without_looking = 0;           ///< of those
+  double mean_wait_s = 0.0;           ///< at the kerb, of all of them
   std::optional<GapAcceptance> gaps;  ///< unset: too few
 };
 
@@ -23,8 +23,8 @@ CrossingTotals totals_of(const std::vector<StreetCrossed>& crossings);
 
 class CrossingRecords {
  public:
-  CrossingRecords(const std::vector<Zone>& zones,
-                  const std::vector<std::unique_ptr<Crowd>>& crowds, const Takeover& takeover)
+  CrossingRecords(const std::vector<Zone>& zones, const std::vector<std::unique_ptr<Crowd>>& crowds,
+                  const Takeover& takeover)
       : zones_(zones), crowds_(crowds), takeover_(takeover) {}
 
   /// After the crowds have walked from `time` [s] on, and before anybody is handed over.

@@ -52,11 +52,11 @@ struct RunSummary {
     long persons = 0;                           ///< whom a vehicle that drives pushed
     double longest_m = 0.0, fastest_mps = 0.0;  ///< of all their pushes
   } pushes;
-  std::vector<JamRecord> jams;          ///< in time
-  std::vector<RunIntoRecord> run_into;  ///< in time
+  std::vector<JamRecord> jams;              ///< in time
+  std::vector<RunIntoRecord> run_into;      ///< in time
   std::optional<CrossingTotals> crossings;  ///< unset: no zone has a street to cross anywhere
-  int interrupted_by = 0;               ///< the signal that ended the run early; 0: none
-  bool sumo_gone = false;               ///< SUMO, which was joined, ended the run early
+  int interrupted_by = 0;                   ///< the signal that ended the run early; 0: none
+  bool sumo_gone = false;                   ///< SUMO, which was joined, ended the run early
   struct {
     double simulated_s = 0.0, wall_s = 0.0, sumo_s = 0.0, pedzone_s = 0.0;
     double us_per_person_step = 0.0;

@@ -1,9 +1,5 @@
 #include "sumo/live/stuck_watch.hpp"
 
-#include <algorithm>
-
-#include "world/activities.hpp"
-
 namespace pedzone {
 namespace {
 
@@ -35,18 +31,14 @@ void StuckWatch::look(double time) {
   }
   vehicles_.update(time, present_,
                    [this](const std::string& id) { return sumo_.vehicles().is_at_stop(id); });
-  for (std::size_t k = 0; k < std::min(Standstills::kNamed, persons_.all().size()); ++k) {
-    persons_.all()[k].where = place_of_person(persons_.all()[k].id);
-  }
-  for (std::size_t k = 0; k < std::min(Standstills::kNamed, vehicles_.all().size()); ++k) {
-    vehicles_.all()[k].where = on_edge(sumo_.vehicles().edge(vehicles_.all()[k].id));
-  }
+  for (Standstill& one : persons_.named()) one.where = place_of_person(one.id);
+  for (Standstill& one : vehicles_.named()) one.where = on_edge(sumo_.vehicles().edge(one.id));
 }
 
 bool StuckWatch::rests(const std::string& person) const {
   const Guest* guest = takeover_.guest(person);
   if (guest == nullptr) return !sumo_.persons().walks(person);
-  return info_of(crowds_[guest->zone]->view(guest->handle).activity).speed == 0.0;
+  return is_at_rest(crowds_[guest->zone]->view(guest->handle).activity);
 }
 
 std::string StuckWatch::place_of_person(const std::string& id) const {

@@ -4,15 +4,9 @@
 
 #include "sumo/files/truth.hpp"
 #include "sumo/live/person_hints.hpp"
+#include "sumo/plan/outside_walkers.hpp"
 
 namespace pedzone {
-namespace {
-
-constexpr double kPlanInterval = 0.5;  // [s] numerical
-constexpr double kMoved = 0.01;        // [m] numerical: SUMO gives back what it is told, exactly
-constexpr double kLetGo = 3.0;  // [s] assumed: who is walked from outside seldom stands so still
-
-}  // namespace
 
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
                    std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
@@ -41,59 +35,44 @@ void Takeover::take_new(double time, const Fleet& fleet) {
   for (Bystander& person : bystanders_.all()) {
     if (!person.near || person.guest) continue;
     const bool was_moved = person.external;
-    if (was_moved && !comes_back(person, time)) continue;
+    if (was_moved && !has_come_back(person, time)) continue;
     const std::string edge = sumo_.edge(person.id);
     if (edge == person.barred_edge && !was_moved) continue;
     if (!was_moved && zone_of(edge) >= 0 && is_declared(person.id)) {
-      leave_to_others(person.id, true, time);
+      let_others_walk(person.id, true, time);
       continue;
     }
     const Vec2* position = was_moved ? &person.position : nullptr;
     const bool may_be_ours = consider(person.id, edge, position, fleet);
     person.barred_edge = may_be_ours ? "" : edge;
-    if (was_moved && !person.guest) put_back(person);
+    if (was_moved && !person.guest) put_back(person, edge);
   }
 }
 
 /// Where it stands nobody can take it over, and SUMO would have it stand there for ever. Whom SUMO
 /// walks is not touched: that ends SUMO.
-void Takeover::put_back(const Bystander& person) {
-  const bool stands = person.velocity == Vec2::Zero() && !sumo_.edge(person.id).starts_with(':');
-  if (!stands || !sumo_.walks(person.id)) return;
+void Takeover::put_back(const Bystander& person, const std::string& edge) {
+  if (!is_to_be_put_back(person, edge) || !sumo_.walks(person.id)) return;
   const std::vector<int> route = edge_indices(network_, sumo_.edges(person.id));
   const auto plan = plan_let_go(network_, route, static_cast<int>(route.size()) - 1,
                                 person.position, person.radius, sumo_.lane(person.id));
   if (plan) sumo_.release(person.id, *plan);
 }
 
-/// Where SUMO does not have a person where it was put, another program has put it there.
-bool Takeover::is_moved(const Guest& guest) const {
-  return (sumo_.position(guest.id) - guest.position).norm() > kMoved;
-}
-
 bool Takeover::is_declared(const std::string& id) const {
   return is_true(sumo_.parameter(id, "pedzone.external"));
 }
 
-void Takeover::leave_to_others(const std::string& id, bool declared, double time) {
+void Takeover::let_others_walk(const std::string& id, bool declared, double time) {
   outsiders_.push_back({time, id});
   Bystander* person = bystanders_.find(id);
   if (person == nullptr) return;
   if (person->radius == 0.0) measure(*person, sumo_.size(id));
-  person->external = true;
-  person->declared = declared;
-  person->ask_at = time + kLetGo;
+  leave_to_others(*person, time, declared);
 }
 
-/// Who was declared is ours again when that is taken back; who was noticed, when it has stood for a
-/// while at the very place where it was put last.
-bool Takeover::comes_back(Bystander& person, double time) const {
-  if (!person.declared && person.velocity != Vec2::Zero()) person.ask_at = time + kLetGo;
-  if (time < person.ask_at) return false;
-  person.ask_at = time + kPlanInterval;
-  if (is_declared(person.id)) return false;
-  person.external = false;
-  return true;
+bool Takeover::has_come_back(Bystander& person, double time) const {
+  return is_to_be_asked(person, time) && comes_back(person, is_declared(person.id));
 }
 
 void Takeover::look_at_bystanders(double time) {
@@ -125,38 +104,30 @@ void Takeover::show_bystanders(const Fleet& fleet) {
   }
 }
 
-bool Takeover::has_plan(const Guest& guest) const {
-  return plan_number(sumo_.stages_left(guest.id), sumo_.edges(guest.id)) == guest.plan;
+std::size_t Takeover::plan_of(const std::string& id) const {
+  return plan_number(sumo_.stages_left(id), sumo_.edges(id));
 }
 
 /// A program that embeds us may have given a person another plan: it is then taken over anew,
-/// from where it stands, if the new plan still leads through the zone. Reading plans is dear: each
-/// is read twice a second and before it is acted upon, and when the number of stages has changed.
+/// from where it stands, if the new plan still leads through the zone.
 void Takeover::check_guests(double time, const Fleet& fleet) {
   std::vector<std::pair<std::string, Vec2>> replanned;
   std::vector<std::string> moved;
   for (Guest& guest : guests_) {
     const int left = sumo_.stages_left(guest.id);
-    if (time < guest.check_at && left == guest.stages_left) continue;
-    guest.check_at = time + kPlanInterval;
-    guest.stages_left = left;
-    const bool planned = has_plan(guest);
-    if (planned && !is_moved(guest)) continue;
-    guest.gone = true;
-    if (planned) {  // SUMO moves a person itself with another plan only
-      moved.push_back(guest.id);
-      continue;
-    }
-    replanned.emplace_back(guest.id, guest.position);
+    if (!is_due(guest.watch, time, left)) continue;
+    note_look(guest.watch, time, left);
+    const Finding found = what_happened(guest.watch, plan_of(guest.id), guest.position,
+                                        [&] { return sumo_.position(guest.id); });
+    guest.gone = found != Finding::kUnchanged;
+    if (found == Finding::kMoved) moved.push_back(guest.id);
+    if (found == Finding::kReplanned) replanned.emplace_back(guest.id, guest.position);
   }
   drop_gone();
-  for (const std::string& id : moved) leave_to_others(id, false, time);
+  for (const std::string& id : moved) let_others_walk(id, false, time);
   for (const auto& [id, position] : replanned) {
     PersonPast& past = past_[id];
-    const bool given_back = past.was_given_back;
-    past = {};
-    past.was_controlled = true;
-    past.was_given_back = given_back;
+    past = with_new_plan(past);
     consider(id, sumo_.edge(id), &position, fleet);
   }
 }
@@ -184,9 +155,7 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id,
   const auto plan =
       plan_takeover(network_, zones_[zone], edge, *walker, known_position != nullptr, fleet, past);
   if (!plan || !add_guest(*walker, zone, *plan, fleet)) return true;
-  if (known_position == nullptr) ++totals_.takeovers;  // else it was ours already
-  if (!past.was_controlled) ++totals_.controlled;
-  past.was_controlled = true;
+  totals_.take_over(past, known_position != nullptr);
   return true;
 }
 
@@ -198,20 +167,19 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   guest.id = walker.id;
   guest.zone = zone;
   guest.stretch = plan.stretch;
-  guest.plan = plan.plan;
+  guest.watch.plan = plan.plan;
   guest.radius = walker.radius;
   guest.preferred_speed = striping_share_ * walker.top_speed;
   const PersonHints hints = read_hints(sumo_, walker.id, {profiles_, paths_});
   guest.handle = crowds_[zone]->add(
       new_person(walker, plan, hints, static_cast<std::size_t>(zone), guest.preferred_speed));
-  guest.position = crowds_[zone]->view(guest.handle).position;
-  if (crowds_[zone]->view(guest.handle).stays_outside) {
-    // SUMO walks it over the signalled crossing, to which the zone does not reach.
-    past_[walker.id].refused_edge = network_.edge_index.at(sumo_.edge(walker.id));
-    crowds_[zone]->remove(guest.handle);
-    return false;
-  }
-  if (plan.place_freely && fleet.touches(guest.position, guest.radius)) {
+  const PersonView view = crowds_[zone]->view(guest.handle);
+  guest.position = view.position;
+  const Entry entry = entry_of(plan, view, guest.radius, fleet);
+  if (entry != Entry::kWalks) {
+    if (entry == Entry::kStaysOutside) {
+      past_[walker.id].refused_edge = network_.edge_index.at(sumo_.edge(walker.id));
+    }
     crowds_[zone]->remove(guest.handle);
     return false;
   }
@@ -221,39 +189,20 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   return true;
 }
 
-/// How a person goes back to SUMO in this step; nothing: not yet. Neither where the crowd has
-/// brought it nor where SUMO's lane has it then may a vehicle be in the way. One whose plan has
-/// changed is looked at first.
+/// How a person goes back to SUMO in this step; nothing: not yet.
 std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& view, double dt,
                                                const Fleet& fleet) const {
-  if (!view.arrived) return std::nullopt;
-  if (!has_plan(guest)) guest.check_at = 0.0;
-  if (guest.check_at <= 0.0) return std::nullopt;
+  if (!view.arrived || !may_be_given_back(guest.watch, plan_of(guest.id))) return std::nullopt;
   const Walked walked{guest.position, view.position, guest.radius, guest.preferred_speed};
   ReleasePlan plan = plan_release(network_, guest.stretch, walked, sumo_.lane(guest.id), dt);
-  const auto free = [&](const Vec2& place) {
-    return may_release(place, guest.radius, fleet, dt, guest.kept);
-  };
-  const auto place = place_of(network_, plan);
-  if (!free(view.position) || (place && !free(*place))) return std::nullopt;
+  if (!may_hand_over(walked, place_of(network_, plan), fleet, dt, guest.kept)) return std::nullopt;
   return plan;
 }
 
 void Takeover::give_back(const Guest& guest, const ReleasePlan& plan) {
-  if (sumo_.release(guest.id, plan)) ++totals_.ended;
   PersonPast& past = past_[guest.id];
   past.last = guest.stretch.last;
-  ++totals_.returns;
-  if (!past.was_given_back) ++totals_.given_back;
-  past.was_given_back = true;
-}
-
-void Takeover::count(const Guest& guest, const PersonView& view, double dt) {
-  const double walked = (view.position - guest.position).norm();
-  totals_.distance += walked;
-  totals_.time += dt;
-  if (guest.preferred_speed > 0.0) totals_.free_time += walked / guest.preferred_speed;
-  if (view.motion != Motion::kWalking) totals_.waiting += dt;
+  totals_.give_back(past, sumo_.release(guest.id, plan));
 }
 
 const Guest* Takeover::guest(std::size_t zone, Crowd::Handle handle) const {
@@ -276,7 +225,7 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
   list_jams(time);
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
-    count(guest, view, dt);
+    totals_.walk(guest.position, view, guest.preferred_speed, dt);
     const auto plan = hand_over(guest, view, dt, fleet);
     guest.gone = plan.has_value();
     // Before it is released: it may be over then.

@@ -20,7 +20,9 @@
 #include "sumo/plan/bystanders.hpp"
 #include "sumo/plan/outside_drivers.hpp"
 #include "sumo/plan/release_plan.hpp"
+#include "sumo/plan/replanning.hpp"
 #include "sumo/plan/takeover_plan.hpp"
+#include "sumo/plan/walk_totals.hpp"
 #include "sumo/plan/yield_plan.hpp"
 
 namespace pedzone {
@@ -31,28 +33,13 @@ struct Guest {
   int zone = 0;  ///< index into the zones
   Crowd::Handle handle = 0;
   ZoneStretch stretch;
-  int stages_left = 0;
-  std::size_t plan = 0;          ///< number of SUMO's plan for it
+  PlanWatch watch;               ///< of SUMO's plan for it
   Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
   double radius = 0.24;          ///< [m]
   double preferred_speed = 0.0;  ///< [m/s]
-  double check_at = 0.0;         ///< [s] when its plan is looked at again
   double kept = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
   PersonColour colour;
   bool gone = false;  ///< no longer ours: dropped at the end of the phase
-};
-
-/// Sums over all persons, for the summary.
-struct WalkTotals {
-  long controlled = 0;     ///< persons taken over at least once
-  long given_back = 0;     ///< persons given back to SUMO at least once
-  long takeovers = 0;      ///< of all of them
-  long returns = 0;        ///< of all of them to SUMO
-  long ended = 0;          ///< persons whose plan was ended by us: SUMO does not count them
-  double distance = 0.0;   ///< [m] walked while controlled
-  double time = 0.0;       ///< [s] while controlled
-  double free_time = 0.0;  ///< [s] that distance at the preferred speed
-  double waiting = 0.0;    ///< [s] waiting for vehicles or standing
 };
 
 /// Somebody who was stuck among people and squeezed through.
@@ -100,24 +87,22 @@ class Takeover {
   void add_bystanders(std::vector<PersonAhead>& out) const;
 
  private:
-  bool has_plan(const Guest& guest) const;
+  std::size_t plan_of(const std::string& id) const;
   void check_guests(double time, const Fleet& fleet);
   void look_at_bystanders(double time);
   void show_bystanders(const Fleet& fleet);
-  bool is_moved(const Guest& guest) const;
   bool is_declared(const std::string& id) const;
   int zone_of(const std::string& edge) const;
-  void leave_to_others(const std::string& id, bool declared, double time);
-  bool comes_back(Bystander& person, double time) const;
+  void let_others_walk(const std::string& id, bool declared, double time);
+  bool has_come_back(Bystander& person, double time) const;
   void give_back(const Guest& guest, const ReleasePlan& plan);
-  void put_back(const Bystander& person);
+  void put_back(const Bystander& person, const std::string& edge);
   void take_new(double time, const Fleet& fleet);
   bool consider(const std::string& id, const std::string& edge, const Vec2* known_position,
                 const Fleet& fleet);
   bool add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan, const Fleet& fleet);
   std::optional<ReleasePlan> hand_over(Guest& guest, const PersonView& view, double dt,
                                        const Fleet& fleet) const;
-  void count(const Guest& guest, const PersonView& view, double dt);
   void drop_gone();
   void list_jams(double time);
 

@@ -17,11 +17,11 @@ constexpr double kNearStreets = 150.0;  // [m] ... where people cross streets: a
 constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
 constexpr double kLeaderAhead = 10.0;   // [m] numerical: who is farther ahead lets it drive off
 constexpr double kWaitingSpeed = 0.5;   // [m/s] numerical: slower vehicles wait
-constexpr double kMoved = 0.01;  // [m] numerical: less than this in a step gives no direction
+constexpr double kShortMove = 0.01;     // [m] numerical: so little in a step gives no direction
 
 /// What is carried over from a vehicle's last step, of `dt` [s].
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
-  vehicle.held_up = old.held_up;
+  vehicle.blocked_time = old.blocked_time;
   vehicle.creeping = old.creeping;
   vehicle.slowed = old.slowed;
   vehicle.commanded = old.commanded;
@@ -29,7 +29,7 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   const bool told = old.commanded >= 0.0 && old.commanded < kHaltingSpeed;
   vehicle.waits = !told && std::max(old.speed, vehicle.speed) < kHaltingSpeed;
   const Vec2 moved = vehicle.centre() - old.centre();
-  if (dt > 0.0 && moved.norm() > kMoved) vehicle.velocity = moved.normalized() * vehicle.speed;
+  if (dt > 0.0 && moved.norm() > kShortMove) vehicle.velocity = moved.normalized() * vehicle.speed;
 }
 
 /// [m/s] that is safe `gap` [m] behind one that drives at `speed` and may brake as hard: SUMO's
@@ -144,14 +144,27 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
 }
 
 /// In a queue nobody drives off before the one ahead: people behind it would walk into its rear.
+/// Looked at are those in a strip from north to south only: thousands of vehicles have millions of
+/// pairs.
 void Fleet::find_leaders() {
+  constexpr double kRounding = 1.0;  // [m] numerical: wider than needed
+  double longest = 0.0;
+  by_x_.clear();
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    longest = std::max(longest, vehicles_[i].traits.length);
+    by_x_.emplace_back(vehicles_[i].front.x(), i);
+  }
+  std::ranges::sort(by_x_);
   for (FleetVehicle& vehicle : vehicles_) {
     if (!goes_on(vehicle)) continue;
     const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
     const double distance = braking + vehicle.speed + kLeaderAhead;
-    for (const FleetVehicle& other : vehicles_) {
-      if (&other == &vehicle) continue;
-      const auto gap = gap_before(vehicle, other, distance);
+    const double reach = distance + longest + kRounding, east = vehicle.front.x() + reach;
+    auto at = std::ranges::lower_bound(by_x_, vehicle.front.x() - reach, {},
+                                       &std::pair<double, std::size_t>::first);
+    for (; at != by_x_.end() && at->first <= east; ++at) {
+      const FleetVehicle& other = vehicles_[at->second];
+      const auto gap = &other == &vehicle ? std::nullopt : gap_before(vehicle, other, distance);
       if (!gap) continue;
       vehicle.follows_at =
           std::min(vehicle.follows_at, safe_behind(vehicle.traits, *gap, other.speed));

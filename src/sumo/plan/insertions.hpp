@@ -1,5 +1,5 @@
-// Room for vehicles that SUMO is about to put on the road. It looks for other vehicles there, and not
-// for people whom pedzone walks: they keep from the place as people keep from a garage's exit.
+// Room for vehicles that SUMO is about to put on the road. SUMO looks for other vehicles there, but
+// not for people whom pedzone walks. So these keep away from the place, as from a garage's exit.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,9 @@ class Insertions {
   Insertions(const Network& network, std::vector<Departure> departures)
       : network_(network), departures_(std::move(departures)) {}
 
-  /// Adds to what the crowds see, at `time` [s], the claims of those that are due within 4 s, or
-  /// were no longer ago than that, and are not in the fleet: from where their rear will be to where
-  /// their front will. The ways of these are read within the step only.
+  /// Adds claims to what the crowds see at `time` [s]: one for each vehicle that departs within
+  /// 4 s, or should have in the last 4 s, and is not in the fleet. A claim reaches from where the
+  /// vehicle's rear will be to where its front will be. Its way is valid within the step only.
   void add_claims(double time, const Fleet& fleet, std::vector<VehicleState>& out);
 
  private:

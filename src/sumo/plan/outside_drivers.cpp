@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/speeds.hpp"
+
 namespace pedzone {
 namespace {
 
-constexpr double kSame = 0.05;   // [m/s] numerical
-constexpr int kSure = 2;         // numerical: steps; a stop or an insertion is odd for one
-constexpr double kLetGo = 2.0;   // [s] assumed: a controller is not equal to SUMO for so long
-constexpr double kMoving = 0.1;  // [m/s] numerical: two that stand are the same
+constexpr double kSame = 0.05;  // [m/s] numerical
+constexpr int kSure = 2;        // numerical: steps; a stop or an insertion is odd for one
+constexpr double kLetGo = 2.0;  // [s] assumed: a controller is not equal to SUMO for so long
 
 }  // namespace
 
@@ -25,10 +26,13 @@ void OutsideDrivers::note(std::span<const SpeedOrder> orders) {
   }
 }
 
-/// One that pedzone has told a speed drives no faster, but for what it cannot brake.
+/// One that pedzone has told a speed drives no faster, but for what it cannot brake. Once another
+/// program drives it, what it was told may count no more: then it may drive as SUMO lets it, too.
 bool OutsideDrivers::is_odd(const VehicleSeen& vehicle, const Suspect& suspect, double dt) const {
   const auto told = told_.find(vehicle.id);
-  if (told == told_.end()) return std::abs(vehicle.speed - vehicle.own_speed) > kSame;
+  const bool as_sumo = std::abs(vehicle.speed - vehicle.own_speed) <= kSame;
+  if (told == told_.end()) return !as_sumo;
+  if (suspect.driven && as_sumo) return false;
   if (suspect.last_speed < 0.0) return false;
   const double slowest = suspect.last_speed - vehicle.traits.emergency_decel * dt;
   return vehicle.speed > std::max(told->second, slowest) + kSame;
@@ -43,7 +47,7 @@ void OutsideDrivers::mark(std::vector<VehicleSeen>& seen,
     suspect.last_speed = vehicle.speed;
     suspect.odd_steps = odd ? suspect.odd_steps + 1 : 0;
     if (odd) suspect.as_sumo = 0.0;
-    if (!odd && vehicle.speed > kMoving) suspect.as_sumo += dt;
+    if (!odd && vehicle.speed > kHaltingSpeed) suspect.as_sumo += dt;
     if (suspect.odd_steps >= kSure) suspect.driven = true;
     if (suspect.as_sumo >= kLetGo) suspect.driven = false;
     vehicle.traits.external = suspect.driven;

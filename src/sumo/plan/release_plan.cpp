@@ -116,4 +116,10 @@ bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt
   return false;
 }
 
+bool may_hand_over(const Walked& walked, const std::optional<Vec2>& place, const Fleet& fleet,
+                   double dt, double& kept) {
+  return may_release(walked.to, walked.radius, fleet, dt, kept) &&
+         (!place || may_release(*place, walked.radius, fleet, dt, kept));
+}
+
 }  // namespace pedzone

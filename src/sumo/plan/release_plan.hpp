@@ -54,4 +54,9 @@ std::optional<Vec2> place_of(const Network& network, const ReleasePlan& plan);
 /// that may be the one it waits for: `kept` [s] counts how long it has.
 bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& kept);
 
+/// Whether a person may be given back both where the crowd has walked it to and at `place` [m],
+/// where SUMO has it then.
+bool may_hand_over(const Walked& walked, const std::optional<Vec2>& place, const Fleet& fleet,
+                   double dt, double& kept);
+
 }  // namespace pedzone

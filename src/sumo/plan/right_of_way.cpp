@@ -44,8 +44,8 @@ bool comes_first(const FleetVehicle& vehicle, const PersonAhead& person, const M
   const double left = at.across - (person.position - zebra.begin).dot(along);
   const double room = 0.5 * vehicle.traits.width + person.radius + kBeside;
   if (left < -room) return false;  // has come past
-  const double over = (at.way + zebra.width + vehicle.traits.length) /
-                      std::max(vehicle.speed, kSlowest);
+  const double over =
+      (at.way + zebra.width + vehicle.traits.length) / std::max(vehicle.speed, kSlowest);
   return (left - room) / kFastWalk < over + kBefore;
 }
 

@@ -8,9 +8,9 @@
 
 namespace pedzone {
 
-/// [m] that the front may drive up to the first zebra crossing, within `distance` [m] along its
-/// way, that somebody uses who has not come past the vehicle's way yet, nor will be met before the
-/// vehicle is over it. Nothing: it is before none.
+/// [m] from the front to the first zebra crossing that somebody uses, within `distance` [m] along
+/// the way. Nothing where there is none. Left out: people who have passed the vehicle's way, and
+/// crossings that the vehicle clears before the person arrives.
 std::optional<double> way_to_used_zebra(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double distance);
 

@@ -10,6 +10,8 @@ constexpr double kStep = 0.5;  // [m] assumed: who stays within half a step has 
 
 }  // namespace
 
+bool is_at_rest(Activity activity) { return info_of(activity).speed == 0.0; }
+
 void Standstills::update(double time, const std::vector<Present>& all,
                          const std::function<bool(const std::string& id)>& rests) {
   ++round_;

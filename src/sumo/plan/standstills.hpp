@@ -1,13 +1,16 @@
 // Who has not got on for long, be it a person or a vehicle: for the summary and a warning.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/vec.hpp"
+#include "world/activities.hpp"
 
 namespace pedzone {
 
@@ -18,6 +21,9 @@ struct Standstill {
   double since = 0.0;            ///< [s]
   std::string where;             ///< "in zone 'plaza'", "on edge 'e1'"; empty: not asked for
 };
+
+/// Whether a person that pedzone walks, and that stands, does so because of what it does.
+bool is_at_rest(Activity activity);
 
 class Standstills {
  public:
@@ -36,7 +42,8 @@ class Standstills {
 
   /// Who has not moved for kLong at the last update: the longest first, then by id.
   const std::vector<Standstill>& all() const { return all_; }
-  std::vector<Standstill>& all() { return all_; }
+  /// The first kNamed of them, whose `where` may be filled in.
+  std::span<Standstill> named() { return std::span(all_).first(std::min(kNamed, all_.size())); }
   std::size_t most() const { return most_; }   ///< at any update
   double most_at() const { return most_at_; }  ///< [s] when that was first
 

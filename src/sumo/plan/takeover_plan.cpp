@@ -42,7 +42,8 @@ bool is_reachable_over_a_street(const Zone& zone, const Vec2& from, const Vec2& 
   return std::ranges::any_of(zone.streets, [&](const Street& street) {
     const auto open = std::ranges::find_if(street.places, &CrossingPlace::open);
     const double s = kStreetStep * static_cast<double>(open - street.places.begin());
-    const Vec2 low = street.point(s, open->low - kStand), high = street.point(s, open->high + kStand);
+    const Vec2 low = street.point(s, open->low - kStand),
+               high = street.point(s, open->high + kStand);
     return (zone.ways.way(from, low) && zone.ways.way(high, to)) ||
            (zone.ways.way(from, high) && zone.ways.way(low, to));
   });
@@ -137,6 +138,13 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
   const bool departs = index == 0 && walker.speed == 0.0;
   plan->place_freely = !walked_until_now && (departs || fleet.touches(plan->start, walker.radius));
   return plan;
+}
+
+Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius,
+               const Fleet& fleet) {
+  if (view.stays_outside) return Entry::kStaysOutside;
+  const bool in_vehicle = plan.place_freely && fleet.touches(view.position, radius);
+  return in_vehicle ? Entry::kNoRoom : Entry::kWalks;
 }
 
 double striping_share(double dawdling) { return 1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0); }

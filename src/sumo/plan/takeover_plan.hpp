@@ -37,8 +37,8 @@ struct PersonPast {
 /// The walk of a person that is taken over.
 struct TakeoverPlan {
   ZoneStretch stretch;
-  Vec2 start = Vec2::Zero();  ///< [m] inside the walls
-  std::size_t plan = 0;       ///< number of SUMO's plan for it
+  Vec2 start = Vec2::Zero();     ///< [m] inside the walls
+  std::size_t plan = 0;          ///< number of SUMO's plan for it
   double by_junctions = kNoWay;  ///< [m] as NewPerson
   bool place_freely = false;  ///< it departs here, or SUMO has brought it into a vehicle: it may be
                               ///< moved to the nearest free place
@@ -57,6 +57,16 @@ std::vector<int> zones_of_edges(const Network& network, const std::vector<Zone>&
 std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zone, int edge,
                                           const WalkerSeen& walker, bool walked_until_now,
                                           const Fleet& fleet, PersonPast& past);
+
+/// What becomes of a person once the crowd has it.
+enum class Entry {
+  kWalks,
+  kStaysOutside,  ///< SUMO walks it over a signalled crossing, to which the zone does not reach
+  kNoRoom,        ///< there is none beside a vehicle: it is SUMO's for this step
+};
+
+/// The crowd shows a person of `radius` [m], whose walk was planned, as `view`.
+Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius, const Fleet& fleet);
 
 /// The share of its top speed at which SUMO's striping model lets a person walk freely. It takes a
 /// random share of up to `dawdling` off in every step; ours walk as fast as that on average, or a

@@ -56,12 +56,12 @@ struct FleetVehicle : VehicleSeen {
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
   JunctionAhead junction;
   double follows_at = std::numeric_limits<double>::infinity();  ///< [m/s] for the one before it
-  int zone = 0;             ///< index of the zone it is in or comes to first
-  double commanded = -1.0;  ///< [m/s] speed set by us for the next step; -1: SUMO's own
-  double pull = 0.0;        ///< [m/s²] that this speed asks for; of use while it is commanded
-  double held_up = 0.0;     ///< [s] how long people have held it up
-  double slowed = 0.0;      ///< [s] people have made it slower without a break
-  double claim = 0.0;       ///< [m] see VehicleState
+  int zone = 0;               ///< index of the zone it is in or comes to first
+  double commanded = -1.0;    ///< [m/s] speed set by us for the next step; -1: SUMO's own
+  double pull = 0.0;          ///< [m/s²] that this speed asks for; of use while it is commanded
+  double blocked_time = 0.0;  ///< [s] ≥ 0 for which people have made it stand
+  double slowed = 0.0;        ///< [s] people have made it slower without a break
+  double claim = 0.0;         ///< [m] see VehicleState
   bool creeping = false;
   bool waits = false;  ///< it stands, as it did before, and not since we told it to
 

@@ -16,10 +16,10 @@ class WayAhead {
   /// Sets by which lanes a vehicle came to its present one, from what was known a step before.
   void remember(const FleetVehicle& before, FleetVehicle& vehicle) const;
 
-  /// Sets a vehicle's way, from its rear on (which follows its front along the lanes that it came
-  /// by; where these do not fit its heading, straight), `distance` [m] beyond its front or to its
-  /// route's end, the first junction on it, and its zone: the first on that way, else the first of
-  /// all. One that is on no lane goes straight on.
+  /// Sets the vehicle's way, its first junction and its zone. The way begins at the rear and
+  /// follows the lanes that it came by; if these do not fit its heading, it is straight. The way
+  /// ends `distance` [m] beyond the front, or with the route. If the vehicle is on no lane, the way
+  /// goes straight on. The zone is the first one on the way; if there is none, the first of all.
   void look(FleetVehicle& vehicle, double distance) const;
 
  private:

@@ -13,10 +13,10 @@ constexpr double kMoment = 1.0;   // [s] assumed: a driver expects people to wal
 constexpr double kSample = 0.25;  // [m] numerical: sampling of the swept area
 constexpr double kCleared = 2.0;  // [m/s] numerical: faster than this a jam is over
 constexpr double kClaimAfter =
-    2.0;                        // [s] assumed: slowed for so long, a vehicle asks people for room
-constexpr double kClaim = 8.0;  // [m] recorded onset of avoidance, median
+    2.0;                          // [s] assumed: slowed for so long, a vehicle asks people for room
+constexpr double kClaim = 8.0;    // [m] recorded onset of avoidance, median
 constexpr double kObeyed = 0.05;  // [m/s] numerical: slower than told by more, traffic holds it
-constexpr double kEase = 5.0;  // [m/s³] assumed: from braking to driving off in less than 1.5 s
+constexpr double kEase = 5.0;     // [m/s³] assumed: from braking to driving off in less than 1.5 s
 constexpr double kCreepMargin = 0.05;  // [m] numerical: a creeping vehicle passes people close
 
 /// Whether the body comes within `margin` of a person when its front has gone `travelled`.
@@ -49,8 +49,8 @@ double room_behind(const FleetVehicle& vehicle, double keep) {
 }
 
 /// Whether it stays out of a junction since people would make it stand there, in the way of other
-/// vehicles. SUMO's vehicles take it for granted that whoever enters gets through: they run into one
-/// that does not. No longer so once it creeps, and not where it could not stop in comfort.
+/// vehicles. SUMO's vehicles take it for granted that whoever enters gets through: they run into
+/// one that does not. No longer so once it creeps, and not where it could not stop in comfort.
 bool waits_before_junction(const FleetVehicle& vehicle, const Obstruction& ahead, double keep) {
   const double begin = vehicle.junction.begin;
   if (!vehicle.junction.shared || vehicle.creeping || begin <= 0.0) return false;
@@ -111,7 +111,7 @@ std::optional<YieldOrder> give_way(FleetVehicle& vehicle, double way, const Safe
   if (braking > way + kSample) return std::nullopt;
   const double safe = safe_speeds.stop(vehicle, way);
   vehicle.creeping = false;
-  vehicle.held_up = vehicle.slowed = 0.0;
+  vehicle.blocked_time = vehicle.slowed = 0.0;
   return comfortable_order(vehicle, std::min(safe, vehicle.allowed_speed), dt);
 }
 
@@ -172,14 +172,14 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   }
   if (!ahead) {
     vehicle.creeping = false;
-    vehicle.held_up = 0.0;
+    vehicle.blocked_time = 0.0;
     return let_go(vehicle, dt);
   }
-  const bool held = vehicle.commanded >= 0.0;
-  const bool by_traffic = held && vehicle.commanded > vehicle.speed + kObeyed;
-  if (held && !by_traffic && vehicle.speed < kHaltingSpeed) vehicle.held_up += dt;
-  if (vehicle.speed > kCleared) vehicle.held_up = 0.0;
-  vehicle.creeping = vehicle.held_up >= parameters.creep_after;
+  const bool is_commanded = vehicle.commanded >= 0.0;
+  const bool by_traffic = is_commanded && vehicle.commanded > vehicle.speed + kObeyed;
+  if (is_commanded && !by_traffic && vehicle.speed < kHaltingSpeed) vehicle.blocked_time += dt;
+  if (vehicle.speed > kCleared) vehicle.blocked_time = 0.0;
+  vehicle.creeping = vehicle.blocked_time >= parameters.creep_after;
   double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
   if (vehicle.slowed > kClaimAfter &&
       !waits_before_junction(vehicle, *ahead, parameters.yield_gap)) {

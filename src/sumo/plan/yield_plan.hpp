@@ -46,9 +46,9 @@ struct YieldOrder {
 };
 
 /// Looks for people as far ahead as the vehicle needs to stop from its speed v, braking as it likes
-/// to, and v·1 s + yieldHorizon farther. Lets those on zebra crossings go first. Counts for how long
-/// people hold it up: from creepAfter on it creeps. No order: nothing but its own traffic holds it,
-/// and it is SUMO's. `dt` [s]: of the step.
+/// to, and v·1 s + yieldHorizon farther. Lets those on zebra crossings go first. Counts for how
+/// long people hold it up: from creepAfter on it creeps. No order: nothing but its own traffic
+/// holds it, and it is SUMO's. `dt` [s]: of the step.
 std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const PersonAhead> people,
                                      const Parameters& parameters, const SafeSpeeds& safe_speeds,
                                      double dt);

@@ -8,7 +8,7 @@ namespace pedzone {
 namespace {
 
 constexpr double kStandsAfter = 5.0;  // [s] assumed: a driver looks after whom it has run into
-constexpr double kOnce = 1.0;  // [s] numerical: braking again so soon is the same braking
+constexpr double kOnce = 1.0;         // [s] numerical: braking again so soon is the same braking
 
 }  // namespace
 
@@ -36,12 +36,12 @@ void Yielding::command(FleetVehicle& vehicle, const YieldOrder& order,
   }
   out.push_back({vehicle.id, order.speed});
   vehicle.commanded = order.speed;
-  held_.insert(vehicle.id);
+  commanded_.insert(vehicle.id);
 }
 
 void Yielding::give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out) {
   vehicle.commanded = kOwnSpeed;
-  if (held_.erase(vehicle.id) == 0) return;
+  if (commanded_.erase(vehicle.id) == 0) return;
   out.push_back({vehicle.id, kOwnSpeed});
   if (in_emergency_.erase(vehicle.id) > 0) out.push_back({vehicle.id, SpeedMode::kDefault});
 }
@@ -56,8 +56,7 @@ void Yielding::note(const FleetVehicle& vehicle, double time) {
 
 std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
                                        std::span<const PersonAhead> people,
-                                       const SafeSpeeds& safe_speeds, double time,
-                                       double dt) {
+                                       const SafeSpeeds& safe_speeds, double time, double dt) {
   std::vector<SpeedOrder> orders;
   for (FleetVehicle& vehicle : vehicles) {
     if (const auto stop = plan_stop(vehicle, dt); stop && !vehicle.traits.external) {

@@ -48,8 +48,8 @@ class Yielding {
   void note(const FleetVehicle& vehicle, double time);
 
   const std::vector<Zone>& zones_;
-  std::unordered_set<std::string> held_, yielded_, in_emergency_;
-  std::unordered_map<std::string, double> stopping_;  ///< [s] for which it stands already
+  std::unordered_set<std::string> commanded_, yielded_, in_emergency_;
+  std::unordered_map<std::string, double> stopping_;     ///< [s] for which it stands already
   std::unordered_map<std::string, double> braked_late_;  ///< [s] when last
   std::vector<LateBraking> late_brakings_;
 };

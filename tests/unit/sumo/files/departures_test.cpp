@@ -61,8 +61,7 @@ TEST_F(DeparturesTest, are_those_of_vehicles_and_trips_that_begin_on_the_edges) 
 
 TEST_F(DeparturesTest, are_those_of_a_flow_one_by_one) {
   for (const std::string rate : {R"(period="20")", R"(vehsPerHour="180")", R"(number="3")"}) {
-    const auto found =
-        read(R"(<flow id="f" begin="10" end="70" from="a" to="b" )" + rate + "/>");
+    const auto found = read(R"(<flow id="f" begin="10" end="70" from="a" to="b" )" + rate + "/>");
     ASSERT_EQ(found.size(), 3U) << rate;
     EXPECT_EQ(found[2].vehicle, "f.2");
     EXPECT_NEAR(found[2].time, 50.0, 1e-9);

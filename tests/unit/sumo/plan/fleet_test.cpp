@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
 #include <tuple>
 
 #include "four_edges.hpp"
@@ -61,20 +62,20 @@ TEST_F(FleetTest, remembers_what_people_did_to_a_vehicle_while_it_is_near) {
   FleetVehicle& vehicle = fleet.vehicles()[0];
   EXPECT_LT(vehicle.commanded, 0.0);
   vehicle.commanded = 1.5;
-  vehicle.held_up = 7.0;
+  vehicle.blocked_time = 7.0;
   vehicle.slowed = 3.0;
   vehicle.creeping = true;
   vehicle.claim = 8.0;
   fleet.update({test::seen_vehicle("other", {70.0, 0.0}, 2.0), car(60.2, 2.0)}, 0.1);
   const FleetVehicle &other = fleet.vehicles()[0], &same = fleet.vehicles()[1];
-  EXPECT_EQ(other.held_up, 0.0);
+  EXPECT_EQ(other.blocked_time, 0.0);
   EXPECT_FALSE(other.creeping);
-  EXPECT_EQ(std::tuple(same.commanded, same.held_up, same.slowed, same.creeping),
+  EXPECT_EQ(std::tuple(same.commanded, same.blocked_time, same.slowed, same.creeping),
             std::tuple(1.5, 7.0, 3.0, true));
   EXPECT_EQ(same.claim, 0.0) << "is asked for anew in each step";
   fleet.update({}, 0.1);
   fleet.update({car(60.4, 2.0)}, 0.1);
-  EXPECT_EQ(fleet.vehicles()[0].held_up, 0.0);
+  EXPECT_EQ(fleet.vehicles()[0].blocked_time, 0.0);
 }
 
 TEST_F(FleetTest, sees_from_two_places_that_a_vehicle_reverses) {
@@ -191,6 +192,36 @@ TEST_F(FleetTest, shows_people_that_nobody_drives_off_in_a_queue) {
   EXPECT_GT(behind(2.5, 2.0), behind(2.5, 1.0)) << "behind one that drives it may";
   EXPECT_GT(behind(2.5, 0.0, 3.0), 3.0) << "not held by one beside its way";
   EXPECT_GT(behind(30.0, 0.0), 3.0);
+}
+
+TEST_F(FleetTest, follows_among_many_as_the_slowest_of_each_pair_alone_lets_it) {
+  std::mt19937 random(1);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  std::vector<VehicleSeen> all;
+  for (int i = 0; i < 40; ++i) {  // on no lane, so that all go straight on
+    all.push_back(test::seen_vehicle(std::to_string(i), {between(0.0, 80.0), between(0.0, 80.0)},
+                                     between(0.0, 15.0)));
+    all.back().heading = between(-kPi, kPi);
+    all.back().traits.length = between(1.0, 20.0);
+  }
+  const std::vector<Zone> zone_list = zones();
+  Fleet together(network, zone_list);
+  together.update(all, 0.1);
+  int followers = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    double slowest = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (i == j) continue;
+      Fleet pair(network, zone_list);
+      pair.update({all[i], all[j]}, 0.1);
+      slowest = std::min(slowest, pair.vehicles()[0].follows_at);
+    }
+    EXPECT_EQ(together.vehicles()[i].follows_at, slowest) << i;
+    followers += slowest < 1e9;
+  }
+  EXPECT_GT(followers, 10);
 }
 
 TEST_F(FleetTest, shows_people_where_a_vehicle_turns) {

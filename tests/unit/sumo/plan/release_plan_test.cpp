@@ -148,6 +148,19 @@ TEST_F(MayRelease, not_beside_one_that_waits_for_something_else) {
   EXPECT_TRUE(ask()) << "farther than half a metre from the body";
 }
 
+TEST_F(MayRelease, neither_at_its_own_place_nor_at_that_which_sumo_has_for_it) {
+  const Vec2 far = kPlace + Vec2(0.0, 9.0);
+  const auto hand_over = [&](const Vec2& walked_to, const std::optional<Vec2>& place) {
+    return may_hand_over({far, walked_to, kRadius, 1.2}, place, fleet_, 0.1, held_);
+  };
+  vehicle(0.5, 0.0);
+  EXPECT_FALSE(hand_over(kPlace, far));
+  EXPECT_FALSE(hand_over(far, kPlace));
+  EXPECT_FALSE(hand_over(kPlace, std::nullopt));
+  EXPECT_TRUE(hand_over(far, std::nullopt)) << "SUMO leaves it where it is";
+  EXPECT_TRUE(hand_over(far, far));
+}
+
 class LetGoTest : public testing::Test, protected test::FourEdges {
  protected:
   std::optional<ReleasePlan> let_go(const Vec2& position, const std::string& present,

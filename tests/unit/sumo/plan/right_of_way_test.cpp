@@ -76,12 +76,13 @@ SafeSpeeds braking_evenly() {
     const double b = vehicle.traits.decel;
     return std::sqrt(b * b + 2.0 * b * gap) - b;
   };
-  return {stop, [=](const FleetVehicle& vehicle, double gap, double) { return stop(vehicle, gap); }};
+  return {stop,
+          [=](const FleetVehicle& vehicle, double gap, double) { return stop(vehicle, gap); }};
 }
 
 TEST(RightOfWay, makes_a_vehicle_wait_that_can_in_comfort_and_claims_nothing) {
   FleetVehicle vehicle = car(10.0);
-  vehicle.slowed = vehicle.held_up = 60.0;
+  vehicle.slowed = vehicle.blocked_time = 60.0;
   double way = 0.0;
   for (int step = 0; step < 200; ++step) {
     PersonAhead person = northward(-2.2);
@@ -100,7 +101,7 @@ TEST(RightOfWay, makes_a_vehicle_wait_that_can_in_comfort_and_claims_nothing) {
   EXPECT_LT(vehicle.speed, 0.5);
   EXPECT_NEAR(way, 28.0, 1.0);
   EXPECT_EQ(vehicle.claim, 0.0);
-  EXPECT_EQ(vehicle.held_up, 0.0);
+  EXPECT_EQ(vehicle.blocked_time, 0.0);
 }
 
 TEST(RightOfWay, is_not_given_by_one_that_would_have_to_brake_too_hard) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "four_edges.hpp"
+#include "sumo/plan/yielding.hpp"
 
 namespace pedzone {
 namespace {
@@ -62,6 +63,71 @@ TEST_F(StandOffTest, ends_when_nobody_is_beside_any_more) {
   EXPECT_THAT(step(0.1),
               ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
   EXPECT_THAT(step(0.1), IsEmpty());
+}
+
+TEST_F(StandOffTest, goes_on_though_yielding_finds_nobody_whom_it_would_let_go_gently) {
+  const SafeSpeeds any{[](const FleetVehicle&, double) { return 10.0; },
+                       [](const FleetVehicle&, double, double) { return 10.0; }};
+  for (const double dt : {0.1, 0.5, 1.0}) {
+    stand_offs_.emplace(zones_);
+    Yielding yielding(zones_);
+    vehicles_ = {standing("van", 80.0)};
+    vehicles_[0].allowed_speed = 10.0;
+    wait(100.0, dt);
+    for (int k = 0; k < 10; ++k) {  // it still stands, and what it was told carries over
+      EXPECT_THAT(yielding.plan(vehicles_, {}, any, 0.0, dt), IsEmpty());
+      EXPECT_THAT(step(dt), ElementsAre(SpeedOrder{"van", creep_})) << dt << ' ' << k;
+    }
+  }
+}
+
+TEST_F(StandOffTest, ends_at_a_stop_of_the_vehicles_own) {
+  wait(100.0);
+  vehicles_[0].commanded = kOwnSpeed;
+  vehicles_[0].stopped = true;
+  EXPECT_THAT(step(0.1),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}))
+      << "it drives on after the stop as fast as it likes";
+  EXPECT_THAT(step(0.1), IsEmpty());
+}
+
+TEST_F(StandOffTest, ends_for_one_that_has_gone_and_comes_back) {
+  const std::vector<SpeedOrder> mode{{"van", SpeedMode::kDefault}}, own{{"van", kOwnSpeed}};
+  for (const bool passes : {true, false}) {
+    stand_offs_.emplace(zones_);
+    people_ = {{{passes ? 79.0 : 83.0, passes ? 2.0 : 0.0}, {0.0, 0.0}, 0.24}};
+    vehicles_ = {standing("van", 80.0)};
+    wait(100.0);
+    vehicles_.clear();  // SUMO teleports it
+    EXPECT_THAT(step(0.1), IsEmpty()) << "SUMO would end at an order for one that is not there";
+    EXPECT_THAT(step(0.1), IsEmpty());
+    vehicles_ = {standing("van", 80.0)};
+    vehicles_[0].speed = 5.0;
+    std::vector<SpeedOrder> expected = own;
+    if (passes) expected.insert(expected.begin(), mode.front());
+    EXPECT_EQ(step(0.1), expected) << passes;
+    EXPECT_THAT(step(0.1), IsEmpty());
+  }
+}
+
+TEST_F(StandOffTest, tells_one_nothing_that_another_program_drives_until_it_no_longer_does) {
+  wait(100.0);
+  vehicles_[0].traits.external = true;
+  vehicles_[0].speed = 5.0;
+  for (int k = 0; k < 300; ++k) ASSERT_THAT(step(0.1), IsEmpty());
+  vehicles_[0].traits.external = false;
+  vehicles_[0].commanded = kOwnSpeed;
+  EXPECT_THAT(step(0.1),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+  EXPECT_THAT(step(0.1), IsEmpty());
+}
+
+TEST_F(StandOffTest, ends_when_the_vehicle_has_left_the_zone) {
+  wait(100.0);
+  vehicles_[0] = standing("van", 24.0);
+  people_[0].position.x() = 23.0;
+  EXPECT_THAT(step(0.1),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
 }
 
 TEST_F(StandOffTest, leaves_the_speed_to_yielding_once_that_holds_the_vehicle) {

@@ -127,6 +127,25 @@ TEST_F(TakeoverPlanTest, person_whom_sumo_walks_into_a_vehicle_is_put_beside_it)
   EXPECT_FALSE(plan(e1)->place_freely);
 }
 
+TEST_F(TakeoverPlanTest, person_walks_where_the_crowd_has_put_it_unless_in_a_vehicle) {
+  fleet_.update({test::seen_vehicle("van", {53.0, 0.0}, 0.0)}, 0.1);
+  TakeoverPlan freely;
+  freely.place_freely = true;
+  PersonView view{};
+  view.position = {51.0, 0.0};
+  EXPECT_EQ(entry_of(freely, view, 0.25, fleet_), Entry::kNoRoom);
+  EXPECT_EQ(entry_of({}, view, 0.25, fleet_), Entry::kWalks) << "the vehicle ran into it";
+  view.position = {53.3, 0.0};
+  EXPECT_EQ(entry_of(freely, view, 0.25, fleet_), Entry::kWalks);
+  EXPECT_EQ(entry_of(freely, view, 0.35, fleet_), Entry::kNoRoom) << "it is wider";
+}
+
+TEST_F(TakeoverPlanTest, person_that_would_rather_cross_at_a_junction_stays_sumos) {
+  PersonView view{};
+  view.stays_outside = true;
+  EXPECT_EQ(entry_of({}, view, 0.25, fleet_), Entry::kStaysOutside);
+}
+
 TEST_F(TakeoverPlanTest, plan_is_another_with_other_edges_or_stages) {
   const std::size_t one = plan_number(1, {"a", "b"});
   EXPECT_EQ(one, plan_number(1, {"a", "b"}));

@@ -164,10 +164,10 @@ TEST(PlanYield, is_nothing_where_nobody_is_in_the_way) {
   const EvenBraking own;
   FleetVehicle vehicle = driving(5.0);
   vehicle.creeping = true;
-  vehicle.held_up = 30.0;
+  vehicle.blocked_time = 30.0;
   EXPECT_FALSE(plan_yield(vehicle, {}, Parameters(), own.speeds(), 0.1));
   EXPECT_FALSE(vehicle.creeping);
-  EXPECT_EQ(vehicle.held_up, 0.0);
+  EXPECT_EQ(vehicle.blocked_time, 0.0);
 }
 
 /// What a vehicle of 8 m/s is told before one person, in steps of `dt` [s].
@@ -248,7 +248,7 @@ TEST(PlanYield, enters_a_junction_that_it_can_leave_or_is_in_or_after_waiting) {
   creeps.speed = 0.0;
   creeps.creeping = true;
   creeps.commanded = 0.0;
-  creeps.held_up = 30.0;
+  creeps.blocked_time = 30.0;
   plan_yield(creeps, inside, Parameters(), own.speeds(), 0.1);
   EXPECT_THAT(own.gaps, testing::Not(testing::Contains(10.0)));
 }
@@ -263,7 +263,7 @@ TEST(PlanYield, claims_no_room_while_traffic_holds_it) {
       plan_yield(vehicle, people, Parameters(), own.speeds(), 0.1);
     }
     EXPECT_EQ(vehicle.claim > 0.0, commanded == 0.0) << commanded;
-    EXPECT_EQ(vehicle.held_up > 0.0, commanded == 0.0) << commanded;
+    EXPECT_EQ(vehicle.blocked_time > 0.0, commanded == 0.0) << commanded;
   }
 }
 

@@ -1,0 +1,39 @@
+#include "sumo/plan/replanning.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kPlanInterval = 0.5;  // [s] numerical
+// [m] numerical: SUMO gives back what it is told, exactly.
+constexpr double kPlaceTolerance = 0.01;
+
+}  // namespace
+
+bool is_due(const PlanWatch& watch, double time, int stages_left) {
+  return time >= watch.check_at || stages_left != watch.stages_left;
+}
+
+void note_look(PlanWatch& watch, double time, int stages_left) {
+  watch.check_at = time + kPlanInterval;
+  watch.stages_left = stages_left;
+}
+
+Finding what_happened(const PlanWatch& watch, std::size_t plan, const Vec2& told,
+                      const std::function<Vec2()>& place) {
+  if (plan != watch.plan) return Finding::kReplanned;
+  return (place() - told).norm() > kPlaceTolerance ? Finding::kMoved : Finding::kUnchanged;
+}
+
+bool may_be_given_back(PlanWatch& watch, std::size_t plan) {
+  if (plan != watch.plan) watch.check_at = 0.0;
+  return watch.check_at > 0.0;
+}
+
+PersonPast with_new_plan(const PersonPast& past) {
+  PersonPast now;
+  now.was_controlled = true;
+  now.was_given_back = past.was_given_back;
+  return now;
+}
+
+}  // namespace pedzone
