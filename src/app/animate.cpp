@@ -103,8 +103,10 @@ void add_video_options(CLI::App& command, VideoOptions& options) {
                     ->type_name(kFile)
                     ->group(group);
   command
-      .add_option("--video-speed", options.speed,
-                  "Seconds of the run in a second of the film; --begin and --end say of which")
+      .add_option(
+          "--video-speed", options.speed,
+          "Speed of the film: simulated seconds per second of film. --begin and --end choose the "
+          "part")
       ->check(number_in(0.01, 1000.0))
       ->type_name(kNumber)
       ->capture_default_str()
@@ -135,11 +137,10 @@ constexpr const char* kFooter =
     "  pedzone animate t.csv --fcd fcd.xml --scenario town.sumocfg --begin 60 --end 180 \\\n"
     "                  --video town.mp4 --video-speed 4      # two minutes in half a one\n\n"
     "The file plays in any browser of 2023 or later and needs nothing else, no network either.\n"
-    "Space plays and pauses, the arrow keys step, F shows everything, D is for dark; drag, wheel "
-    "or\n"
-    "two fingers move the map; a click on somebody shows its numbers. Between the steps that are\n"
-    "kept (--rate) everybody moves evenly. What people do beside walking is in --trajectories\n"
-    "only; from fcd-output alone, who is slower than 0.1 m/s stands.\n"
+    "Space: play or pause. Arrow keys: one step. F: show everything. D: dark. Drag, wheel or two\n"
+    "fingers: move the map. Click on a person or vehicle: its numbers. Between the steps that are\n"
+    "kept (--rate) everybody moves evenly. Only --trajectories know what people do beside\n"
+    "walking; with fcd-output alone, who is slower than 0.1 m/s is shown as standing.\n"
     "Exit codes: 0 done, 2 input at fault, 128 + signal: interrupted.";
 
 }  // namespace
@@ -166,7 +167,8 @@ void add_animate(CLI::App& app, int& code) {
   command->add_option("--title", options->page.title, "Heading of the page")
       ->type_name("TEXT")
       ->default_str("the scenario's");
-  command->add_option("--rate", options->page.rate, "At most so many steps a second are kept")
+  command
+      ->add_option("--rate", options->page.rate, "Keep at most so many steps per simulated second")
       ->check(number_in(0.01, 100.0))
       ->type_name(kNumber)
       ->capture_default_str();

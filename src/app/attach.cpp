@@ -14,18 +14,14 @@ constexpr const char* kFooter =
     "  sumo-gui -c town.sumocfg --remote-port 8813 --num-clients 2\n"
     "  python3 my_shuttle.py --port 8813                   # order 1: your controller\n"
     "  pedzone attach town.sumocfg --port 8813 --order 2\n\n"
-    "SUMO waits until all its clients are there, and in each step until all have done theirs, the\n"
-    "lowest order first. pedzone reads the network and the zones from the same configuration, so "
-    "it\n"
-    "must be the one that SUMO runs. It walks people as `pedzone run` does, to the same bits.\n\n"
-    "A person that another client moves has to have the parameter pedzone.external=\"true\" (its "
-    "own\n"
-    "or its vType's) where that client's order is lower than pedzone's: the last word of a step "
-    "wins,\n"
-    "and SUMO tells nobody of an earlier one. Other persons and all vehicles are noticed.\n\n"
-    "When pedzone ends (its --end, SUMO's, or Ctrl-C), SUMO has its people back and goes on for "
-    "its\n"
-    "other clients.\n\n"
+    "SUMO starts when all its clients have connected. In each step it waits for all of them, the\n"
+    "lowest --order first. Give pedzone the configuration that SUMO runs: it reads the network\n"
+    "and the zones from there. It walks people as `pedzone run` does, to the same bits.\n\n"
+    "If another client moves a person and has a lower --order than pedzone, set\n"
+    "pedzone.external=\"true\" on the person or its vType. SUMO does not report such moves.\n"
+    "pedzone notices all other persons and vehicles by itself.\n\n"
+    "When pedzone ends (its --end, SUMO's, or Ctrl-C), it gives the people back to SUMO, and SUMO\n"
+    "goes on for its other clients.\n\n"
     "Exit codes: 0 done, 2 input at fault, 3 SUMO is not there or failed, 128 + signal: "
     "interrupted.";
 
@@ -35,7 +31,7 @@ void add_address(CLI::App& command, TraciAddress& address) {
       ->type_name(kNumber)
       ->capture_default_str()
       ->group(kSumo);
-  command.add_option("--host", address.host, "The machine it runs on")
+  command.add_option("--host", address.host, "Machine on which SUMO runs")
       ->type_name("HOST")
       ->capture_default_str()
       ->group(kSumo);
@@ -46,7 +42,7 @@ void add_address(CLI::App& command, TraciAddress& address) {
       ->type_name(kNumber)
       ->capture_default_str()
       ->group(kSumo);
-  command.add_option("--patience", address.patience, "How long to wait for SUMO to be there")
+  command.add_option("--patience", address.patience, "How long to wait until SUMO answers")
       ->check(number_in(0, kLongestTime))
       ->type_name(kSeconds)
       ->capture_default_str()

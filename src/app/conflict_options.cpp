@@ -20,7 +20,7 @@ void add_conflict_options(CLI::App& command, ConflictOptions& options) {
   add(kXml, options.xml, "Write them as XML, in the manner of SUMO's SSM device")->type_name(kFile);
   add(kCsv, options.csv, "Write them as a table")->type_name(kFile);
   add("--conflicts-of", options.of,
-      "Whose: zones: people whom pedzone walks, as far as that is known; all: everybody's")
+      "Which people count. zones: those that pedzone walks, if known; all: everybody")
       ->check(one_of({"zones", "all"}))
       ->type_name(kNames)
       ->capture_default_str();
@@ -29,11 +29,12 @@ void add_conflict_options(CLI::App& command, ConflictOptions& options) {
     add(name, value, what)->check(number_in(least, most))->type_name(unit)->capture_default_str();
   };
   ConflictLimits& limits = options.limits;
-  limit("--conflict-ttc", limits.ttc, 60, kSeconds, "Told where the TTC falls below this ...");
-  limit("--conflict-pet", limits.pet, 60, kSeconds, "... or the PET ...");
-  limit("--conflict-drac", limits.drac, 100, "M/S2", "... or the DRAC rises above this");
-  limit("--conflict-range", limits.range, 1000, kMetres, "Nobody farther away is detected", 1.0);
-  limit("--conflict-horizon", limits.horizon, 60, kSeconds, "A longer TTC is none");
+  limit("--conflict-ttc", limits.ttc, 60, kSeconds, "Report a conflict if TTC falls below this");
+  limit("--conflict-pet", limits.pet, 60, kSeconds, "... or PET falls below this");
+  limit("--conflict-drac", limits.drac, 100, "M/S2", "... or DRAC rises above this");
+  limit("--conflict-range", limits.range, 1000, kMetres, "Ignore vehicles farther away than this",
+        1.0);
+  limit("--conflict-horizon", limits.horizon, 60, kSeconds, "Look so far ahead for a TTC");
 }
 
 }  // namespace pedzone

@@ -12,10 +12,10 @@
 #include "app/guarded.hpp"
 #include "app/seen_crossings.hpp"
 #include "app/share_bar.hpp"
+#include "app/type_files.hpp"
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
 #include "sumo/files/fcd_reader.hpp"
-#include "sumo/files/scenario.hpp"
 #include "sumo/files/walked_by_pedzone.hpp"
 
 namespace pedzone {
@@ -31,17 +31,6 @@ struct ConflictsOptions {
   ConflictOptions conflicts;
   SeenCrossingOptions crossings;
 };
-
-BodySizes read_sizes(const ConflictsOptions& options) {
-  BodySizes sizes;
-  if (!options.scenario.empty()) {
-    const Scenario scenario = read_any_scenario(options.scenario, {});
-    for (const std::string& file : scenario.additional_files) sizes.read(file);
-    for (const std::string& file : scenario.route_files) sizes.read(file);
-  }
-  for (const std::string& file : options.types) sizes.read(file);
-  return sizes;
-}
 
 void require_types(const BodySizes& sizes, const std::vector<std::string>& types) {
   for (const std::string& type : types) {
@@ -62,64 +51,84 @@ std::string scope_text(std::size_t told, std::size_t others, bool known, const s
       others);
 }
 
-void measure(const ConflictsOptions& options) {
-  if (!options.conflicts.wanted() && !options.json && options.crossings.zone_file.empty()) {
-    throw InputError("is missing", {.element = "option --conflict-output, --conflict-csv or --json",
-                                    .allowed = "one of them or more"});
+/// Where conflicts go that are over: files, the crossings of a street, the terminal.
+class ConflictOutputs {
+ public:
+  explicit ConflictOutputs(const ConflictsOptions& options)
+      : options_(options), writer_(options.conflicts.paths()) {
+    if (options.crossings.zone_file.empty()) return;
+    crossings_ = std::make_unique<SeenCrossings>(options.scenario, options.crossings);
   }
-  const BodySizes sizes = read_sizes(options);
-  require_types(sizes, options.as_persons);
-  ConflictWriter writer(options.conflicts.paths());
-  ConflictTracker tracker(options.conflicts.limits);
-  const std::optional<WalkedByPedzone> walked = read_walked(options.trajectories);
-  std::vector<Conflict> over, printed;
-  std::size_t others = 0;
-  std::unique_ptr<SeenCrossings> crossings;
-  if (!options.crossings.zone_file.empty()) {
-    crossings = std::make_unique<SeenCrossings>(options.scenario, options.crossings);
+
+  void step(double time, std::span<const PersonSample> persons,
+            std::span<const VehicleSample> vehicles) {
+    if (crossings_) crossings_->step(time, persons, vehicles);
   }
-  const auto write = [&] {
+
+  /// Takes and empties `over`.
+  void take(std::vector<Conflict>& over) {
     for (const Conflict& conflict : over) {
-      if (!options.conflicts.takes(conflict)) {
-        ++others;
+      if (!options_.conflicts.takes(conflict)) {
+        ++others_;
         continue;
       }
-      writer.write(conflict);
-      if (crossings) crossings->add(conflict);
-      if (options.json) printed.push_back(conflict);
+      writer_.write(conflict);
+      if (crossings_) crossings_->add(conflict);
+      if (options_.json) printed_.push_back(conflict);
     }
     over.clear();
-  };
-  std::vector<PersonSample> told;
-  ShareBar bar("measuring conflicts");
+  }
+
+  /// `known`: whom pedzone walked.
+  void finish(bool known) {
+    writer_.finish();
+    const std::string crossed = crossings_ ? crossings_->finish() : "";
+    if (options_.json) return print_text(conflicts_json(printed_));
+    print_result(scope_text(writer_.written(), others_, known, options_.conflicts.of) + crossed);
+  }
+
+ private:
+  const ConflictsOptions& options_;
+  ConflictWriter writer_;
+  std::unique_ptr<SeenCrossings> crossings_;
+  std::vector<Conflict> printed_;
+  std::size_t others_ = 0;
+};
+
+void require_output(const ConflictsOptions& options) {
+  if (options.conflicts.wanted() || options.json || !options.crossings.zone_file.empty()) return;
+  throw InputError("is missing", {.element = "option --conflict-output, --conflict-csv or --json",
+                                  .allowed = "one of them or more"});
+}
+
+void measure(const ConflictsOptions& options) {
+  require_output(options);
+  const auto sizes = read_type_files<BodySizes>(options.scenario, {}, options.types);
+  require_types(sizes, options.as_persons);
   const std::unordered_set<std::string> as_persons(options.as_persons.begin(),
                                                    options.as_persons.end());
-  FcdReader(sizes, as_persons)
-      .read(
-          options.fcd,
-          [&](double time, std::span<const PersonSample> persons,
-              std::span<const VehicleSample> vehicles) {
-            if (walked) {
-              told.assign(persons.begin(), persons.end());
-              for (PersonSample& one : told) one.by_pedzone = walked->at(one.id, time);
-              persons = told;
-            }
-            if (crossings) crossings->step(time, persons, vehicles);
-            tracker.step(time, persons, vehicles, {}, over);
-            write();
-          },
-          [&](double share) { bar.update(share); });
+  ConflictOutputs outputs(options);
+  const std::optional<WalkedByPedzone> walked = read_walked(options.trajectories);
+  ConflictTracker tracker(options.conflicts.limits);
+  std::vector<Conflict> over;
+  std::vector<PersonSample> known;
+  const auto step = [&](double time, std::span<const PersonSample> persons,
+                        std::span<const VehicleSample> vehicles) {
+    if (walked) {
+      known.assign(persons.begin(), persons.end());
+      for (PersonSample& one : known) one.by_pedzone = walked->at(one.id, time);
+      persons = known;
+    }
+    outputs.step(time, persons, vehicles);
+    tracker.step(time, persons, vehicles, {}, over);
+    outputs.take(over);
+  };
+  ShareBar bar("measuring conflicts");
+  FcdReader(sizes, as_persons).read(options.fcd, step, [&](double share) { bar.update(share); });
   tracker.finish(over);
-  write();
+  outputs.take(over);
   bar.finish();
-  writer.finish();
-  const std::string crossed = crossings ? crossings->finish() : "";
-  if (options.json) {
-    print_text(conflicts_json(printed));
-  } else {
-    print_result(scope_text(writer.written(), others, walked.has_value(), options.conflicts.of) +
-                 crossed);
-  }
+  outputs.finish(walked.has_value());
 }
 
 constexpr const char* kFooter =
@@ -128,9 +137,9 @@ constexpr const char* kFooter =
     "  pedzone conflicts fcd.xml.gz --scenario town.sumocfg --conflict-output conflicts.xml\n\n"
     "  pedzone conflicts fcd.xml.gz --scenario street.sumocfg --zone street.zone.xml \\\n"
     "          --crossing-svg gaps.svg\n\n"
-    "The same measures as `pedzone run --conflict-output`, whoever walked the persons: with\n"
-    "--trajectories those of people whom pedzone walked, else everybody's. SUMO\n"
-    "writes positions to 0.01 m; its option --precision 4 makes the measures smoother.\n"
+    "The same measures as `pedzone run --conflict-output`. It does not matter who walked the\n"
+    "people. With --trajectories, only people whom pedzone walked count. SUMO writes positions to\n"
+    "0.01 m; its option --precision 4 makes the measures smoother.\n"
     "Exit codes: 0 done, 2 input at fault.";
 
 }  // namespace
@@ -143,9 +152,9 @@ void add_conflicts(CLI::App& app, int& code) {
   command->add_option("fcd", options->fcd, "SUMO's fcd-output, gzipped or not")->required();
   command
       ->add_option("--scenario", options->scenario,
-                   "SUMO configuration whose files tell how large vehicles and persons are")
+                   "SUMO configuration: its files have the sizes of vehicles and persons")
       ->type_name(kFile);
-  command->add_option("--vtypes", options->types, "More route or additional files that tell it")
+  command->add_option("--vtypes", options->types, "More route or additional files with sizes")
       ->type_name(kFile)
       ->allow_extra_args(false);
   command
@@ -155,13 +164,13 @@ void add_conflicts(CLI::App& app, int& code) {
       ->allow_extra_args(false);
   command
       ->add_option("--trajectories", options->trajectories,
-                   "pedzone's --trajectories (table) of the same run, which tell whom it walked")
+                   "pedzone's --trajectories (table) of the same run: whom pedzone walked")
       ->type_name(kFile);
   auto* zone = command
                    ->add_option("--zone", options->crossings.zone_file,
-                                "Zone file with crossing=\"anywhere\": who crosses its streets "
-                                "where, conflicts on their near and far half, and the gaps that "
-                                "people take (with --scenario)")
+                                "Zone file with crossing=\"anywhere\" (needs --scenario). Adds: "
+                                "where people cross, conflicts on the near and far half of the "
+                                "street, gaps taken")
                    ->type_name(kFile);
   command->add_option("--crossing-csv", options->crossings.csv, "Write these crossings as a table")
       ->type_name(kFile)

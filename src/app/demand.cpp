@@ -47,8 +47,8 @@ constexpr const char* kFooter =
     "  pedzone demand town.sumocfg --pedestrians 200 --seed 7 --out people.rou.xml\n"
     "  sumo -c town.sumocfg --additional-files people.rou.xml    # walked by SUMO's striping\n\n"
     "The same scenario, zone file, options and seed give the same people as in `pedzone run`, to\n"
-    "the bit. On SUMO's command line --additional-files replaces those of the configuration:\n"
-    "name them, too, where they matter. Profiles: `pedzone profiles`.\n"
+    "the bit. On SUMO's command line, --additional-files replaces the additional files of the\n"
+    "configuration: name those, too, if they are needed. Profiles: `pedzone profiles`.\n"
     "Exit codes: 0 done, 2 input at fault.";
 
 }  // namespace

@@ -80,14 +80,14 @@ constexpr const char* kFooter =
     "  pedzone geojson town.sumocfg --out gis\n"
     "  pedzone run town.sumocfg --trajectories run.csv --conflict-csv conflicts.csv\n"
     "  pedzone geojson town.sumocfg --recording run.csv --conflicts conflicts.csv --out gis\n\n"
-    "A file a layer, to be drawn into QGIS:\n"
+    "Each layer is a file. Drag them into QGIS:\n"
     "  zones      where people can be\n"
-    "  walls      the borders of that\n"
-    "  waypoints  of the zone file's <path> elements, where it has any\n"
+    "  walls      the borders of the zones\n"
+    "  waypoints  of the zone file's <path> elements, if it has any\n"
     "  paths      a line for each person's way (--recording)\n"
     "  density    people per m², mean over the recording, in cells of 2 m (--recording)\n"
-    "  conflicts  where each was gravest, with its measures (--conflicts)\n"
-    "The network must know its projection, as those from OpenStreetMap do.\n"
+    "  conflicts  the place of each at its most serious moment, with its measures (--conflicts)\n"
+    "The network must have a projection, as networks from OpenStreetMap have.\n"
     "Exit codes: 0 done, 2 input at fault.";
 
 }  // namespace
@@ -106,7 +106,7 @@ void add_geojson(CLI::App& app, int& code) {
   add_recording_filter(*command, recording);
   command
       ->add_option("--conflicts", options->conflicts,
-                   "What `pedzone run` or `pedzone conflicts` wrote by --conflict-csv")
+                   "Table that `pedzone run` or `pedzone conflicts` wrote with --conflict-csv")
       ->type_name(kFile);
   command->add_option("--out", options->out, "Folder to write into")
       ->type_name(kFolder)

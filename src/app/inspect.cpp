@@ -55,8 +55,8 @@ int inspect(const InspectOptions& options) {
 
 void add_inspect(CLI::App& app, int& code) {
   const auto options = std::make_shared<InspectOptions>();
-  CLI::App* command =
-      app.add_subcommand("inspect", "Show what would be controlled: numbers, warnings, a picture");
+  CLI::App* command = app.add_subcommand(
+      "inspect", "Show the zones that pedzone would control: numbers, warnings, a picture");
   command->footer("Example:\n  pedzone inspect town.sumocfg --svg zone.svg");
   add_scenario(*command, options->config, options->zone_file);
   command->add_option("--svg", options->svg, "Draw the zone")->type_name(kFile);

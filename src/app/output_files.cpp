@@ -77,9 +77,10 @@ std::vector<std::string> outputs_of(const RunOptions& options) {
 
 void keep_standard_output_clean(RunOptions& options) {
   std::string clean;
-  for (std::string* path : {&options.summary, &options.trajectories, &options.crossings,
-                            &options.edge_data, &options.picture, &options.animation, &options.debug_shapes,
-                            &options.conflicts.xml, &options.conflicts.csv}) {
+  for (std::string* path :
+       {&options.summary, &options.trajectories, &options.crossings, &options.edge_data,
+        &options.picture, &options.animation, &options.debug_shapes, &options.conflicts.xml,
+        &options.conflicts.csv}) {
     if (!CompleteFile::is_standard_output(*path)) continue;
     if (clean.empty()) {
       clean = "/dev/fd/" + std::to_string(dup(STDOUT_FILENO));

@@ -151,10 +151,11 @@ constexpr const char* kExamples =
     "  time       where persons and vehicles are at even moments, coloured by time; zones green,\n"
     "             waypoints as stars\n"
     "  path       a line for each person\n"
-    "  across     places with an axis of their own across: small deviations are seen\n"
+    "  across     each person's way with y stretched, so that small deviations can be seen\n"
     "  speed      speed over time\n"
     "  clearance  room between each person and the nearest moving vehicle over time\n"
-    "Up to 12 persons have a line and a name each; of more, charts show median and 5 to 95 %.\n"
+    "Up to 12 persons have a line and a name each. Of more people, charts show the median and the\n"
+    "range from 5 to 95 %.\n"
     "Maps show where the persons are in the zones, or --area. --persons and --area come after\n"
     "the recording.\n"
     "Exit codes: 0 done, 2 input at fault.";
@@ -189,14 +190,14 @@ void add_plot(CLI::App& app, int& code) {
       ->type_name(kSeconds);
   add_box_option(*command, "--area", options->area, "Maps: what is shown, in metres of the network")
       ->default_str("where persons are");
-  command->add_option("--colour-by", options->colour, "Path plot: what a line's colour tells")
+  command->add_option("--colour-by", options->colour, "Path plot: what the colour of a line means")
       ->check(one_of({"auto", "person", "group", "none"}))
       ->type_name("COLOUR")
       ->capture_default_str();
   command->add_option("--title", options->title, "Title")
       ->type_name("TEXT")
       ->default_str("the recording's name");
-  command->add_option("--width", options->width, "Of a PNG")
+  command->add_option("--width", options->width, "Width of a PNG")
       ->check(whole_number_in(kLeastPixels, kMostPixels))
       ->type_name("PIXELS")
       ->capture_default_str();

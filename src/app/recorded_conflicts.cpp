@@ -2,25 +2,14 @@
 
 #include <unordered_set>
 
+#include "app/type_files.hpp"
 #include "conflict/tracker.hpp"
 #include "study/measure/conflict_measures.hpp"
 #include "sumo/files/fcd_reader.hpp"
-#include "sumo/files/scenario.hpp"
 #include "sumo/files/walked_by_pedzone.hpp"
 
 namespace pedzone {
 namespace {
-
-BodySizes read_sizes(const RecordingOptions& options) {
-  BodySizes sizes;
-  if (!options.scenario.empty()) {
-    const Scenario scenario = read_any_scenario(options.scenario, options.sumo_options);
-    for (const std::string& file : scenario.additional_files) sizes.read(file);
-    for (const std::string& file : scenario.route_files) sizes.read(file);
-  }
-  for (const std::string& file : options.types) sizes.read(file);
-  return sizes;
-}
 
 bool is_told(const Conflict& conflict) {
   return conflict.by_pedzone.value_or(true) && study::with_moving_vehicle(conflict) &&
@@ -44,7 +33,8 @@ std::optional<std::vector<Conflict>> recorded_conflicts(const RecordingOptions& 
     over.clear();
   };
   std::vector<PersonSample> shown;
-  const BodySizes sizes = read_sizes(options);
+  const auto sizes =
+      read_type_files<BodySizes>(options.scenario, options.sumo_options, options.types);
   const std::unordered_set<std::string> none;
   FcdReader(sizes, none)
       .read(table ? source.fcd : source.file,

@@ -4,6 +4,7 @@
 
 #include "app/command_line/values.hpp"
 #include "app/share_bar.hpp"
+#include "app/type_files.hpp"
 #include "sumo/files/place_reader.hpp"
 
 namespace pedzone {
@@ -61,13 +62,8 @@ std::unique_ptr<Place> read_place(const RecordingOptions& options) {
 }
 
 Recording read_recording(const RecordingOptions& options) {
-  RecordingCast cast;
-  if (!options.scenario.empty()) {
-    const Scenario scenario = read_any_scenario(options.scenario, options.sumo_options);
-    for (const std::string& file : scenario.additional_files) cast.read(file);
-    for (const std::string& file : scenario.route_files) cast.read(file);
-  }
-  for (const std::string& file : options.types) cast.read(file);
+  const auto cast =
+      read_type_files<RecordingCast>(options.scenario, options.sumo_options, options.types);
   ShareBar bar("reading");
   Recording recording =
       read_recording(options.source, cast, [&bar](double share) { bar.update(share); });

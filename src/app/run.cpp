@@ -209,10 +209,10 @@ constexpr const char* kFooter =
     "Without --zone, the zone is all shared space of the network: edges of type\n"
     "highway.pedestrian and highway.living_street and lanes that persons and vehicles share at\n"
     "no more than 20 km/h. `pedzone inspect` shows it.\n\n"
-    "Persons with the parameter pedzone.path (their own or their vType's) come by the POIs of\n"
-    "type pedzone.waypoint that <path id=\"...\" waypoints=\"poi1 poi2\"/> in the zone file "
-    "names,\n"
-    "in turn. sumo-gui shows what --debug-shapes writes: sumo-gui -c FILE -a POLYGONS,SHAPES.\n\n"
+    "Waypoints: a zone file can have <path id=\"ID\" waypoints=\"poi1 poi2\"/>. Persons with the\n"
+    "parameter pedzone.path=ID (their own or their vType's) pass these POIs in this order.\n"
+    "The POIs have the type pedzone.waypoint.\n\n"
+    "sumo-gui shows what --debug-shapes writes: sumo-gui -c FILE -a POLYGONS,SHAPES.\n\n"
     "Outputs: - is standard output, NAME.gz is compressed.\n"
     "Exit codes: 0 done, 2 input at fault, 3 SUMO failed, 128 + signal: interrupted.";
 

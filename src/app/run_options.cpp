@@ -59,20 +59,20 @@ void add_process_options(CLI::App& command, RunOptions& options) {
   add_screenshots(command, options)->group(group)->needs(gui);
   auto* clients =
       command
-          .add_option("--clients", options.own.clients,
-                      "TraCI clients of yours for whom SUMO waits: they take the orders 1, 2, ...")
+          .add_option(
+              "--clients", options.own.clients,
+              "Number of your own TraCI clients. SUMO waits for them. Their orders are 1, 2, ...")
           ->check(whole_number_in(0, 100))
           ->type_name(kNumber)
           ->capture_default_str()
           ->group(group);
   command
-      .add_option(
-          "--client", options.own.client,
-          "Start a client of yours, too, by this command of a shell; {port} in it is SUMO's")
+      .add_option("--client", options.own.client,
+                  "Shell command that starts a TraCI client of yours. {port} becomes SUMO's port")
       ->type_name("COMMAND")
       ->group(group)
       ->excludes(clients);
-  command.add_option("--port", options.own.port, "At which SUMO listens for them")
+  command.add_option("--port", options.own.port, "Port at which SUMO waits for --clients")
       ->check(a_port())
       ->type_name(kNumber)
       ->default_str("8813")
@@ -83,8 +83,8 @@ void add_process_options(CLI::App& command, RunOptions& options) {
 void add_strict_flag(CLI::App& command, RunOptions& options) {
   command
       .add_flag("--strict", options.strict,
-                "A scenario without persons or without shared space is an error; else it runs as "
-                "in SUMO, with a warning")
+                "A scenario without persons or shared space is an error. Without this option, "
+                "pedzone warns, and SUMO runs alone")
       ->group(kWhatIsRun);
 }
 
@@ -100,20 +100,23 @@ void add_output_options(CLI::App& command, RunOptions& options) {
                       fmt::join(trajectory_table().names(), ", ")));
   command
       .add_option("--trajectories-of", options.trajectories_of,
-                  "Whose, in NAME.sqlite and NAME.txt: zones: whom pedzone walks; all: whom SUMO "
-                  "walks, too")
+                  "Which people NAME.sqlite and NAME.txt contain. zones: those that pedzone walks; "
+                  "all: SUMO's too")
       ->check(one_of({"zones", "all"}))
       ->type_name(kNames)
       ->capture_default_str()
       ->group("Outputs")
       ->needs(trajectories);
   add("--crossing-output", options.crossings,
-      "Write who crossed streets between the junctions (crossing=\"anywhere\"): waits, the gaps "
-      "that were taken and let pass");
+      "Write who crossed a street between junctions (crossing=\"anywhere\"): how long each "
+      "waited, which gaps it took and which it let pass");
   auto* edge_data =
       add("--edge-data", options.edge_data,
-          "Write density, speed and time loss of people by edges of the zones, as SUMO's edgeData");
-  command.add_option("--edge-data-period", options.edge_data_period, "An interval of those")
+          "Write density, speed and time loss of people on each edge of the zones, in the format "
+          "of SUMO's edgeData");
+  command
+      .add_option("--edge-data-period", options.edge_data_period,
+                  "Length of one interval of --edge-data")
       ->check(number_in(0.1, kLongestTime))
       ->type_name(kSeconds)
       ->default_str("the whole run")
@@ -122,8 +125,9 @@ void add_output_options(CLI::App& command, RunOptions& options) {
   add("--paths-svg", options.picture, "Draw people's paths over the zone");
   auto* shapes = add(
       "--debug-shapes", options.debug_shapes,
-      "Write paths, waypoints and each person's aim, direction and free distances as SUMO shapes");
-  command.add_option("--debug-time", options.debug_time, "Time of those shapes")
+      "Write paths, waypoints and each person's aim, direction and free distances at one moment, "
+      "as shapes for sumo-gui");
+  command.add_option("--debug-time", options.debug_time, "The moment of --debug-shapes")
       ->check(number_in(0, kLongestTime))
       ->type_name(kSeconds)
       ->default_str("the end of the run")

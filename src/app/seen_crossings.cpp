@@ -66,9 +66,10 @@ std::string told(std::span<const SeenCrossing> all, const std::optional<GapAccep
         near, far);
   }
   if (fit) {
-    text += fmt::format("Half of the people take a gap of {:.1f} s [{:.1f}, {:.1f}]: {} gaps were "
-                        "taken, {} let pass.\n",
-                        fit->median, fit->low, fit->high, fit->taken, fit->left);
+    text += fmt::format(
+        "Half of the people take a gap of {:.1f} s [{:.1f}, {:.1f}]: {} gaps were "
+        "taken, {} let pass.\n",
+        fit->median, fit->low, fit->high, fit->taken, fit->left);
   }
   return text;
 }
@@ -80,8 +81,8 @@ std::unique_ptr<Place> place_with_streets(const std::string& scenario,
   }
   auto place =
       std::make_unique<Place>(read_place(read_any_scenario(scenario, {}), options.zone_file));
-  const bool any = std::ranges::any_of(
-      place->zones, [](const Zone& zone) { return !zone.streets.empty(); });
+  const bool any =
+      std::ranges::any_of(place->zones, [](const Zone& zone) { return !zone.streets.empty(); });
   if (any) return place;
   throw InputError("has no street to watch",
                    {.element = "option --zone",

@@ -54,7 +54,7 @@ void add_run(CLI::App& study, int& code) {
   command->add_option("--out", options->results, "Folder for the results")
       ->required()
       ->type_name(kFolder);
-  command->add_option("--jobs", options->jobs, "Runs at a time; 0: one a core")
+  command->add_option("--jobs", options->jobs, "Runs at the same time; 0: one for each core")
       ->check(whole_number_in(0, kMostJobs))
       ->type_name(kNumber)
       ->capture_default_str();

@@ -36,17 +36,17 @@ std::vector<std::string> aggregate_command(const std::string& results, std::size
 void add_slurm_options(CLI::App& run, StudySlurmOptions& options) {
   const std::string group = "On a Slurm cluster";
   CLI::Option* slurm = run.add_flag("--slurm", options.wanted,
-                                    "Make the runs as jobs of the cluster, from the machine where "
-                                    "its jobs are submitted; nodes share the folders");
+                                    "Make the runs as Slurm jobs. Start it on the login node, in a "
+                                    "folder that all nodes share");
   SlurmOptions& sbatch = options.sbatch;
   for (CLI::Option* option :
        {run.add_option("--partition", sbatch.partition, "Partition")
             ->type_name(kNames)
             ->default_str("Slurm's"),
-        run.add_option("--time", sbatch.time, "Limit of a task as sbatch takes it")
+        run.add_option("--time", sbatch.time, "Time limit of a task, as for sbatch")
             ->type_name("TIME")
             ->default_str("the partition's"),
-        run.add_option("--per-task", sbatch.per_task, "Runs of a task, one after the other")
+        run.add_option("--per-task", sbatch.per_task, "Runs in each task, one after the other")
             ->check(whole_number_in(1, 1000000))
             ->type_name(kNumber)
             ->capture_default_str(),

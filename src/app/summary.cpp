@@ -105,6 +105,36 @@ std::string crossing_text(const CrossingTotals& crossings) {
   return text;
 }
 
+nlohmann::ordered_json persons_json(const RunSummary& summary) {
+  const auto& persons = summary.persons;
+  return {{"seen", persons.seen},
+          {"controlled", persons.controlled},
+          {"takeovers", persons.takeovers},
+          {"given_back", persons.given_back},
+          {"returns", persons.returns},
+          {"arrived", persons.arrived},
+          {"walking", persons.walking},
+          {"lost", persons.lost},
+          {"jammed", summary.jams.size()},
+          {"mean_speed_mps", persons.mean_speed},
+          {"mean_delay_s", persons.mean_delay_s},
+          {"mean_waiting_s", persons.mean_waiting_s}};
+}
+
+nlohmann::ordered_json vehicles_json(const RunSummary& summary) {
+  const auto& vehicles = summary.vehicles;
+  nlohmann::ordered_json json{{"seen", vehicles.seen},
+                              {"yielding", vehicles.yielding},
+                              {"min_clearance_m", vehicles.min_clearance_m},
+                              {"contacts", vehicles.contacts},
+                              {"insertion_contacts", vehicles.insertion_contacts},
+                              {"late_brakings", summary.late_brakings.size()},
+                              {"mean_delay_s", vehicles.mean_delay_s}};
+  // JSON has no infinity: no vehicle ever came near.
+  if (!std::isfinite(vehicles.min_clearance_m)) json["min_clearance_m"] = nullptr;
+  return json;
+}
+
 nlohmann::ordered_json crossing_json(const CrossingTotals& crossings) {
   nlohmann::ordered_json json{{"stepped_out", crossings.crossings},
                               {"without_looking", crossings.without_looking},
@@ -116,6 +146,44 @@ nlohmann::ordered_json crossing_json(const CrossingTotals& crossings) {
                           {"high_s", gaps->high},
                           {"taken", gaps->taken},
                           {"let_pass", gaps->left}};
+  }
+  return json;
+}
+
+nlohmann::ordered_json jams_json(const RunSummary& summary) {
+  auto json = nlohmann::ordered_json::array();
+  for (const JamRecord& jam : summary.jams) {
+    json.push_back({{"time", jam.time},
+                    {"person", jam.person},
+                    {"zone", jam.zone},
+                    {"x", jam.position.x()},
+                    {"y", jam.position.y()}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json run_into_json(const RunSummary& summary) {
+  auto json = nlohmann::ordered_json::array();
+  for (const RunIntoRecord& event : summary.run_into) {
+    json.push_back({{"time", event.time},
+                    {"person", event.person},
+                    {"vehicle", event.vehicle},
+                    {"zone", event.zone},
+                    {"x", event.position.x()},
+                    {"y", event.position.y()},
+                    {"speed_mps", event.speed}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json late_brakings_json(const RunSummary& summary) {
+  auto json = nlohmann::ordered_json::array();
+  for (const LateBraking& braking : first_of(summary.late_brakings)) {
+    json.push_back({{"time", braking.time},
+                    {"vehicle", braking.vehicle},
+                    {"x", braking.front.x()},
+                    {"y", braking.front.y()},
+                    {"deceleration_mps2", braking.deceleration}});
   }
   return json;
 }
@@ -191,64 +259,20 @@ std::string summary_table(const RunSummary& summary) {
 }
 
 std::string summary_json(const RunSummary& summary) {
-  const auto& persons = summary.persons;
-  const auto& vehicles = summary.vehicles;
   const auto& time = summary.time;
   nlohmann::ordered_json json;
   json["version"] = kJsonVersion;
   json["interrupted"] = summary.interrupted_by != 0;
   json["sumo_gone"] = summary.sumo_gone;
-  json["persons"] = {{"seen", persons.seen},
-                     {"controlled", persons.controlled},
-                     {"takeovers", persons.takeovers},
-                     {"given_back", persons.given_back},
-                     {"returns", persons.returns},
-                     {"arrived", persons.arrived},
-                     {"walking", persons.walking},
-                     {"lost", persons.lost},
-                     {"jammed", summary.jams.size()},
-                     {"mean_speed_mps", persons.mean_speed},
-                     {"mean_delay_s", persons.mean_delay_s},
-                     {"mean_waiting_s", persons.mean_waiting_s}};
-  json["vehicles"] = {{"seen", vehicles.seen},
-                      {"yielding", vehicles.yielding},
-                      {"min_clearance_m", vehicles.min_clearance_m},
-                      {"contacts", vehicles.contacts},
-                      {"insertion_contacts", vehicles.insertion_contacts},
-                      {"late_brakings", summary.late_brakings.size()},
-                      {"mean_delay_s", vehicles.mean_delay_s}};
-  // JSON has no infinity: no vehicle ever came near.
-  if (!std::isfinite(vehicles.min_clearance_m)) json["vehicles"]["min_clearance_m"] = nullptr;
+  json["persons"] = persons_json(summary);
+  json["vehicles"] = vehicles_json(summary);
   if (summary.crossings) json["crossings"] = crossing_json(*summary.crossings);
-  json["jams"] = nlohmann::ordered_json::array();
-  for (const JamRecord& jam : summary.jams) {
-    json["jams"].push_back({{"time", jam.time},
-                            {"person", jam.person},
-                            {"zone", jam.zone},
-                            {"x", jam.position.x()},
-                            {"y", jam.position.y()}});
-  }
+  json["jams"] = jams_json(summary);
   json["pushes"] = {{"persons", summary.pushes.persons},
                     {"longest_m", summary.pushes.longest_m},
                     {"fastest_mps", summary.pushes.fastest_mps}};
-  json["run_into"] = nlohmann::ordered_json::array();
-  for (const RunIntoRecord& event : summary.run_into) {
-    json["run_into"].push_back({{"time", event.time},
-                                {"person", event.person},
-                                {"vehicle", event.vehicle},
-                                {"zone", event.zone},
-                                {"x", event.position.x()},
-                                {"y", event.position.y()},
-                                {"speed_mps", event.speed}});
-  }
-  json["late_brakings"] = nlohmann::ordered_json::array();
-  for (const LateBraking& braking : first_of(summary.late_brakings)) {
-    json["late_brakings"].push_back({{"time", braking.time},
-                                     {"vehicle", braking.vehicle},
-                                     {"x", braking.front.x()},
-                                     {"y", braking.front.y()},
-                                     {"deceleration_mps2", braking.deceleration}});
-  }
+  json["run_into"] = run_into_json(summary);
+  json["late_brakings"] = late_brakings_json(summary);
   json["not_moved_for_60_s"] = {{"persons", stuck_json(summary.stuck_persons)},
                                 {"vehicles", stuck_json(summary.stuck_vehicles)}};
   json["sumo"] = sumo_json(summary);

@@ -116,14 +116,15 @@ void calibrate(CalibrateOptions options) {
 
 void add_validate(CLI::App& app, int& code) {
   auto options = std::make_shared<ValidateOptions>();
-  CLI::App* command =
-      app.add_subcommand("validate", "Replay recordings of people around vehicles, and score");
+  CLI::App* command = app.add_subcommand(
+      "validate", "Replay recordings of people near vehicles, and score the models");
   command->footer(
       "Examples:\n"
       "  pedzone validate --data recordings/ --html validation.html\n"
       "  pedzone validate --data recordings/ --model heuristic --param discomfort=3\n\n"
-      "DIR has one CSV a clip, or one folder a site with them: t,kind,id,x,y,heading,front,rear,\n"
-      "half_width at 10 Hz. tools/recordings.py makes them from the CITR and DUT data sets.\n"
+      "--data has one CSV file for each clip, or one folder with such files for each site.\n"
+      "Columns: t,kind,id,x,y,heading,front,rear,half_width, at 10 Hz. tools/recordings.py makes\n"
+      "the files from the CITR and DUT data sets.\n"
       "People follow the recording for 1 s, then a model walks them; vehicles are as recorded.\n"
       "Reference rows: straight to the goal, constant velocity, plain (the paper's form).\n"
       "Exit codes: 0 done, 2 input at fault.");
@@ -138,8 +139,10 @@ void add_validate(CLI::App& app, int& code) {
       ->add_option("--param", options->parameters,
                    "Parameter of the models, as <param> of a zone file")
       ->type_name("KEY=VALUE");
-  add_seeds(*command, options->seeds, "Replays with 3 % of speed jitter");
-  command->add_option("--resamples", options->resamples, "Of the bootstrap by clip (95 %)")
+  add_seeds(*command, options->seeds, "Replays of each clip, with walking speeds varied by 3 %");
+  command
+      ->add_option("--resamples", options->resamples,
+                   "Samples of the bootstrap over clips, for the 95 % intervals")
       ->check(whole_number_in(10, 100000))
       ->type_name(kNumber)
       ->capture_default_str();
@@ -153,7 +156,8 @@ void add_validate(CLI::App& app, int& code) {
 void add_calibrate(CLI::App& app, int& code) {
   auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command = app.add_subcommand(
-      "calibrate", "Find the parameters of giving way by recordings, with cross-validation");
+      "calibrate",
+      "Calibrate how people give way to vehicles, from recordings, with cross-validation");
   command->footer(
       "Example:\n  pedzone calibrate --data recordings/ --out calibration/\n\n"
       "Writes calibration.json (parameters and scores of each fold), calibrated.zone.xml (to be\n"
@@ -174,8 +178,10 @@ void add_calibrate(CLI::App& app, int& code) {
         ->capture_default_str();
   };
   add_seeds(*command, calibration.seeds, "Replays of each point");
-  add("--first", calibration.first, 1, 100000, "Points over the whole box");
-  add("--rounds", calibration.rounds, 0, 100, "Rounds about the best");
+  add("--first", calibration.first, 1, 100000,
+      "Points to begin with, over the whole range of the parameters");
+  add("--rounds", calibration.rounds, 0, 100,
+      "Rounds of search, nearer and nearer to the best points");
   add("--points", calibration.points, 1, 10000, "Points in each round");
   command->callback([options, &code] { code = guarded([&] { calibrate(*options); }); });
 }

@@ -120,10 +120,10 @@ std::string validation_json(const ValidationResult& result) {
 /// The good points of all clips, the best first.
 static std::string valley_table(const CalibrationResult& result) {
   std::string text =
-      "Good points, scored with other seeds: misfit, standard error of what it has more than the\n"
-      "best, most that it has more than the best in any fold; v: within the error of the best "
-      "(the\n"
-      "valley), *: of these the one on which the folds agree most, taken\n";
+      "Good points, scored with other seeds. Columns: misfit; standard error of how much worse\n"
+      "that is than the best; the worst such difference in any fold. v: no worse than the best by\n"
+      "more than its standard error (the valley). *: taken: of the valley, the folds agree most\n"
+      "on it.\n";
   for (const Finalist& finalist : result.finalists) {
     text +=
         fmt::format("  {:.3f} {:.3f} {:.3f} {}{}", finalist.misfit, finalist.error, finalist.regret,

@@ -75,9 +75,9 @@ void add_verify(CLI::App& app, int& code) {
       "  pedzone verify --html verify.html                      # all tests, all models\n"
       "  pedzone verify --model heuristic --only doors diagram-one-way\n"
       "  pedzone verify --list                                  # the ids of the tests\n\n"
-      "RiMEA, ISO 20414, NIST, IMO 1533, Jülich and Moussaïd, as far as they concern walking on\n"
-      "one level. Limits are from the literature; the page says what was chosen on them. SUMO is\n"
-      "not needed.\n"
+      "The tests of RiMEA, ISO 20414, NIST, IMO 1533, Jülich and Moussaïd that are about walking\n"
+      "on one level. The page names the source of each limit, and says which limits are assumed.\n"
+      "SUMO is not needed.\n"
       "Exit codes: 0 the first model passes all, 1 it fails a test, 2 input at fault.");
   command->add_option("--model", options->models, "Walking models, or plug-ins (*.so)")
       ->check(any_beside(model_names()))

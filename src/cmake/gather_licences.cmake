@@ -3,7 +3,7 @@
 # Those are left out that only serve command lines which nothing here calls.
 set(texts)
 foreach(pattern vega* d3-* topojson-client delaunator robust-predicates internmap
-                json-stringify-pretty-compact uplot)
+                json-stringify-pretty-compact)
   file(GLOB files ${MODULES}/${pattern}/LICENSE)
   foreach(file IN LISTS files)
     get_filename_component(name ${file} DIRECTORY)

@@ -26,8 +26,9 @@ struct PersonExtremes {
   void take(const PersonRow& person);
 };
 
-/// Tells those who cannot matter by circles about the bodies and by a box about where the vehicle
-/// has been; says of nobody who matters that it does not.
+/// Leaves out persons who cannot matter to a vehicle: cheap tests with circles about the bodies,
+/// and with a box about the places where the vehicle has been. It may keep somebody who does not
+/// matter; it never leaves out somebody who does.
 class Search {
  public:
   Search(const Trail<VehiclePose>& trail, const Vec2& velocity, const Sizes& sizes,

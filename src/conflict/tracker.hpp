@@ -1,11 +1,13 @@
-// Follows every pair of a person and a vehicle that matters through a run and tells its conflict.
+// Follows pairs of a person and a vehicle through a run, and tells their conflicts.
 //
 // A step:   take everybody in  ->  per vehicle, persons that may matter  ->  measure  ->  close
 //
-// A pair matters in a step when its TTC is within the horizon and their bodies within the range,
-// when it came as near as kNear since the step before, or when one has entered a place that the
-// other left less than the PET's memory ago. Its encounter is over when it has not mattered for as
-// long as that memory, or when one of the two is gone.
+// A pair matters in a step if
+// - its TTC is within the horizon, and the bodies are within the range of each other,
+// - or it has come as near as kNear since the step before,
+// - or one has entered a place that the other left less than the PET's memory ago.
+// An encounter begins when its pair matters. It is over when the pair has not mattered for as long
+// as that memory, or when one of the two is gone.
 #pragma once
 
 #include <cstdint>

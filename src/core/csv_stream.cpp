@@ -1,15 +1,15 @@
 #include "core/csv_stream.hpp"
 
 #include <algorithm>
-#include <array>
+
+#include "core/text.hpp"
 
 namespace pedzone {
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
-  return text;
+/// As the first line of a file has it.
+std::string header_line(const std::vector<std::string>& names) {
+  return separated_list(names, ",");
 }
 
 /// Cuts characters into fields and rows.
@@ -46,7 +46,7 @@ class RowCutter {
   void finish() {
     const bool row_open = count_ > 0 || !fields_[0].empty();
     if (quoted_ || (row_open && header_read_ && count_ + 1 < header_.size())) {
-      throw error("is cut off: its last row is incomplete", joined(header_));
+      throw error("is cut off: its last row is incomplete", header_line(header_));
     }
     if (row_open) end_row();
     if (!header_read_) found_({});
@@ -67,7 +67,7 @@ class RowCutter {
       header_read_ = true;
     } else if (row.size() != header_.size()) {
       throw error("has " + std::to_string(row.size()) + " fields",
-                  std::to_string(header_.size()) + " fields: " + joined(header_));
+                  std::to_string(header_.size()) + " fields: " + header_line(header_));
     } else {
       visitor_(CsvRow(file_, line_, header_, row));
     }
@@ -112,10 +112,11 @@ void visit_rows(const std::string& file, const std::vector<std::string>& header,
   const auto compare = [&](const std::vector<std::string>& found) {
     if (found == header) return;
     if (found.empty()) {
-      throw InputError("is empty", {file, 1, "", "", "a first line '" + joined(header) + "'"});
+      throw InputError("is empty", {file, 1, "", "", "a first line '" + header_line(header) + "'"});
     }
-    throw InputError("is another header than expected",
-                     {file, 1, "first line", joined(found).substr(0, 80), joined(header)});
+    throw InputError(
+        "is another header than expected",
+        {file, 1, "first line", header_line(found).substr(0, 80), header_line(header)});
   };
   visit_any_rows(file, compare, visitor, progress);
 }

@@ -7,8 +7,9 @@
 
 namespace pedzone {
 
-/// The name that was most likely meant by `word`: it differs by few letters that are missing, too
-/// many, wrong or swapped with their neighbour, or goes on where the word ends. Empty: none.
+/// The name that was most likely meant by `word`; empty: none is near. A name is near if few
+/// letters of the word are missing, too many, wrong, or swapped with their neighbour, or if the
+/// name begins with the word.
 std::string nearest_word(std::string_view word, std::span<const std::string> names);
 
 /// The same as the end of a message: ". Did you mean 'name'?"; empty where there is none.

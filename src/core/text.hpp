@@ -7,15 +7,22 @@
 
 namespace pedzone {
 
-/// "a, b, c". `name`: of a thing, its text.
+/// Texts with `separator` between them. `name`: of a thing, its text.
 template <class Things, class Name = std::identity>
-std::string comma_list(const Things& things, const Name& name = {}) {
+std::string separated_list(const Things& things, std::string_view separator,
+                           const Name& name = {}) {
   std::string text;
   for (const auto& thing : things) {
-    if (!text.empty()) text += ", ";
+    if (!text.empty()) text += separator;
     text += std::invoke(name, thing);
   }
   return text;
+}
+
+/// "a, b, c".
+template <class Things, class Name = std::identity>
+std::string comma_list(const Things& things, const Name& name = {}) {
+  return separated_list(things, ", ", name);
 }
 
 /// As a value of an XML attribute. Characters that XML does not know become U+FFFD.

@@ -62,6 +62,14 @@ inline constexpr std::array kZones{kZone, kZone1, kZone2, kZone3};
 inline constexpr std::array kMap{kGround,   kZone,         kZone1, kZone2,   kZone3,    kZoneEdge,
                                  kObstacle, kObstacleEdge, kRoad,  kFootway, kCrossing, kWaypoint};
 
+/// Of pictures that are files of their own, apart from what they show.
+inline constexpr std::string_view kPaper = "#ffffff";     ///< ground; halos of letters and marks
+inline constexpr std::string_view kInk = kBlack.light;    ///< letters, ticks, scale bars
+inline constexpr std::string_view kAxis = "#333333";      ///< axes of charts
+inline constexpr std::string_view kGridLine = "#dddddd";  ///< at their ticks
+inline constexpr std::string_view kRule = "#666666";      ///< between a map and its legend
+inline constexpr std::string_view kShade = "#000000";     ///< what colours are darkened with
+
 }  // namespace colours
 
 /// The colour `part` [0, 1] of the way from one to another, both as `#rrggbb`.

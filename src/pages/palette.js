@@ -5,7 +5,7 @@ const palette = {
   /** What stands for a model, an index or "recorded", in a style. */
   colour(model) { return `var(--model-${model})`; },
 
-  /** What a variable stands for now: a canvas does not know variables. */
+  /** What a variable stands for now. */
   value(variable) {
     return getComputedStyle(document.documentElement).getPropertyValue(variable).trim();
   },

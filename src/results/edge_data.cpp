@@ -18,7 +18,8 @@ EdgeDataWriter::EdgeDataWriter(const std::string& path, const std::string& optio
                                std::optional<double> period)
     : file_(path, option), period_(period) {
   file_.write(R"(<?xml version="1.0" encoding="UTF-8"?>
-<meandata xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation="http://sumo.dlr.de/xsd/meandata_file.xsd">
+<meandata xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" )"
+              R"(xsi:noNamespaceSchemaLocation="http://sumo.dlr.de/xsd/meandata_file.xsd">
 )");
 }
 

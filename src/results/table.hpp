@@ -91,9 +91,7 @@ class Table {
 
  private:
   static std::string comma_separated(const std::vector<std::string>& names) {
-    std::string line;
-    for (const std::string& name : names) line += (line.empty() ? "" : ",") + csv_field(name);
-    return line;
+    return separated_list(names, ",", csv_field);
   }
 
   std::vector<TableColumn<Row>> columns_;

@@ -31,8 +31,9 @@ struct Replayed {
 
 /// In their first second people follow the recording, then they walk to their last recorded place
 /// with the speed of that second, varied by 3 % (of `seed`; straight and constant-velocity ways
-/// too). Who walks together in the recording (companions.hpp) is a group here, too. People walk in open space through Crowd::step, the vehicles follow the recording, whomever
-/// they run into. Seed 0: no variation of speeds.
+/// too). Who walks together in the recording (companions.hpp) is a group here, too. People walk in
+/// open space through Crowd::step. The vehicles follow the recording, whomever they run into.
+/// Seed 0: no variation of speeds.
 Replayed replay(const Clip& clip, const ReplayModel& model, std::uint64_t seed);
 
 }  // namespace pedzone

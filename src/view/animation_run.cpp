@@ -196,11 +196,8 @@ std::string motion_names() {
 }
 
 std::string activity_names() {
-  std::string text;
-  for (const ActivityInfo& info : activity_list()) {
-    text += (text.empty() ? "" : ",") + json_string(info.id);
-  }
-  return '[' + text + ']';
+  const auto name = [](const ActivityInfo& info) { return json_string(info.id); };
+  return '[' + separated_list(activity_list(), ",", name) + ']';
 }
 
 }  // namespace

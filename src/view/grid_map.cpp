@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pages/palette.hpp"
 #include "view/axis.hpp"
 #include "view/colours.hpp"
 #include "view/svg.hpp"
@@ -50,11 +51,11 @@ std::string scale_bar_svg(const Box& box) {
   const double length = round_length(kMostPart * box.sizes().x());
   const double unit = box.sizes().x() / 100.0;
   const double x = 2.0 * unit, y = box.sizes().y() - 2.0 * unit;
-  return fmt::format(
-      R"(<path d="M{0:.2f} {1:.2f}h{2:.2f}" stroke="#222222" stroke-width="{3:.2f}"/>)"
-      R"(<text x="{0:.2f}" y="{4:.2f}" font-size="{5:.2f}" fill="#222222" stroke="#ffffff" )"
-      R"(stroke-width="{3:.2f}" paint-order="stroke">{2:g} m</text>)",
-      x, y, length, 0.5 * unit, y - 1.2 * unit, 3.6 * unit);
+  return fmt::format(R"(<path d="M{0:.2f} {1:.2f}h{2:.2f}" stroke="{6}" stroke-width="{3:.2f}"/>)"
+                     R"(<text x="{0:.2f}" y="{4:.2f}" font-size="{5:.2f}" fill="{6}" stroke="{7}" )"
+                     R"(stroke-width="{3:.2f}" paint-order="stroke">{2:g} m</text>)",
+                     x, y, length, 0.5 * unit, y - 1.2 * unit, 3.6 * unit, colours::kInk,
+                     colours::kPaper);
 }
 
 }  // namespace

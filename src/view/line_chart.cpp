@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "view/axis.hpp"
+#include "pages/palette.hpp"
+#include "view/chart_axes.hpp"
 #include "view/map_panel.hpp"
 #include "view/svg.hpp"
 #include "view/zone_map.hpp"
@@ -19,6 +20,16 @@ constexpr double kLeft = 85.0, kRight = 790.0, kTop = 470.0, kBottom = 70.0;  //
 constexpr double kText = 17.0, kTitle = 19.0, kRow = 27.0;
 constexpr std::size_t kLetters = 19;  // of a name in the legend
 constexpr double kThinning = 0.3;     // corners of lines are left out so far
+
+AxesLayout layout() {
+  return {.frame = Box(Vec2(kLeft, kBottom), Vec2(kRight, kTop)),
+          .tick_letters = kText,
+          .label_letters = kTitle,
+          .x_tick_drop = 24.0,
+          .y_tick_back = Vec2(10.0, 6.0),
+          .x_label_height = 18.0,
+          .y_label_right = 24.0};
+}
 
 class Picture {
  public:
@@ -37,54 +48,32 @@ class Picture {
       }
     }
     if (box.isEmpty()) box = Box(Vec2(0.0, 0.0), Vec2(1.0, 1.0));
-    x_ = Axis::over(box.min().x(), box.max().x(), 8.0);
+    axes_.x = Axis::over(box.min().x(), box.max().x(), 8.0);
     const double low = chart.y_has_zero ? std::min(0.0, box.min().y()) : box.min().y();
-    y_ = Axis::over(low, std::min(box.max().y(), chart.y_most), 6.0);
+    axes_.y = Axis::over(low, std::min(box.max().y(), chart.y_most), 6.0);
   }
 
   std::string draw() {
-    draw_grid();
+    page_.clip_box("frame", axes_.layout.frame);
+    axes_.draw_grid(page_);
     page_.begin_group("clip-path=\"url(#frame)\" stroke-linejoin=\"round\"");
     for (const ChartBand& band : chart_.bands) draw_band(band);
     for (const ChartLine& line : chart_.lines) draw_line(line);
     page_.end_group();
-    draw_axes();
+    axes_.draw(page_, chart_.x_label, chart_.y_label);
+    draw_texts();
     draw_legend();
     return page_.finish(chart_.title);
   }
 
  private:
-  Vec2 at(double x, double y) const {
-    return {kLeft + x_.part(x) * (kRight - kLeft), kBottom + y_.part(y) * (kTop - kBottom)};
-  }
-
-  void draw_grid() {
-    page_.clip_box("frame", Box(Vec2(kLeft, kBottom), Vec2(kRight, kTop)));
-    page_.begin_group(stroke("#dddddd", 1.0));
-    for (const double tick : x_.ticks()) page_.line({at(tick, y_.least), at(tick, y_.most)}, "");
-    for (const double tick : y_.ticks()) page_.line({at(x_.least, tick), at(x_.most, tick)}, "");
-    page_.end_group();
-  }
-
-  void draw_axes() {
-    page_.line({{kLeft, kTop}, {kLeft, kBottom}, {kRight, kBottom}}, stroke("#333333", 1.5));
-    if (y_.least < 0.0) page_.line({at(x_.least, 0.0), at(x_.most, 0.0)}, stroke("#333333", 1.0));
-    for (const double tick : x_.ticks()) {
-      page_.text(at(tick, y_.least) - Vec2(0.0, 24.0), kText, x_.label(tick),
-                 "class=\"x-tick\" text-anchor=\"middle\"");
-    }
-    for (const double tick : y_.ticks()) {
-      page_.text(at(x_.least, tick) - Vec2(10.0, 6.0), kText, y_.label(tick),
-                 "class=\"y-tick\" text-anchor=\"end\"");
-    }
-    page_.text({0.5 * (kLeft + kRight), 18.0}, kTitle, chart_.x_label, "text-anchor=\"middle\"");
-    const double middle = kHeight - 0.5 * (kTop + kBottom);
-    page_.text({24.0, kHeight - middle}, kTitle, chart_.y_label,
-               fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 24 {})\"", middle));
+  void draw_texts() {
     if (!chart_.note.empty()) {
-      page_.text({kRight - 8.0, kTop - 22.0}, 0.9 * kText, chart_.note,
-                 "class=\"note\" text-anchor=\"end\" font-style=\"italic\" stroke=\"#ffffff\" "
-                 "stroke-width=\"4\" paint-order=\"stroke\"");
+      page_.text(
+          {kRight - 8.0, kTop - 22.0}, 0.9 * kText, chart_.note,
+          fmt::format("class=\"note\" text-anchor=\"end\" font-style=\"italic\" stroke=\"{}\" "
+                      "stroke-width=\"4\" paint-order=\"stroke\"",
+                      colours::kPaper));
     }
     page_.text({kLeft, kTop + 20.0}, kTitle, chart_.title, "font-weight=\"bold\"");
   }
@@ -93,7 +82,7 @@ class Picture {
     page_.begin_group("class=\"line\" " + look_of(line));
     for (const Polyline& piece : line.pieces) {
       Polyline placed;
-      for (const Vec2& point : piece) placed.push_back(at(point.x(), point.y()));
+      for (const Vec2& point : piece) placed.push_back(axes_.at(point.x(), point.y()));
       page_.line(simplified(placed, kThinning), "", line.name);
     }
     page_.end_group();
@@ -104,8 +93,8 @@ class Picture {
     for (const auto& piece : band.pieces) {
       Polyline low, high;
       for (const ChartBand::Point& point : piece) {
-        low.push_back(at(point.x, point.low));
-        high.push_back(at(point.x, point.high));
+        low.push_back(axes_.at(point.x, point.low));
+        high.push_back(axes_.at(point.x, point.high));
       }
       low = simplified(low, kThinning);
       high = simplified(high, kThinning);
@@ -146,7 +135,7 @@ class Picture {
 
   const Chart& chart_;
   SvgPage page_;
-  Axis x_, y_;
+  ChartAxes axes_{.x = {}, .y = {}, .layout = layout()};
 };
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pages/palette.hpp"
 #include "view/axis.hpp"
+#include "view/zone_map.hpp"
 
 namespace pedzone {
 namespace {
@@ -74,9 +76,8 @@ double MapPanel::height() const {
 void MapPanel::draw(SvgPage& page) const {
   const Vec2 corner = page.panel_point(0.0, 0.0), opposite = page.panel_point(map_.x(), height());
   page.region(rectangle(Box(Vec2(corner.x(), opposite.y()), Vec2(opposite.x(), corner.y()))),
-              "fill=\"#ffffff\"");
-  page.line({corner, {opposite.x(), corner.y()}},
-            fmt::format("stroke=\"#666666\" stroke-width=\"{:.2f}\"", 0.1 * unit_));
+              filled(colours::kPaper));
+  page.line({corner, {opposite.x(), corner.y()}}, stroke(colours::kRule, 0.1 * unit_));
   for (std::size_t i = 0; i < legend_.size(); ++i) {
     const double right = unit_ * 2.0 + (i < rows() ? 0.0 : 0.5 * map_.x());
     const double down = unit_ * (head_ + kRow * static_cast<double>(1 + i % rows()));
@@ -96,8 +97,7 @@ void MapPanel::draw_scale_bar(SvgPage& page) const {
   const Vec2 from = page.panel_point(2.0 * unit_, down);
   const Vec2 to = from + Vec2(length, 0.0);
   const Vec2 tick(0.0, 0.5 * unit_);
-  page.line({from + tick, from, to, to + tick},
-            fmt::format("stroke=\"#222222\" stroke-width=\"{:.2f}\"", 0.15 * unit_));
+  page.line({from + tick, from, to, to + tick}, stroke(colours::kInk, 0.15 * unit_));
   page.text(to + Vec2(unit_, 0.0), kText * unit_, fmt::format("{:g} m", length));
   page.text(page.panel_point(0.5 * map_.x(), down), kText * unit_, "north is up");
 }

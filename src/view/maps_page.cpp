@@ -61,9 +61,10 @@ std::string point(const Vec2& at, const Box& box) {
 std::string paths_svg(const MapsPage& page) {
   const double unit = page.box.sizes().maxCoeff() / 100.0, gap = line_gap(*page.recording);
   const double alpha = page.recording->persons.size() > kManyPaths ? 0.4 : 0.7;
-  std::string svg = fmt::format(
-      R"(<g fill="none" stroke="{}" stroke-width="{:.3f}" stroke-opacity="{}" stroke-linejoin="round">)",
-      colours::kBlue.light, 0.35 * unit, alpha);
+  std::string svg =
+      fmt::format(R"(<g fill="none" stroke="{}" stroke-width="{:.3f}" stroke-opacity="{}" )"
+                  R"(stroke-linejoin="round">)",
+                  colours::kBlue.light, 0.35 * unit, alpha);
   for (const RecordedPerson& person : page.recording->persons) {
     for (const TrackPiece& piece : pieces_of(person.moments, page.recording->times, gap)) {
       Polyline line;
@@ -84,7 +85,8 @@ std::string paths_svg(const MapsPage& page) {
 /// The gravest lie on top.
 std::string conflicts_svg(const MapsPage& page) {
   const double unit = page.box.sizes().maxCoeff() / 100.0;
-  std::string svg = fmt::format(R"(<g stroke="#ffffff" stroke-width="{:.3f}">)", 0.12 * unit);
+  std::string svg =
+      fmt::format(R"(<g stroke="{}" stroke-width="{:.3f}">)", colours::kPaper, 0.12 * unit);
   for (const Severity severity : {Severity::kSlight, Severity::kSerious, Severity::kContact}) {
     const SeverityLook& look = look_of(severity);
     for (const MappedConflict& one : page.conflicts) {

@@ -1,7 +1,5 @@
 #include "view/run_map.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -142,7 +140,7 @@ void draw_waypoints(SvgPage& page, const Place* place, double unit) {
                 "fill=\"none\" stroke-dasharray=\"0.3 0.3\" " + stroke(kStarColour, 0.1 * unit));
     page.region(
         {{star(point.at, unit), {}}},
-        fmt::format("class=\"star\" fill=\"{}\" ", kStarColour) + stroke("#ffffff", 0.12 * unit),
+        "class=\"star\" " + filled(kStarColour) + " " + stroke(colours::kPaper, 0.12 * unit),
         "waypoint " + point.id);
   }
   page.end_group();
@@ -178,10 +176,10 @@ std::vector<LegendEntry> ground_legend(const Place* place, const Box& box) {
   });
   if (obstacle) entries.push_back(area_entry("obstacle", obstacle_style(line)));
   if (any_in(*place, box)) {
-    entries.push_back({"waypoint with its radius", [](SvgPage& page, const Box& at) {
-                         page.region({{star(at.center(), 0.8 * at.sizes().y()), {}}},
-                                     fmt::format("fill=\"{}\"", kStarColour));
-                       }});
+    entries.push_back(
+        {"waypoint with its radius", [](SvgPage& page, const Box& at) {
+           page.region({{star(at.center(), 0.8 * at.sizes().y()), {}}}, filled(kStarColour));
+         }});
   }
   return entries;
 }

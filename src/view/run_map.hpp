@@ -10,9 +10,9 @@
 
 namespace pedzone {
 
-/// The part of the world to show [m]: where the persons are, of those in the place's zones where
-/// any is in one, with some room around; or `area` where it is not empty. Its shorter side is grown
-/// where a page could not have it.
+/// The part of the world to show [m]: `area`, if it is not empty. Else the places of all persons,
+/// with some room around; if anybody is in a zone, only places in zones count. The shorter side is
+/// made longer if the picture would be too flat or too steep for a page.
 Box shown_box(const Recording& recording, const Place* place, const Box& area);
 
 /// [s] who is not there for longer has a gap in its line: three times the usual step, at least 1 s.
@@ -63,7 +63,7 @@ Ring outline(const RecordedVehicle& vehicle, const VehicleMoment& moment);
 /// A five-pointed star with a point to the north [m].
 Ring star(const Vec2& centre, double radius);
 
-/// The ground: zones in grey, obstacles, roads, and waypoints as stars with their radii.
+/// The ground: zones, obstacles, roads, and waypoints as stars with their radii.
 void draw_ground(SvgPage& page, const Place* place, double unit);
 void draw_waypoints(SvgPage& page, const Place* place, double unit);
 

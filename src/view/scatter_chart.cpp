@@ -3,17 +3,25 @@
 #include <fmt/format.h>
 
 #include "pages/palette.hpp"
-#include "view/axis.hpp"
+#include "view/chart_axes.hpp"
 #include "view/svg.hpp"
-#include "view/zone_map.hpp"
 
 namespace pedzone {
 namespace {
 
 // In units of the picture; y is up.
 constexpr double kWidth = 600.0, kHeight = 380.0;
-constexpr double kLeft = 70.0, kRight = 585.0, kTop = 365.0, kBottom = 60.0;  // of the axes
-constexpr double kText = 16.0, kRadius = 3.0;
+constexpr double kRadius = 3.0;
+
+AxesLayout layout() {
+  return {.frame = Box(Vec2(70.0, 60.0), Vec2(585.0, 365.0)),
+          .tick_letters = 16.0,
+          .label_letters = 16.0,
+          .x_tick_drop = 20.0,
+          .y_tick_back = Vec2(8.0, 5.0),
+          .x_label_height = 12.0,
+          .y_label_right = 18.0};
+}
 
 }  // namespace
 
@@ -21,32 +29,14 @@ std::string scatter_chart(const std::vector<Vec2>& points, std::string_view x_la
                           std::string_view y_label) {
   Vec2 most = Vec2::Zero();
   for (const Vec2& point : points) most = most.cwiseMax(point);
-  const Axis x = Axis::over(0.0, most.x(), 6.0), y = Axis::over(0.0, most.y(), 5.0);
-  const auto at = [&](double a, double b) {
-    return Vec2(kLeft + x.part(a) * (kRight - kLeft), kBottom + y.part(b) * (kTop - kBottom));
-  };
+  const ChartAxes axes{Axis::over(0.0, most.x(), 6.0), Axis::over(0.0, most.y(), 5.0), layout()};
   SvgPage page(Box(Vec2(0.0, 0.0), Vec2(kWidth, kHeight)), 0.0);
-  page.begin_group(stroke("#dddddd", 1.0));
-  for (const double tick : x.ticks()) page.line({at(tick, y.least), at(tick, y.most)}, "");
-  for (const double tick : y.ticks()) page.line({at(x.least, tick), at(x.most, tick)}, "");
-  page.end_group();
+  axes.draw_grid(page);
   page.begin_group(
       fmt::format("class=\"points\" fill=\"{}\" fill-opacity=\"0.45\"", colours::kBlue.light));
-  for (const Vec2& point : points) page.circle(at(point.x(), point.y()), kRadius, "");
+  for (const Vec2& point : points) page.circle(axes.at(point.x(), point.y()), kRadius, "");
   page.end_group();
-  page.line({{kLeft, kTop}, {kLeft, kBottom}, {kRight, kBottom}}, stroke("#333333", 1.5));
-  for (const double tick : x.ticks()) {
-    page.text(at(tick, y.least) - Vec2(0.0, 20.0), kText, x.label(tick),
-              "class=\"x-tick\" text-anchor=\"middle\"");
-  }
-  for (const double tick : y.ticks()) {
-    page.text(at(x.least, tick) - Vec2(8.0, 5.0), kText, y.label(tick),
-              "class=\"y-tick\" text-anchor=\"end\"");
-  }
-  page.text({0.5 * (kLeft + kRight), 12.0}, kText, x_label, "text-anchor=\"middle\"");
-  const double middle = kHeight - 0.5 * (kTop + kBottom);
-  page.text({18.0, kHeight - middle}, kText, y_label,
-            fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 18 {})\"", middle));
+  axes.draw(page, x_label, y_label);
   std::string svg = page.finish("");
   return svg.erase(0, svg.find("<svg"));
 }

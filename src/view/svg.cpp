@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "pages/palette.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -120,9 +122,9 @@ std::string SvgPage::finish(std::string_view title) const {
       "viewBox=\"0 0 {:.2f} {:.2f}\" data-box=\"{:.2f} {:.2f} {:.2f} {:.2f}\" "
       "font-family=\"sans-serif\">\n"
       "<title>{}</title>\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{}</svg>\n",
+      "<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n{}</svg>\n",
       std::ceil(pixels * width), std::ceil(pixels * height), width, height, box_.min().x(),
-      box_.min().y(), box_.max().x(), box_.max().y(), escaped(title), body_);
+      box_.min().y(), box_.max().x(), box_.max().y(), escaped(title), colours::kPaper, body_);
 }
 
 }  // namespace pedzone

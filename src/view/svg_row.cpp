@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "pages/palette.hpp"
 #include "view/svg.hpp"
 
 namespace pedzone {
@@ -32,8 +33,8 @@ std::string sheet(double width, double height, const std::string& body) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{2}</svg>\n",
-      width, height, body);
+      "<rect width=\"100%\" height=\"100%\" fill=\"{2}\"/>\n{3}</svg>\n",
+      width, height, colours::kPaper, body);
 }
 
 }  // namespace

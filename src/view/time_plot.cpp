@@ -69,8 +69,7 @@ class TimePlot {
     std::vector<LegendEntry> entries = ground_legend(place_, box_);
     const std::string colour = scale_colour(0.5);
     entries.push_back({"person, coloured by time", [colour](SvgPage& page, const Box& at) {
-                         page.circle(at.center(), 0.4 * at.sizes().y(),
-                                     fmt::format("fill=\"{}\"", colour));
+                         page.circle(at.center(), 0.4 * at.sizes().y(), filled(colour));
                        }});
     if (any_by_sumo(recording_, box_)) {
       entries.push_back({"the same, walked by SUMO", [colour](SvgPage& page, const Box& at) {
@@ -183,10 +182,10 @@ class TimePlot {
   }
 
   void draw_discs() {
-    page_.begin_group(
-        fmt::format("id=\"persons\" stroke=\"#ffffff\" stroke-width=\"{:.3f}\"", 0.05 * unit_));
+    page_.begin_group(fmt::format("id=\"persons\" stroke=\"{}\" stroke-width=\"{:.3f}\"",
+                                  colours::kPaper, 0.05 * unit_));
     for (const Moment& moment : moments_) {
-      const std::string fill = fmt::format("fill=\"{}\"", colour(moment.time));
+      const std::string fill = filled(colour(moment.time));
       const std::string pale = fmt::format(" fill-opacity=\"{}\"", kPale);
       for (const RecordedPerson& person : recording_.persons) {
         const PersonMoment* at = there_at(person.moments, moment.step, recording_.times, gap_);
@@ -219,9 +218,9 @@ class TimePlot {
     const auto place = places.take(at, distance, room);
     if (!place) return;
     page_.text(*place - Vec2(0.0, 0.35 * size), size, text,
-               fmt::format("{} text-anchor=\"middle\" stroke=\"#ffffff\" stroke-width=\"{:.3f}\" "
+               fmt::format("{} text-anchor=\"middle\" stroke=\"{}\" stroke-width=\"{:.3f}\" "
                            "paint-order=\"stroke\"",
-                           attributes, 0.2 * unit_));
+                           attributes, colours::kPaper, 0.2 * unit_));
   }
 
   /// A ring where a vehicle's way begins in the map, a square where it ends.
@@ -231,15 +230,15 @@ class TimePlot {
       const auto first = std::ranges::find_if(vehicle.moments, inside);
       if (first == vehicle.moments.end()) continue;
       const auto last = std::find_if(vehicle.moments.rbegin(), vehicle.moments.rend(), inside);
-      const std::string look = "fill=\"#ffffff\" " + stroke("#222222", 0.25 * unit_);
+      const std::string look = filled(colours::kPaper) + " " + stroke(colours::kInk, 0.25 * unit_);
       const Vec2 half = Vec2::Constant(0.6 * unit_), other(half.x(), -half.y());
       page_.circle(first->centre, 0.6 * unit_, "class=\"start\" " + look);
       page_.region(
           {{{last->centre - half, last->centre + other, last->centre + half, last->centre - other},
             {}}},
           "class=\"goal\" " + look);
-      label(places, first->centre, 0.9 * unit_, 1.2 * unit_, "start", "fill=\"#222222\"");
-      label(places, last->centre, 0.9 * unit_, 1.2 * unit_, "goal", "fill=\"#222222\"");
+      label(places, first->centre, 0.9 * unit_, 1.2 * unit_, "start", filled(colours::kInk));
+      label(places, last->centre, 0.9 * unit_, 1.2 * unit_, "goal", filled(colours::kInk));
     }
   }
 
@@ -248,8 +247,8 @@ class TimePlot {
     const double size = 1.1 * unit_;
     for (const Moment& moment : moments_) {
       const std::string text = fmt::format("{:g} s", moment.time);
-      const std::string look = fmt::format("class=\"time\" fill=\"{}\"",
-                                           mixed_colour(colour(moment.time), "#000000", 0.35));
+      const std::string look = fmt::format(
+          "class=\"time\" fill=\"{}\"", mixed_colour(colour(moment.time), colours::kShade, 0.35));
       for (const RecordedPerson& person : recording_.persons) {
         const PersonMoment* at = there_at(person.moments, moment.step, recording_.times, gap_);
         if (at == nullptr || !box_.contains(at->position)) continue;
@@ -273,7 +272,7 @@ class TimePlot {
       });
       if (first == person.moments.end()) continue;
       const std::string name = shortened(person.id, 24);
-      label(places, first->position, 0.6 * unit_, size, name, "fill=\"#222222\"");
+      label(places, first->position, 0.6 * unit_, size, name, filled(colours::kInk));
     }
   }
 
@@ -294,7 +293,7 @@ class TimePlot {
       const double at = right((k * step - begin_) / (end_ - begin_));
       const double top = unit_ * (kBarTop + kBarHeight);
       page_.line({page_.panel_point(at, top), page_.panel_point(at, top + 0.4 * unit_)},
-                 stroke("#222222", 0.12 * unit_));
+                 stroke(colours::kInk, 0.12 * unit_));
       page_.text(page_.panel_point(at, top + 1.8 * unit_), 1.3 * unit_, axis.label(k * step),
                  "class=\"tick\" text-anchor=\"middle\"");
     }

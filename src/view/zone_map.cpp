@@ -17,7 +17,7 @@ void draw_road(SvgPage& page, const Network& network, const Lane& lane) {
   const RoadLook road = look_of(network, lane);
   if (road == RoadLook::kHidden) return;
   if (road == RoadLook::kFootArea) {
-    page.region(repair(lane.shape), fmt::format("fill=\"{}\"", kFootway.light), lane.id);
+    page.region(repair(lane.shape), filled(kFootway.light), lane.id);
     return;
   }
   const std::string_view colour = road == RoadLook::kCrossing  ? kCrossing.light
@@ -33,7 +33,7 @@ void draw_roads(SvgPage& page, const Network& network, std::span<const Zone> zon
   for (const Junction& junction : network.junctions) {
     const Region shape = repair(junction.shape);
     if (!page.box().intersects(box_of(shape))) continue;
-    page.region(shape, fmt::format("fill=\"{}\"", kRoad.light), "junction " + junction.id);
+    page.region(shape, filled(kRoad.light), "junction " + junction.id);
   }
   for (const bool footways : {false, true}) {
     for (int index = 0; index < static_cast<int>(network.lanes.size()); ++index) {
@@ -48,17 +48,18 @@ void draw_roads(SvgPage& page, const Network& network, std::span<const Zone> zon
 
 }  // namespace
 
+std::string filled(std::string_view colour) { return fmt::format("fill=\"{}\"", escaped(colour)); }
+
 std::string stroke(std::string_view colour, double width) {
   return fmt::format("stroke=\"{}\" stroke-width=\"{:.2f}\"", escaped(colour), width);
 }
 
 std::string walkable_style(std::size_t zone, double line) {
-  return fmt::format("fill=\"{}\" ", kZones[zone % kZones.size()].light) +
-         stroke(kZoneEdge.light, line);
+  return filled(kZones[zone % kZones.size()].light) + " " + stroke(kZoneEdge.light, line);
 }
 
 std::string obstacle_style(double line) {
-  return fmt::format("fill=\"{}\" ", kObstacle.light) + stroke(kObstacleEdge.light, 0.8 * line);
+  return filled(kObstacle.light) + " " + stroke(kObstacleEdge.light, 0.8 * line);
 }
 
 void draw_zone_map(SvgPage& page, const Network& network, std::span<const Zone> zones,

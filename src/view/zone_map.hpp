@@ -16,7 +16,8 @@ inline constexpr double kMapLine = 0.25;  ///< [m] usual width of borders
 std::string walkable_style(std::size_t zone, double line = kMapLine);
 std::string obstacle_style(double line = kMapLine);
 
-/// `colour` and a width [m] as SVG's attributes.
+/// SVG's attributes of an area of this colour, and of a line with a width [m].
+std::string filled(std::string_view colour);
 std::string stroke(std::string_view colour, double width);
 
 /// Draws what lies in the page's box, in the palette's colours.

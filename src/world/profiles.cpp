@@ -26,7 +26,8 @@ constexpr ProfileField kFields[] = {
     {"impulsiveness", &P::impulsiveness, 0.0, 60.0, "1/min",
      "rate of running in front of a vehicle that is near"},
     {"patience", &P::patience, 1.0, 600.0, "s", "blocked for so long, goes on elsewhere"},
-    {"share", &P::share, 0.0, 1.0, "", "of people made by <pedestrians>, if its `profiles` does not say otherwise"},
+    {"share", &P::share, 0.0, 1.0, "",
+     "of people made by <pedestrians>, if its `profiles` does not say otherwise"},
     {"guarded", &P::guarded, 0.0, 1.0, "", "1: never alone, in a group with somebody who may be"},
 };
 constexpr std::size_t kFieldCount = std::size(kFields);

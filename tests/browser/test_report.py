@@ -137,32 +137,49 @@ class Report(unittest.TestCase):
 
     def test_lines_over_time_are_drawn_in_the_models_colours(self):
         self.open()
-        found = self.browser.run("""
-            const rgb = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
-            const style = getComputedStyle(document.documentElement);
-            const colours = ["--model-0", "--model-1"].map(
-                (name) => rgb(style.getPropertyValue(name).trim()));
-            return [...document.querySelectorAll("[data-series] canvas")].map((canvas) => {
-                const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width,
-                                                                    canvas.height);
-                const counts = colours.map(() => 0);
-                for (let i = 0; i < data.length; i += 4) {
-                    colours.forEach((colour, k) => {
-                        if (data[i + 3] > 200 && colour.every(
-                                (part, j) => Math.abs(part - data[i + j]) < 6)) ++counts[k];
-                    });
-                }
-                return counts;
-            });""")
+        colours, found = self.browser.run("""
+            const probe = document.createElement("i");
+            document.body.append(probe);
+            const colours = ["--model-0", "--model-1"].map((name) => {
+                probe.style.color = `var(${name})`;
+                return getComputedStyle(probe).color;
+            });
+            probe.remove();
+            const looks = (chart, marks, part) => [...chart.querySelectorAll(marks + " path")].map(
+                (path) => getComputedStyle(path)[part]);
+            return [colours, [...document.querySelectorAll("[data-series] .chart")].map(
+                (chart) => [looks(chart, ".mark-area", "fill"),
+                            looks(chart, ".mark-line", "stroke")])];""")
         self.assertGreaterEqual(len(found), 4)
-        for counts in found:
-            self.assertGreater(min(counts), 40, found)
+        self.assertNotEqual(*colours)
+        for bands, means in found:
+            self.assertEqual([bands, means], [colours, colours])
+
+    def test_lines_over_time_have_the_seeds_means(self):
+        self.open()
+        title, mean, drawn = self.browser.run("""
+            const [{times, lines}] = report.data.series[0];
+            const chart = document.querySelector("[data-series] .chart");
+            const shape = chart.querySelector(".mark-line path").getAttribute("d");
+            return [chart.querySelector("h4").textContent, lines.persons.mean,
+                    [...shape.matchAll(/[ML]([-0-9.e]+),([-0-9.e]+)/g)].map(
+                        ([, x, y]) => [Number(x), Number(y)])];""")
+        self.assertEqual(title, "People in the zone")
+        mean = [value for value in mean if value is not None]
+        self.assertEqual(len(drawn), len(mean))
+        # Heights are linear in the values: the largest is the highest, the rest in proportion.
+        low, high = min(mean), max(mean)
+        bottom, top = max(y for _, y in drawn), min(y for _, y in drawn)
+        for value, (_, y) in zip(mean, drawn):
+            self.assertAlmostEqual(y, bottom + (top - bottom) * (value - low) / (high - low),
+                                   delta=0.1)
 
     def test_conditions_that_are_opened_are_drawn(self):
         self.open()
         drawn = """[...document.querySelectorAll("details.condition")].map(
-                   (one) => one.querySelectorAll("canvas").length)"""
+                   (one) => one.querySelectorAll("[data-series] svg").length)"""
         before = self.ask(drawn)
+        self.assertGreaterEqual(before[0], 4)
         self.assertEqual(before[1], 0)
         self.browser.click("details.condition:nth-of-type(2) > summary")
         self.browser.run(READY)
@@ -321,6 +338,7 @@ class Report(unittest.TestCase):
         # The second condition is folded on the screen.
         appendix = text[text.index("Appendix\n"):]
         self.assertIn("Speed of people in the zone", appendix)
+        self.assertRegex(appendix, r"\b20 s\b.*\b40 s\b", "lines over time are drawn")
         self.assertIn("Density of people", appendix)
         call("pdftoppm", "-r", "40", "-gray", paper, "page", folder=self.folder)
         pictures = sorted(self.folder.glob("page-*.pgm"))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/command_line/option_text.hpp"
+#include "core/text.hpp"
 
 namespace pedzone {
 namespace {
@@ -29,8 +30,7 @@ std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\f
 
 std::string option_entry(const CLI::Option& option) {
   const OptionText text = text_of(option);
-  std::string names;
-  for (const std::string& name : text.names) names += (names.empty() ? "" : ", ") + bold(name);
+  std::string names = comma_list(text.names, bold);
   if (!names.empty() && !text.value.empty()) names += " ";
   return fmt::format(".TP\n{}\\fI{}\\fR\n{}\n", names, escaped(text.value), escaped(text.meaning));
 }

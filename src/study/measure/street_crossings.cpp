@@ -10,10 +10,10 @@
 namespace pedzone::study {
 namespace {
 
-constexpr double kKerb = 3.0;        // [m] assumed: who is nearer to the carriageway is at the kerb
-constexpr double kWaits = 0.3;       // [m/s] assumed: who is slower waits
-constexpr double kOnRoad = 0.3;      // [m] assumed: a step beside the kerb is no crossing
-constexpr double kUpstream = 30.0;   // [m] numerical: how far beyond its ends vehicles are followed
+constexpr double kKerb = 3.0;       // [m] assumed: who is nearer to the carriageway is at the kerb
+constexpr double kWaits = 0.3;      // [m/s] assumed: who is slower waits
+constexpr double kOnRoad = 0.3;     // [m] assumed: a step beside the kerb is no crossing
+constexpr double kUpstream = 30.0;  // [m] numerical: how far beyond its ends vehicles are followed
 
 /// [s] When the person was at the conflict's place, or on its way there: after a PET that may be
 /// long ago.

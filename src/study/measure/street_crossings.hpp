@@ -60,7 +60,7 @@ class StreetWatch {
 
   const Street* street_;
   std::unordered_map<std::string, Pedestrian> people_;
-  std::unordered_map<std::string, double> fronts_;  ///< [m] s of vehicles in the last step
+  std::unordered_map<std::string, double> fronts_;        ///< [m] s of vehicles in the last step
   std::unordered_map<std::string, std::size_t> awaited_;  ///< of who has crossed, in all_: whose
                                                           ///< next vehicle is still to come
   std::vector<SeenCrossing> all_;

@@ -12,11 +12,15 @@
 
 namespace pedzone::study {
 
-/// How dangerous an encounter was: less is more dangerous, by kind and then value. With a vehicle
-/// that moves before those with one that stands; of either, contacts first, the hardest (greatest
-/// closing speed) first, but not where the bodies only brush each other; then by least TTC, of
-/// those that close in at more than 1 m/s first; then, of those never on a collision course, by
-/// least PET; then by least clearance. Last of all insertions (conflict_measures.hpp).
+/// How dangerous an encounter was: less is more dangerous, by kind and then value. The order:
+/// 1. contacts, but for those where the bodies only brush each other: the greatest closing speed
+///    first;
+/// 2. by TTC, those that close in at more than 1 m/s: the least first;
+/// 3. by TTC, the slower ones: the least first;
+/// 4. those that were never on a collision course, by PET: the least first;
+/// 5. all others by clearance: the least first.
+/// Encounters with a moving vehicle come before all with a standing one, which have the same order.
+/// Insertions (conflict_measures.hpp) are last.
 struct Danger {
   int kind = 0;
   double value = 0.0;

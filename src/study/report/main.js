@@ -18,16 +18,6 @@ for (const details of document.querySelectorAll("details.condition")) {
 }
 scenes.prepare(JSON.parse(document.getElementById("scene-pages").textContent));
 
-addEventListener("beforeprint", () => { // after the appendix is made: what it shows is drawn
-  draw_lines();
-  lines.redraw(true);
-});
-addEventListener("afterprint", () => lines.redraw(false));
-let waiting = null;
-addEventListener("resize", () => {
-  clearTimeout(waiting);
-  waiting = setTimeout(() => lines.redraw(false), 150);
-});
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => lines.redraw(false));
+addEventListener("beforeprint", draw_lines); // after the appendix is made: what it shows is drawn
 report.ready = true;
 window.report = report;

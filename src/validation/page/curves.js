@@ -44,7 +44,8 @@ const curves = {
     note.className = "keys distances";
     note.append("K-S: ");
     palette.show_keys(
-      data.drawn.map((model, i) => [`${data.models[model]} ${chart.ks[i]}`, model]).reverse(), note);
+      data.drawn.map((model, i) => [`${data.models[model]} ${chart.ks[i]}`, model]).reverse(),
+      note);
     element.append(note);
   },
 

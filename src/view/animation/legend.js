@@ -24,7 +24,8 @@ class Looks {
     this.bodies = bodies;
     this.rings = new Map([...groups].map((group, i) => [group, i % kGroupColours]));
     this.motions = ["walking", "waiting", "standing", kBySumo].filter((name) => motions.has(name));
-    this.activities = Object.keys(kActivities).filter((name) => name !== "none" && activities.has(name));
+    this.activities = recordings[0].activities.filter(
+      (name) => name !== "none" && activities.has(name));
   }
 
   shape(profile) { return shape_of(profile, this.own_profiles); }
@@ -36,8 +37,8 @@ const kSwatch = {width: 40, height: 26, scale: 26}; // [pixels], [pixels/m]
 class Legend {
   constructor(place, theme, looks, scenery, has_vehicles, levels) {
     Object.assign(this, {place, theme, looks, swatches: []});
-    const person = {heading: 0, standing: -1, shape: kShapes.circle, along: 7, across: 7, colour: "walker",
-                    ring: -1, hollow: false, waiting: false, letter: ""};
+    const person = {heading: 0, standing: -1, shape: kShapes.circle, along: 7, across: 7,
+                    colour: "walker", ring: -1, hollow: false, waiting: false, letter: ""};
     this.section("Who", looks.profiles.length < 2 && !looks.profiles[0] ? [] : looks.profiles.map(
       (profile) => {
         const shape = looks.shape(profile);
@@ -57,8 +58,8 @@ class Legend {
       ({text}, standing) => [text, {...person, standing, along: 5, across: 5}]) : []);
     this.section("Where", [
       ...(looks.rings.size ? [["group", {...person, ring: 0, along: 6, across: 6}]] : []),
-      ...(has_vehicles ? [["vehicle", (context) => draw_vehicle(context, theme, 20, 13, 0, 32, 15, kSwatch.scale)]]
-        : []),
+      ...(has_vehicles ? [["vehicle",
+        (context) => draw_vehicle(context, theme, 20, 13, 0, 32, 15, kSwatch.scale)]] : []),
       ...(scenery.zone.length ? [["shared space",
         (context) => this.box(context, "zone", "zone-edge")]] : []),
       ...(scenery.obstacles.length ? [["obstacle",

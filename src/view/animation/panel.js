@@ -93,8 +93,8 @@ class Panel {
       figures.push({x, y, heading: pose.heading, along, across, shape, colour: look.colour,
                     hollow: motion !== "walking" && motion !== kBySumo,
                     waiting: motion === "waiting", pale: motion === kBySumo,
-                    standing: this.standing(pose), ring: this.looks.ring(pose.track.group), group: pose.track.group,
-                    letter: look.letter});
+                    standing: this.standing(pose), ring: this.looks.ring(pose.track.group),
+                    group: pose.track.group, letter: look.letter});
     }
     return figures;
   }

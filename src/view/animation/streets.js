@@ -75,7 +75,8 @@ class Streets {
       const place = Streets.along(points, at, begin, begin + room);
       if (!place) continue;
       const {x, y, reach_x, reach_y} = place;
-      if (x - reach_x < 0 || x + reach_x > width || y - reach_y < 0 || y + reach_y > height) continue;
+      if (x - reach_x < 0 || x + reach_x > width) continue;
+      if (y - reach_y < 0 || y + reach_y > height) continue;
       if (this.placed.every((other) => Streets.apart(other, place, other.name === name))) {
         return {name, ...place};
       }

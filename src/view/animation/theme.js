@@ -28,16 +28,6 @@ class Theme {
   }
 }
 
-// Okabe and Ito's colours, told apart by the colour-blind too; each with its letter.
-const kActivities = {
-  none: {colour: "walker", letter: ""},
-  texting: {colour: "texting", letter: "T"},
-  phoning: {colour: "phoning", letter: "P"},
-  looking: {colour: "looking", letter: "L"},
-  chatting: {colour: "chatting", letter: "C"},
-  sitting: {colour: "sitting", letter: "S"},
-};
-
 const kStandsOnPurpose = new Set(["sitting", "chatting", "looking"]);
 
 // Halos of those who have stood for so long, the longest last. Size tells them apart, too.
@@ -50,4 +40,8 @@ const kCounted = kStanding[1]; // of whom the caption tells
 
 const kGroupColours = 6;
 
-function activity_look(activity) { return kActivities[activity] || kActivities.none; }
+// Colour and letter of an activity. The style sheet has a colour of its name.
+function activity_look(activity) {
+  if (activity === "none") return {colour: "walker", letter: ""};
+  return {colour: activity, letter: activity[0].toUpperCase()};
+}

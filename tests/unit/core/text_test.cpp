@@ -2,8 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace pedzone {
 namespace {
+
+TEST(Lists, name_their_things) {
+  const std::vector<std::string> words{"a", "b", "c"};
+  EXPECT_EQ(comma_list(words), "a, b, c");
+  EXPECT_EQ(separated_list(words, ","), "a,b,c");
+  EXPECT_EQ(comma_list(words, csv_field), "a, b, c");
+  EXPECT_EQ(comma_list(std::vector<std::string>{}), "");
+}
 
 TEST(JsonString, is_quoted_and_escaped) {
   EXPECT_EQ(json_string("a \"b\" \\ c"), R"("a \"b\" \\ c")");
