@@ -1,10 +1,19 @@
 """What the tests of pages that are drawn once share: opening them, and light and dark."""
 
+import tempfile
 import unittest
+from pathlib import Path
 
 
 class PageCase(unittest.TestCase):
     """Subclasses set the class attributes `browser` and `page`, the path of an HTML file."""
+
+    @classmethod
+    def make_folder(cls):
+        """A folder that is there until the last test of the class."""
+        directory = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(directory.cleanup)
+        return Path(directory.name)
 
     def open(self, width=1280, height=900, mobile=False):
         self.browser.resize(width, height, mobile)

@@ -8,7 +8,6 @@ import json
 import math
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -37,9 +36,7 @@ def clip(offset):
 class Page(page_case.PageCase):
     @classmethod
     def setUpClass(cls):
-        directory = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(directory.cleanup)
-        folder = Path(directory.name)
+        folder = cls.make_folder()
         for k, site in enumerate(("here", HOSTILE)):
             (folder / "data" / site).mkdir(parents=True)
             for name in ("front_01", f"back_02{HOSTILE}"):

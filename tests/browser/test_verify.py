@@ -7,7 +7,6 @@ usage: test_verify.py PEDZONE_PROGRAM
 import json
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -24,9 +23,7 @@ CHARTED, MAPPED = "rimea-8", "rimea-13"
 class Page(page_case.PageCase):
     @classmethod
     def setUpClass(cls):
-        directory = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(directory.cleanup)
-        folder = Path(directory.name)
+        folder = cls.make_folder()
         cls.page = folder / "verify.html"
         done = subprocess.run([PEDZONE, "verify", "--model", *MODELS, "--only", *TESTS, "--seeds",
                                "2", "--html", cls.page, "--json", folder / "verify.json"],

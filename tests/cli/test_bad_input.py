@@ -10,25 +10,16 @@ import re
 import signal
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 from refusal import RefusalChecks
-from tiny_scenario import EDGES, TinyScenario
+from tiny_scenario import EDGES, TinyCase, TinyScenario
 
 PEDZONE = None  # set from the command line
 
 
-class BadInput(RefusalChecks, unittest.TestCase):
-    def setUp(self):
-        self.directory = tempfile.TemporaryDirectory()
-        self.folder = Path(self.directory.name)
-        self.tiny = TinyScenario(self.folder)
-
-    def tearDown(self):
-        self.directory.cleanup()
-
+class BadInput(RefusalChecks, TinyCase):
     def pedzone(self, *words):
         return subprocess.run([PEDZONE, *map(str, words)], cwd=self.folder, text=True,
                               capture_output=True, timeout=120)

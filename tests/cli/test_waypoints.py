@@ -7,13 +7,12 @@ usage: test_waypoints.py PEDZONE_PROGRAM
 import math
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
 from refusal import RefusalChecks
-from tiny_scenario import TinyScenario, sumo_environment
+from tiny_scenario import TinyCase, sumo_environment
 
 PEDZONE = None  # set from the command line
 
@@ -37,15 +36,7 @@ WALKS = """<routes>
 </routes>"""
 
 
-class Waypoints(RefusalChecks, unittest.TestCase):
-    def setUp(self):
-        self.directory = tempfile.TemporaryDirectory()
-        self.folder = Path(self.directory.name)
-        self.tiny = TinyScenario(self.folder)
-
-    def tearDown(self):
-        self.directory.cleanup()
-
+class Waypoints(RefusalChecks, TinyCase):
     def run_tour(self, waypoints="first second", path="tour", more="", words=(), zones=ZONES):
         """`pedzone run` with outputs into out/; returns the finished process."""
         self.tiny.config()

@@ -2,6 +2,8 @@
 
 import os
 import subprocess
+import tempfile
+import unittest
 from pathlib import Path
 
 NODES = """<nodes>
@@ -70,3 +72,13 @@ class TinyScenario:
     def config(self, net="tiny.net.xml", routes="tiny.rou.xml", additional="tiny.add.xml", more=""):
         return self.write("tiny.sumocfg", CONFIG.format(net=net, routes=routes,
                                                         additional=additional, more=more))
+
+
+class TinyCase(unittest.TestCase):
+    """A test with a tiny scenario `tiny` in a new folder `folder`."""
+
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.folder = Path(directory.name)
+        self.tiny = TinyScenario(self.folder)

@@ -1,6 +1,7 @@
 #include "scene.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "oracle.hpp"
 
@@ -12,6 +13,19 @@ PersonSpec walking_to(const Vec2& at, double direction) {
   person.heading = person.goal = direction;
   person.velocity = person.speed * unit(direction);
   return person;
+}
+
+Shuffled shuffled(const Scene& scene, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  Shuffled other{scene, std::vector<std::size_t>(scene.people.size())};
+  std::iota(other.order.begin(), other.order.end(), std::size_t{0});
+  std::shuffle(other.order.begin(), other.order.end(), random);
+  for (std::size_t i = 0; i < other.order.size(); ++i) {
+    other.scene.people[i] = scene.people[other.order[i]];
+  }
+  std::shuffle(other.scene.vehicles.begin(), other.scene.vehicles.end(), random);
+  std::shuffle(other.scene.walls.begin(), other.scene.walls.end(), random);
+  return other;
 }
 
 Persons persons_of(const std::vector<PersonSpec>& people) {

@@ -35,6 +35,13 @@ struct Scene {
   Decision first() const { return decide().front(); }
 };
 
+/// The same scene in another order: person i stood at place order[i].
+struct Shuffled {
+  Scene scene;
+  std::vector<std::size_t> order;
+};
+Shuffled shuffled(const Scene& scene, std::uint32_t seed);
+
 Persons persons_of(const std::vector<PersonSpec>& people);
 
 VehicleState vehicle(const Vec2& centre, double heading, double speed, double length = 5.0,
