@@ -192,7 +192,7 @@ std::size_t Simulation::Parts::people_in_sumo() {
 
 /// Takes in SUMO's present state and shows it.
 void Simulation::Parts::read(double dt) {
-  std::vector<VehicleSeen> seen = vehicles.read(fleet);
+  std::vector<VehicleSeen> seen = vehicles.read(fleet, drivers);
   drivers.mark(seen, steering.steered(), session->time(), dt);
   fleet.update(std::move(seen), dt);
   steering.foresee(fleet, session->time(), dt);

@@ -7,6 +7,7 @@
 
 #include "sumo/calls/vehicles.hpp"
 #include "sumo/plan/fleet.hpp"
+#include "sumo/plan/outside_drivers.hpp"
 
 namespace pedzone {
 
@@ -15,9 +16,10 @@ class VehicleReader {
   /// Both must outlive it.
   VehicleReader(const Network& network, SumoVehicles& sumo) : network_(network), sumo_(sumo) {}
 
-  /// Those that belong to the fleet, in SUMO's order. Where the weather leaves them less grip, one
-  /// that is new is told to brake less, whatever it brakes for.
-  std::vector<VehicleSeen> read(const Fleet& fleet);
+  /// Those that belong to the fleet, in SUMO's order, and those far away that pedzone has told a
+  /// speed (they were moved there): they are to be given back. Where the weather leaves them less
+  /// grip, one that is new is told to brake less, whatever it brakes for.
+  std::vector<VehicleSeen> read(const Fleet& fleet, const OutsideDrivers& told);
 
  private:
   const VehicleTraits& traits(const std::string& id, double grip);

@@ -26,10 +26,13 @@ void OutsideDrivers::note(std::span<const SpeedOrder> orders) {
   }
 }
 
-/// One that pedzone has told a speed drives no faster, but for what it cannot brake.
+/// One that pedzone has told a speed drives no faster, but for what it cannot brake. Once another
+/// program drives it, what it was told may count no more: then it may drive as SUMO lets it, too.
 bool OutsideDrivers::is_odd(const VehicleSeen& vehicle, const Suspect& suspect, double dt) const {
   const auto told = told_.find(vehicle.id);
-  if (told == told_.end()) return std::abs(vehicle.speed - vehicle.own_speed) > kSame;
+  const bool as_sumo = std::abs(vehicle.speed - vehicle.own_speed) <= kSame;
+  if (told == told_.end()) return !as_sumo;
+  if (suspect.driven && as_sumo) return false;
   if (suspect.last_speed < 0.0) return false;
   const double slowest = suspect.last_speed - vehicle.traits.emergency_decel * dt;
   return vehicle.speed > std::max(told->second, slowest) + kSame;

@@ -31,6 +31,9 @@ class OutsideDrivers {
   void mark(std::vector<VehicleSeen>& seen, const std::unordered_set<std::string>& steered,
             double time, double dt);
 
+  /// Whether pedzone has told a vehicle a speed and not given its own back yet.
+  bool is_told(const std::string& vehicle) const { return told_.contains(vehicle); }
+
   /// Whoever was found, each once, in time.
   const std::vector<OutsideRecord>& found() const { return found_; }
 

@@ -63,11 +63,26 @@ StandOffs::Way StandOffs::way_out(const FleetVehicle& vehicle,
   return beside && free_of_vehicles(vehicle, vehicles) ? Way::kPass : Way::kWait;
 }
 
-/// From what the vehicle did to what it does now; `held`: people hold it, who are told elsewhere.
-void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool held,
+/// What it does now; `one` counts on.
+StandOffs::Way StandOffs::next_way(StandOff& one, const FleetVehicle& vehicle,
+                                   std::span<const FleetVehicle> vehicles,
+                                   std::span<const PersonAhead> people) const {
+  const double patience = zones_[vehicle.zone].parameters.creep_after;
+  if (vehicle.stopped || one.stood < patience) return Way::kWait;
+  const Way way = way_out(vehicle, vehicles, people);
+  if (way != Way::kLetGo || one.stood < 2.0 * patience) return way;
+  one.stood = 0.0;
+  return Way::kWait;
+}
+
+/// From what the vehicle did to what it does now. `commanded`: Yielding has told it a speed, which
+/// stays.
+void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool commanded,
                      std::vector<SpeedOrder>& orders) const {
   if (before == Way::kPass && now != before) orders.push_back({vehicle.id, SpeedMode::kDefault});
-  if (before != Way::kWait && now == Way::kWait && !held) orders.push_back({vehicle.id, kOwnSpeed});
+  if (before != Way::kWait && now == Way::kWait && !commanded) {
+    orders.push_back({vehicle.id, kOwnSpeed});
+  }
   if (now == Way::kPass) {
     if (before != now) orders.push_back({vehicle.id, SpeedMode::kPass});
     vehicle.commanded = zones_[vehicle.zone].parameters.creep_speed;
@@ -82,19 +97,20 @@ std::vector<SpeedOrder> StandOffs::plan(std::span<FleetVehicle> vehicles,
   std::vector<SpeedOrder> orders;
   std::unordered_map<std::string, StandOff> stand_offs;
   for (FleetVehicle& vehicle : vehicles) {
-    const auto known = stand_offs_.find(vehicle.id);
-    StandOff one = known == stand_offs_.end() ? StandOff{} : known->second;
+    if (!vehicle.traits.yields || vehicle.traits.external) continue;
+    const auto known = stand_offs_.extract(vehicle.id);
+    StandOff one = known.empty() ? StandOff{} : known.mapped();
     const Way before = one.way;
-    const bool ours = vehicle.traits.yields && !vehicle.traits.external;
-    if (!ours || (before == Way::kWait && vehicle.speed > kHaltingSpeed)) continue;
+    if (before == Way::kWait && vehicle.speed > kHaltingSpeed) continue;
     one.stood += dt;
-    const double patience = zones_[vehicle.zone].parameters.creep_after;
-    const bool held = vehicle.stopped || vehicle.commanded >= 0.0;
-    one.way = held || one.stood < patience ? Way::kWait : way_out(vehicle, vehicles, people);
-    if (one.way == Way::kLetGo && one.stood >= 2.0 * patience) one = {};
-    tell(vehicle, before, one.way, held, orders);
-    const bool waits = !held && vehicle.speed <= kHaltingSpeed;
+    const bool commanded = vehicle.commanded >= 0.0;
+    one.way = commanded ? Way::kWait : next_way(one, vehicle, vehicles, people);
+    tell(vehicle, before, one.way, commanded, orders);
+    const bool waits = !commanded && !vehicle.stopped && vehicle.speed <= kHaltingSpeed;
     if (waits || one.way != Way::kWait) stand_offs[vehicle.id] = one;
+  }
+  for (const auto& [id, one] : stand_offs_) {  // not ours to tell at present
+    if (one.way != Way::kWait) stand_offs[id] = {0.0, one.way};
   }
   stand_offs_ = std::move(stand_offs);
   return orders;

@@ -23,7 +23,9 @@ class StandOffs {
   /// creepAfter beside one of `people` (all near the zone). Where its way is free of people and
   /// vehicles it creeps past. Where somebody stands in its way it lets people go first, for
   /// creepAfter at most before it waits again: while it is told to stand, SUMO opens crossings to
-  /// them. To be called after Yielding::plan; vehicles that this holds are left alone.
+  /// them. To be called after Yielding::plan; vehicles that this has told a speed are left alone.
+  /// A vehicle that meanwhile has gone (it teleports), or is driven by another program, gets its
+  /// own speed back as soon as it is among `vehicles` again and pedzone's to tell.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, double dt);
 
@@ -37,7 +39,9 @@ class StandOffs {
   bool meets_zone(const FleetVehicle& vehicle) const;
   Way way_out(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
               std::span<const PersonAhead> people) const;
-  void tell(FleetVehicle& vehicle, Way before, Way now, bool held,
+  Way next_way(StandOff& one, const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
+               std::span<const PersonAhead> people) const;
+  void tell(FleetVehicle& vehicle, Way before, Way now, bool commanded,
             std::vector<SpeedOrder>& orders) const;
 
   const std::vector<Zone>& zones_;

@@ -74,6 +74,36 @@ TEST_F(OutsideDriversTest, it_is_sumos_again_after_two_seconds_as_sumo_lets_it) 
   EXPECT_FALSE(step(5.0, 5.0));
 }
 
+TEST_F(OutsideDriversTest, it_is_sumos_again_though_it_drives_faster_than_pedzone_told_it_before) {
+  (void)step(5.0, 5.0);
+  tell(0.0);
+  for (int k = 0; k < 20; ++k) (void)step(5.0, 6.0);
+  EXPECT_TRUE(step(5.0, 6.0));
+  for (int k = 0; k < 18; ++k) EXPECT_TRUE(step(6.0, 6.0)) << k;
+  (void)step(6.0, 6.0);
+  (void)step(6.0, 6.0);
+  EXPECT_FALSE(step(6.0, 6.0)) << "what it was told counts no more";
+}
+
+TEST_F(OutsideDriversTest, it_is_sumos_again_too_where_it_drives_as_pedzone_told_it_before) {
+  (void)step(5.0, 5.0);
+  tell(1.0);
+  for (int k = 0; k < 20; ++k) (void)step(5.0, 6.0);
+  EXPECT_TRUE(step(5.0, 6.0));
+  for (int k = 0; k < 25; ++k) (void)step(1.0, 6.0);
+  EXPECT_FALSE(step(1.0, 6.0)) << "it would crawl for ever";
+}
+
+TEST_F(OutsideDriversTest, knows_whom_pedzone_has_told_a_speed) {
+  EXPECT_FALSE(drivers_.is_told("car"));
+  tell(0.0);
+  EXPECT_TRUE(drivers_.is_told("car"));
+  drivers_.note(std::vector<SpeedOrder>{{"car", SpeedMode::kDefault}});
+  EXPECT_TRUE(drivers_.is_told("car"));
+  tell(-1.0);
+  EXPECT_FALSE(drivers_.is_told("car"));
+}
+
 TEST_F(OutsideDriversTest, neither_who_is_at_a_stop_nor_whom_pedzone_steers_itself) {
   for (int k = 0; k < 5; ++k) EXPECT_FALSE(step(0.0, 5.0, true));
   steered_.insert("car");

@@ -64,6 +64,71 @@ TEST_F(StandOffTest, ends_when_nobody_is_beside_any_more) {
   EXPECT_THAT(step(0.1), IsEmpty());
 }
 
+TEST_F(StandOffTest, ends_at_a_stop_of_the_vehicles_own) {
+  wait(100.0);
+  vehicles_[0].commanded = kOwnSpeed;
+  vehicles_[0].stopped = true;
+  EXPECT_THAT(step(0.1),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}))
+      << "it drives on after the stop as fast as it likes";
+  EXPECT_THAT(step(0.1), IsEmpty());
+}
+
+TEST_F(StandOffTest, time_at_a_stop_of_its_own_does_not_count) {
+  vehicles_[0].stopped = true;
+  wait(creep_after_ + 10.0);
+  vehicles_[0].stopped = false;
+  EXPECT_THAT(wait(creep_after_ - 0.15), IsEmpty());
+  EXPECT_THAT(wait(1.0), testing::SizeIs(2));
+}
+
+TEST_F(StandOffTest, passes_for_as_long_as_it_takes) {
+  wait(100.0);
+  for (double passed = 0.0; passed < 3.0 * creep_after_; passed += 1.0) {
+    vehicles_[0].commanded = kOwnSpeed;
+    EXPECT_THAT(step(1.0), ElementsAre(SpeedOrder{"van", creep_})) << passed;
+  }
+}
+
+TEST_F(StandOffTest, ends_for_one_that_has_gone_and_comes_back) {
+  const std::vector<SpeedOrder> mode{{"van", SpeedMode::kDefault}}, own{{"van", kOwnSpeed}};
+  for (const bool passes : {true, false}) {
+    stand_offs_.emplace(zones_);
+    people_ = {{{passes ? 79.0 : 83.0, passes ? 2.0 : 0.0}, {0.0, 0.0}, 0.24}};
+    vehicles_ = {standing("van", 80.0)};
+    wait(100.0);
+    vehicles_.clear();  // SUMO teleports it
+    EXPECT_THAT(step(0.1), IsEmpty()) << "SUMO would end at an order for one that is not there";
+    EXPECT_THAT(step(0.1), IsEmpty());
+    vehicles_ = {standing("van", 80.0)};
+    vehicles_[0].speed = 5.0;
+    std::vector<SpeedOrder> expected = own;
+    if (passes) expected.insert(expected.begin(), mode.front());
+    EXPECT_EQ(step(0.1), expected) << passes;
+    EXPECT_THAT(step(0.1), IsEmpty());
+  }
+}
+
+TEST_F(StandOffTest, tells_one_nothing_that_another_program_drives_until_it_no_longer_does) {
+  wait(100.0);
+  vehicles_[0].traits.external = true;
+  vehicles_[0].speed = 5.0;
+  for (int k = 0; k < 300; ++k) ASSERT_THAT(step(0.1), IsEmpty());
+  vehicles_[0].traits.external = false;
+  vehicles_[0].commanded = kOwnSpeed;
+  EXPECT_THAT(step(0.1),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+  EXPECT_THAT(step(0.1), IsEmpty());
+}
+
+TEST_F(StandOffTest, ends_when_the_vehicle_has_left_the_zone) {
+  wait(100.0);
+  vehicles_[0] = standing("van", 24.0);
+  people_[0].position.x() = 23.0;
+  EXPECT_THAT(step(0.1),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+}
+
 TEST_F(StandOffTest, leaves_the_speed_to_yielding_once_that_holds_the_vehicle) {
   wait(100.0);
   vehicles_[0].commanded = 0.3;
