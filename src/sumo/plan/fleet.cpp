@@ -144,14 +144,27 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
 }
 
 /// In a queue nobody drives off before the one ahead: people behind it would walk into its rear.
+/// Looked at are those in a strip from north to south only: thousands of vehicles have millions of
+/// pairs.
 void Fleet::find_leaders() {
+  constexpr double kRounding = 1.0;  // [m] numerical: wider than needed
+  double longest = 0.0;
+  by_x_.clear();
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    longest = std::max(longest, vehicles_[i].traits.length);
+    by_x_.emplace_back(vehicles_[i].front.x(), i);
+  }
+  std::ranges::sort(by_x_);
   for (FleetVehicle& vehicle : vehicles_) {
     if (!goes_on(vehicle)) continue;
     const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
     const double distance = braking + vehicle.speed + kLeaderAhead;
-    for (const FleetVehicle& other : vehicles_) {
-      if (&other == &vehicle) continue;
-      const auto gap = gap_before(vehicle, other, distance);
+    const double reach = distance + longest + kRounding, east = vehicle.front.x() + reach;
+    auto at = std::ranges::lower_bound(by_x_, vehicle.front.x() - reach, {},
+                                       &std::pair<double, std::size_t>::first);
+    for (; at != by_x_.end() && at->first <= east; ++at) {
+      const FleetVehicle& other = vehicles_[at->second];
+      const auto gap = &other == &vehicle ? std::nullopt : gap_before(vehicle, other, distance);
       if (!gap) continue;
       vehicle.follows_at =
           std::min(vehicle.follows_at, safe_behind(vehicle.traits, *gap, other.speed));

@@ -47,6 +47,7 @@ class Fleet {
   std::vector<std::pair<Vec2, Vec2>> boxes_;  ///< zones' bounds, grown
   std::vector<FleetVehicle> vehicles_, previous_;
   std::unordered_map<std::string, std::size_t> previous_index_;
+  std::vector<std::pair<double, std::size_t>> by_x_;  ///< [m] of fronts; kept for its memory
 };
 
 }  // namespace pedzone

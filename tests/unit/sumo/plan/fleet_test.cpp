@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
 #include <tuple>
 
 #include "four_edges.hpp"
@@ -191,6 +192,56 @@ TEST_F(FleetTest, shows_people_that_nobody_drives_off_in_a_queue) {
   EXPECT_GT(behind(2.5, 2.0), behind(2.5, 1.0)) << "behind one that drives it may";
   EXPECT_GT(behind(2.5, 0.0, 3.0), 3.0) << "not held by one beside its way";
   EXPECT_GT(behind(30.0, 0.0), 3.0);
+}
+
+TEST_F(FleetTest, follows_a_long_vehicle_in_whatever_direction) {
+  constexpr double kGap = 9.0, kLength = 18.0;  // [m]
+  const std::vector<Zone> all = zones();
+  for (int k = 0; k < 16; ++k) {
+    VehicleSeen follower = test::seen_vehicle("follower", {50.0, 0.0}, 0.0);
+    follower.heading = wrap_angle(k * kPi / 8.0);
+    VehicleSeen leader = follower;
+    leader.id = "leader";
+    leader.traits.length = kLength;
+    leader.front += unit(follower.heading) * (kGap + kLength);
+    Fleet fleet(network, all);
+    fleet.update({follower, leader}, 0.1);
+    const double decel = follower.traits.decel, room = kGap - follower.traits.min_gap;
+    EXPECT_NEAR(fleet.vehicles()[0].follows_at, -decel + std::sqrt(decel * (decel + 2.0 * room)),
+                1e-6)
+        << k;
+    EXPECT_GT(fleet.vehicles()[1].follows_at, 1e9) << "the leader follows nobody";
+  }
+}
+
+TEST_F(FleetTest, follows_among_many_as_the_slowest_of_each_pair_alone_lets_it) {
+  std::mt19937 random(1);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  std::vector<VehicleSeen> all;
+  for (int i = 0; i < 40; ++i) {  // on no lane, so that all go straight on
+    all.push_back(test::seen_vehicle(std::to_string(i), {between(0.0, 80.0), between(0.0, 80.0)},
+                                     between(0.0, 15.0)));
+    all.back().heading = between(-kPi, kPi);
+    all.back().traits.length = between(1.0, 20.0);
+  }
+  const std::vector<Zone> zone_list = zones();
+  Fleet together(network, zone_list);
+  together.update(all, 0.1);
+  int followers = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    double slowest = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (i == j) continue;
+      Fleet pair(network, zone_list);
+      pair.update({all[i], all[j]}, 0.1);
+      slowest = std::min(slowest, pair.vehicles()[0].follows_at);
+    }
+    EXPECT_EQ(together.vehicles()[i].follows_at, slowest) << i;
+    followers += slowest < 1e9;
+  }
+  EXPECT_GT(followers, 10);
 }
 
 TEST_F(FleetTest, shows_people_where_a_vehicle_turns) {
