@@ -86,6 +86,7 @@ void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool commanded,
   if (now == Way::kPass) {
     if (before != now) orders.push_back({vehicle.id, SpeedMode::kPass});
     vehicle.commanded = zones_[vehicle.zone].parameters.creep_speed;
+    vehicle.pull = vehicle.traits.accel;  // no braking that Yielding would ease
     orders.push_back({vehicle.id, vehicle.commanded});
   } else if (now == Way::kLetGo) {
     orders.push_back({vehicle.id, 0.0});

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "four_edges.hpp"
+#include "sumo/plan/yielding.hpp"
 
 namespace pedzone {
 namespace {
@@ -62,6 +63,22 @@ TEST_F(StandOffTest, ends_when_nobody_is_beside_any_more) {
   EXPECT_THAT(step(0.1),
               ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
   EXPECT_THAT(step(0.1), IsEmpty());
+}
+
+TEST_F(StandOffTest, goes_on_though_yielding_finds_nobody_whom_it_would_let_go_gently) {
+  const SafeSpeeds any{[](const FleetVehicle&, double) { return 10.0; },
+                       [](const FleetVehicle&, double, double) { return 10.0; }};
+  for (const double dt : {0.1, 0.5, 1.0}) {
+    stand_offs_.emplace(zones_);
+    Yielding yielding(zones_);
+    vehicles_ = {standing("van", 80.0)};
+    vehicles_[0].allowed_speed = 10.0;
+    wait(100.0, dt);
+    for (int k = 0; k < 10; ++k) {  // it still stands, and what it was told carries over
+      EXPECT_THAT(yielding.plan(vehicles_, {}, any, 0.0, dt), IsEmpty());
+      EXPECT_THAT(step(dt), ElementsAre(SpeedOrder{"van", creep_})) << dt << ' ' << k;
+    }
+  }
 }
 
 TEST_F(StandOffTest, ends_at_a_stop_of_the_vehicles_own) {
