@@ -194,6 +194,26 @@ TEST_F(FleetTest, shows_people_that_nobody_drives_off_in_a_queue) {
   EXPECT_GT(behind(30.0, 0.0), 3.0);
 }
 
+TEST_F(FleetTest, follows_a_long_vehicle_in_whatever_direction) {
+  constexpr double kGap = 9.0, kLength = 18.0;  // [m]
+  const std::vector<Zone> all = zones();
+  for (int k = 0; k < 16; ++k) {
+    VehicleSeen follower = test::seen_vehicle("follower", {50.0, 0.0}, 0.0);
+    follower.heading = wrap_angle(k * kPi / 8.0);
+    VehicleSeen leader = follower;
+    leader.id = "leader";
+    leader.traits.length = kLength;
+    leader.front += unit(follower.heading) * (kGap + kLength);
+    Fleet fleet(network, all);
+    fleet.update({follower, leader}, 0.1);
+    const double decel = follower.traits.decel, room = kGap - follower.traits.min_gap;
+    EXPECT_NEAR(fleet.vehicles()[0].follows_at, -decel + std::sqrt(decel * (decel + 2.0 * room)),
+                1e-6)
+        << k;
+    EXPECT_GT(fleet.vehicles()[1].follows_at, 1e9) << "the leader follows nobody";
+  }
+}
+
 TEST_F(FleetTest, follows_among_many_as_the_slowest_of_each_pair_alone_lets_it) {
   std::mt19937 random(1);
   const auto between = [&](double low, double high) {

@@ -91,6 +91,22 @@ TEST_F(StandOffTest, ends_at_a_stop_of_the_vehicles_own) {
   EXPECT_THAT(step(0.1), IsEmpty());
 }
 
+TEST_F(StandOffTest, time_at_a_stop_of_its_own_does_not_count) {
+  vehicles_[0].stopped = true;
+  wait(creep_after_ + 10.0);
+  vehicles_[0].stopped = false;
+  EXPECT_THAT(wait(creep_after_ - 0.15), IsEmpty());
+  EXPECT_THAT(wait(1.0), testing::SizeIs(2));
+}
+
+TEST_F(StandOffTest, passes_for_as_long_as_it_takes) {
+  wait(100.0);
+  for (double passed = 0.0; passed < 3.0 * creep_after_; passed += 1.0) {
+    vehicles_[0].commanded = kOwnSpeed;
+    EXPECT_THAT(step(1.0), ElementsAre(SpeedOrder{"van", creep_})) << passed;
+  }
+}
+
 TEST_F(StandOffTest, ends_for_one_that_has_gone_and_comes_back) {
   const std::vector<SpeedOrder> mode{{"van", SpeedMode::kDefault}}, own{{"van", kOwnSpeed}};
   for (const bool passes : {true, false}) {
