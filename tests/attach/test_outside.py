@@ -6,11 +6,12 @@ usage: test_outside.py PEDZONE_PROGRAM
 """
 
 import math
+import subprocess
 import sys
 import textwrap
 
 import attached
-from attached import LONG, AttachedCase, rows
+from attached import LONG, AttachedCase, rows, sumo_environment
 
 WALKERS = """<routes>
   <vType id="car"/>
@@ -117,6 +118,29 @@ class Outside(AttachedCase):
         # SUMO has another speed for one step where it finds another lane.
         self.assertEqual(sorted(inside)[len(inside) // 2], 1.5)
         self.assertGreater(min(inside), 1.49)
+
+    def test_a_vehicle_that_was_told_to_stand_drives_on_where_it_is_put_far_away(self):
+        nodes = self.folder / "tiny.nod.xml"
+        nodes.write_text(nodes.read_text().replace('x="180"', 'x="1500"'))
+        subprocess.run(["netconvert", "-n", "tiny.nod.xml", "-e", "tiny.edg.xml", "-t", "tiny.typ.xml",
+                        "-o", "tiny.net.xml", "--walkingareas", "true", "--crossings.guess", "false"],
+                       cwd=self.folder, check=True, capture_output=True, env=sumo_environment())
+        self.together("""
+            if "visitor" in persons:
+                traci.person.moveToXY("visitor", "", 100.0, -4.0, 90, 2, -1)
+            if "v" in vehicles and not seen and traci.vehicle.getRoadID("v") == "shared":
+                if traci.vehicle.getSpeed("v") < 0.1:
+                    seen.append(t)
+                    traci.vehicle.moveTo("v", "east_1", 600)
+            """, routes="""<routes>
+              <vType id="own" vClass="pedestrian"><param key="pedzone.external" value="true"/></vType>
+              <person id="visitor" type="own" depart="1">
+                <walk edges="shared east" departPos="20"/></person>
+              <vehicle id="v" depart="60"><route edges="west shared east"/></vehicle>
+            </routes>""")
+        far = [speed for speed, x in self.speeds().values() if x > 600]
+        self.assertGreater(len(far), 20, "it stood before the visitor and was put there")
+        self.assertGreater(far[20], 5.0)
 
     def places(self, person="visitor"):
         return {float(row["time"]): (float(row["x"]), float(row["y"]))

@@ -11,6 +11,7 @@ constexpr double kBeside = 3.0;     // [m] assumed: SUMO stops for people who ar
 constexpr double kFreeWay = 5.0;    // [m] assumed: so far it must be free
 constexpr double kJunction = 20.0;  // [m] assumed: a junction's width and the way to it
 constexpr double kBorder = 5.0;     // [m] assumed: a crossing beside a zone is no farther from it
+constexpr double kTry = 2.0;        // [s] assumed: one that can creep past does so by then
 constexpr double kSample = 0.5;     // [m] numerical
 constexpr double kGap = 0.3;        // [m] assumed: kept to other vehicles
 constexpr double kMargin = 0.05;    // [m] as a creeping vehicle's
@@ -63,14 +64,13 @@ StandOffs::Way StandOffs::way_out(const FleetVehicle& vehicle,
   return beside && free_of_vehicles(vehicle, vehicles) ? Way::kPass : Way::kWait;
 }
 
-/// What it does now; `one` counts on.
-StandOffs::Way StandOffs::next_way(StandOff& one, const FleetVehicle& vehicle,
-                                   std::span<const FleetVehicle> vehicles,
-                                   std::span<const PersonAhead> people) const {
-  const double patience = zones_[vehicle.zone].parameters.creep_after;
-  if (vehicle.stopped || one.stood < patience) return Way::kWait;
-  const Way way = way_out(vehicle, vehicles, people);
-  if (way != Way::kLetGo || one.stood < 2.0 * patience) return way;
+/// The way out, or to wait anew where it has been tried for long enough.
+StandOffs::Way StandOffs::go_on(StandOff& one, const FleetVehicle& vehicle, Way out,
+                                double dt) const {
+  const bool gets_past = out == Way::kPass && vehicle.speed > kHaltingSpeed;
+  one.tried = out != one.way || gets_past ? 0.0 : one.tried + dt;
+  const double most = out == Way::kPass ? kTry : zones_[vehicle.zone].parameters.creep_after;
+  if (out == Way::kWait || one.tried < most) return out;
   one.stood = 0.0;
   return Way::kWait;
 }
@@ -105,13 +105,15 @@ std::vector<SpeedOrder> StandOffs::plan(std::span<FleetVehicle> vehicles,
     if (before == Way::kWait && vehicle.speed > kHaltingSpeed) continue;
     one.stood += dt;
     const bool commanded = vehicle.commanded >= 0.0;
-    one.way = commanded ? Way::kWait : next_way(one, vehicle, vehicles, people);
-    tell(vehicle, before, one.way, commanded, orders);
     const bool waits = !commanded && !vehicle.stopped && vehicle.speed <= kHaltingSpeed;
+    const bool may_act =
+        !commanded && !vehicle.stopped && one.stood >= zones_[vehicle.zone].parameters.creep_after;
+    one.way = may_act ? go_on(one, vehicle, way_out(vehicle, vehicles, people), dt) : Way::kWait;
+    tell(vehicle, before, one.way, commanded, orders);
     if (waits || one.way != Way::kWait) stand_offs[vehicle.id] = one;
   }
   for (const auto& [id, one] : stand_offs_) {  // not ours to tell at present
-    if (one.way != Way::kWait) stand_offs[id] = {0.0, one.way};
+    if (one.way != Way::kWait) stand_offs[id] = {.way = one.way};
   }
   stand_offs_ = std::move(stand_offs);
   return orders;

@@ -21,11 +21,13 @@ class StandOffs {
 
   /// Before SUMO's next step of `dt` [s]: what a vehicle in or at a zone is told that has stood for
   /// creepAfter beside one of `people` (all near the zone). Where its way is free of people and
-  /// vehicles it creeps past. Where somebody stands in its way it lets people go first, for
-  /// creepAfter at most before it waits again: while it is told to stand, SUMO opens crossings to
-  /// them. To be called after Yielding::plan; vehicles that this has told a speed are left alone.
-  /// A vehicle that meanwhile has gone (it teleports), or is driven by another program, gets its
-  /// own speed back as soon as it is among `vehicles` again and pedzone's to tell.
+  /// vehicles it creeps past. If SUMO keeps it standing for 2 s all the same, it waits again: it
+  /// may find a gap with its own speed that it does not with this one. Where somebody stands in its
+  /// way it lets people go first, for creepAfter at most before it waits again: while it is told to
+  /// stand, SUMO opens crossings to them. To be called after Yielding::plan; vehicles that this has
+  /// told a speed are left alone. A vehicle that meanwhile has gone (it teleports), or is driven by
+  /// another program, gets its own speed back as soon as it is among `vehicles` again and pedzone's
+  /// to tell.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, double dt);
 
@@ -33,14 +35,14 @@ class StandOffs {
   enum class Way { kWait, kPass, kLetGo };
   struct StandOff {
     double stood = 0.0;  ///< [s]
+    double tried = 0.0;  ///< [s] on the present way, without getting on
     Way way = Way::kWait;
   };
 
   bool meets_zone(const FleetVehicle& vehicle) const;
   Way way_out(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
               std::span<const PersonAhead> people) const;
-  Way next_way(StandOff& one, const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
-               std::span<const PersonAhead> people) const;
+  Way go_on(StandOff& one, const FleetVehicle& vehicle, Way out, double dt) const;
   void tell(FleetVehicle& vehicle, Way before, Way now, bool commanded,
             std::vector<SpeedOrder>& orders) const;
 

@@ -74,7 +74,8 @@ TEST_F(StandOffTest, goes_on_though_yielding_finds_nobody_whom_it_would_let_go_g
     vehicles_ = {standing("van", 80.0)};
     vehicles_[0].allowed_speed = 10.0;
     wait(100.0, dt);
-    for (int k = 0; k < 10; ++k) {  // it still stands, and what it was told carries over
+    for (int k = 0; k < 10; ++k) {  // what it was told carries over
+      vehicles_[0].speed = k == 0 ? 0.0 : creep_;
       EXPECT_THAT(yielding.plan(vehicles_, {}, any, 0.0, dt), IsEmpty());
       EXPECT_THAT(step(dt), ElementsAre(SpeedOrder{"van", creep_})) << dt << ' ' << k;
     }
@@ -103,7 +104,37 @@ TEST_F(StandOffTest, passes_for_as_long_as_it_takes) {
   wait(100.0);
   for (double passed = 0.0; passed < 3.0 * creep_after_; passed += 1.0) {
     vehicles_[0].commanded = kOwnSpeed;
+    vehicles_[0].speed = creep_;
     EXPECT_THAT(step(1.0), ElementsAre(SpeedOrder{"van", creep_})) << passed;
+  }
+}
+
+TEST_F(StandOffTest, waits_again_where_sumo_does_not_let_it_past) {
+  const auto step_back = [&](double dt) {
+    vehicles_[0].commanded = kOwnSpeed;
+    return step(dt);
+  };
+  for (const double dt : {0.1, 0.5}) {
+    stand_offs_.emplace(zones_);
+    vehicles_[0].commanded = kOwnSpeed;
+    wait(100.0, dt);
+    for (double tried = dt; tried < 2.0 - 0.5 * dt; tried += dt) {
+      ASSERT_THAT(step_back(dt), ElementsAre(SpeedOrder{"van", creep_})) << tried;
+    }
+    EXPECT_THAT(step_back(dt),
+                ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+    EXPECT_THAT(wait(creep_after_ - 1.5 * dt, dt), IsEmpty());
+    EXPECT_THAT(wait(2.0 * dt, dt), testing::SizeIs(2)) << "and tries again";
+  }
+}
+
+TEST_F(StandOffTest, tries_for_as_long_however_long_it_has_waited_before) {
+  vehicles_.push_back(standing("lorry", 80.0 + 4.0 + 4.9));
+  vehicles_.back().traits.yields = false;
+  EXPECT_THAT(wait(3.0 * creep_after_), IsEmpty()) << "it could not go either";
+  people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
+  for (double told = 0.0; told < creep_after_ - 0.15; told += 0.1) {
+    ASSERT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", 0.0})) << told;
   }
 }
 
