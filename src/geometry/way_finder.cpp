@@ -10,6 +10,7 @@
 #include <queue>
 
 #include "geometry/body_room.hpp"
+#include "geometry/outlook.hpp"
 
 namespace pedzone {
 namespace {
@@ -47,12 +48,14 @@ void WayFinder::add_corners(const Ring& ring, int component) {
 }
 
 void WayFinder::link_corners() {
+  Outlook outlook;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    outlook.look(walls_, nodes_[i].point);
     for (std::size_t j = i + 1; j < nodes_.size(); ++j) {
       Node &u = nodes_[i], &v = nodes_[j];
       if (u.component != v.component) continue;
       const Vec2 line = v.point - u.point;
-      if (!is_taut(u, line) || !is_taut(v, line) || !walls_.sees(u.point, v.point)) continue;
+      if (outlook.hides(line) || !is_taut(u, line) || !is_taut(v, line) || !walls_.sees(u.point, v.point)) continue;
       u.edges.emplace_back(static_cast<int>(j), line.norm());
       v.edges.emplace_back(static_cast<int>(i), line.norm());
     }
@@ -126,8 +129,11 @@ class WayFinder::Search {
   }
 
   void link_start() {
+    Outlook outlook;
+    outlook.look(finder_.walls_, from_);
     for (int i = 0; i < goal_; ++i) {
       const Vec2 line = node(i).point - from_;
+      if (outlook.hides(line)) continue;
       if (is_taut(node(i), line)) push(i, kStart, line.norm());
     }
   }

@@ -91,8 +91,6 @@ const PluginEntry& entry_of(const std::string& path) {
 
 }  // namespace
 
-void check_plugin(const std::string& path) { (void)entry_of(path); }
-
 std::unique_ptr<WalkingModel> load_plugin(const std::string& path) {
   const PluginEntry& entry = entry_of(path);
   try {

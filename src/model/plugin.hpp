@@ -38,9 +38,6 @@ struct PluginEntry {
 /// missing, no library, has no model or one of another interface, or its constructor throws.
 std::unique_ptr<WalkingModel> load_plugin(const std::string& path);
 
-/// Throws what load_plugin() would, but for a constructor that throws: no model is made.
-void check_plugin(const std::string& path);
-
 }  // namespace pedzone
 
 /// Makes the class (derived from pedzone::WalkingModel, default-constructible) the plug-in's model.

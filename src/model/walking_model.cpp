@@ -54,7 +54,7 @@ std::unique_ptr<WalkingModel> make_model(const std::string& name) {
 
 void check_model(const std::string& name) {
   if (names_plugin(name)) {
-    check_plugin(name);
+    (void)load_plugin(name);
   } else {
     (void)maker_of(name);
   }

@@ -69,8 +69,8 @@ struct ModelError : std::invalid_argument {
 /// Throws ModelError.
 std::unique_ptr<WalkingModel> make_model(const std::string& name);
 
-/// Throws ModelError where make_model() would, but for a plug-in whose constructor throws. Makes
-/// no model.
+/// Throws ModelError where make_model() would. Makes no model but of a plug-in, whose constructor
+/// may throw.
 void check_model(const std::string& name);
 
 }  // namespace pedzone

@@ -226,7 +226,7 @@ TEST_P(Models, a_turned_scene_gives_turned_velocities) {
   }
 }
 
-TEST_P(Models, the_order_of_people_vehicles_and_walls_does_not_matter_to_the_bit) {
+TEST_P(Models, the_order_of_people_and_vehicles_does_not_matter_to_the_bit) {
   for (std::uint32_t seed = 1; seed <= 4; ++seed) {
     const Scene scene = crowded(seed);
     const Shuffled other = shuffled(scene, seed);

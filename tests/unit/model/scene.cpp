@@ -24,7 +24,6 @@ Shuffled shuffled(const Scene& scene, std::uint32_t seed) {
     other.scene.people[i] = scene.people[other.order[i]];
   }
   std::shuffle(other.scene.vehicles.begin(), other.scene.vehicles.end(), random);
-  std::shuffle(other.scene.walls.begin(), other.scene.walls.end(), random);
   return other;
 }
 

@@ -35,7 +35,7 @@ struct Scene {
   Decision first() const { return decide().front(); }
 };
 
-/// The same scene in another order: person i stood at place order[i].
+/// The same people and vehicles in another order: person i stood at place order[i].
 struct Shuffled {
   Scene scene;
   std::vector<std::size_t> order;
