@@ -33,18 +33,6 @@ Vec2 Outlook::border_of(int sector) {
   return (quarter < 2 ? border : Vec2(-border)).normalized();
 }
 
-/// [0, 4) grows with the angle of a direction, and costs no more than a division.
-double Outlook::turn_of(const Vec2& d) {
-  const double sum = std::abs(d.x()) + std::abs(d.y());
-  const double share = sum > 0.0 ? d.y() / sum : 0.0;
-  return d.x() < 0.0 ? 2.0 - share : (d.y() < 0.0 ? 4.0 + share : share);
-}
-
-int Outlook::sector_of(const Vec2& direction) {
-  const double turn = turn_of(direction) * kSectors / 4.0;
-  return std::min(static_cast<int>(turn), kSectors - 1);
-}
-
 void Outlook::look(const WallIndex& walls, const Vec2& from) {
   farthest_.fill(kNowhere);
   walls.near(from, kReach, near_);

@@ -48,14 +48,17 @@ void WayFinder::add_corners(const Ring& ring, int component) {
 }
 
 void WayFinder::link_corners() {
+  std::vector<Vec2> points;  // close together: of most pairs no more is read
+  for (const Node& node : nodes_) points.push_back(node.point);
   Outlook outlook;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    outlook.look(walls_, nodes_[i].point);
+    outlook.look(walls_, points[i]);
     for (std::size_t j = i + 1; j < nodes_.size(); ++j) {
+      const Vec2 line = points[j] - points[i];
+      if (outlook.hides(line)) continue;
       Node &u = nodes_[i], &v = nodes_[j];
       if (u.component != v.component) continue;
-      const Vec2 line = v.point - u.point;
-      if (outlook.hides(line) || !is_taut(u, line) || !is_taut(v, line) || !walls_.sees(u.point, v.point)) continue;
+      if (!is_taut(u, line) || !is_taut(v, line) || !walls_.sees(u.point, v.point)) continue;
       u.edges.emplace_back(static_cast<int>(j), line.norm());
       v.edges.emplace_back(static_cast<int>(i), line.norm());
     }
