@@ -17,7 +17,7 @@ if(PEDZONE_SANITIZE)
   list(APPEND PEDZONE_WARNINGS -Wno-maybe-uninitialized)
   # Every finding ends the program with an error, so that a test sees it.
   add_compile_options(-fsanitize=${PEDZONE_SANITIZE} -fno-sanitize-recover=all
-                      -fno-omit-frame-pointer -g)
+                      -fno-omit-frame-pointer -g1)  # lines only: a quarter less time to compile
   add_link_options(-fsanitize=${PEDZONE_SANITIZE})
 endif()
 
