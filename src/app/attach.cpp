@@ -42,7 +42,7 @@ void add_address(CLI::App& command, TraciAddress& address) {
       ->type_name(kNumber)
       ->capture_default_str()
       ->group(kSumo);
-  command.add_option("--patience", address.patience, "How long to wait until SUMO answers")
+  command.add_option("--patience", address.patience, "How long to wait until SUMO can be reached")
       ->check(number_in(0, kLongestTime))
       ->type_name(kSeconds)
       ->capture_default_str()

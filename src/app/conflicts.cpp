@@ -12,10 +12,10 @@
 #include "app/guarded.hpp"
 #include "app/seen_crossings.hpp"
 #include "app/share_bar.hpp"
-#include "app/type_files.hpp"
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
 #include "sumo/files/fcd_reader.hpp"
+#include "sumo/files/type_files.hpp"
 #include "sumo/files/walked_by_pedzone.hpp"
 
 namespace pedzone {

@@ -2,10 +2,10 @@
 
 #include <unordered_set>
 
-#include "app/type_files.hpp"
 #include "conflict/tracker.hpp"
 #include "study/measure/conflict_measures.hpp"
 #include "sumo/files/fcd_reader.hpp"
+#include "sumo/files/type_files.hpp"
 #include "sumo/files/walked_by_pedzone.hpp"
 
 namespace pedzone {

@@ -4,8 +4,8 @@
 
 #include "app/command_line/values.hpp"
 #include "app/share_bar.hpp"
-#include "app/type_files.hpp"
 #include "sumo/files/place_reader.hpp"
+#include "sumo/files/type_files.hpp"
 
 namespace pedzone {
 

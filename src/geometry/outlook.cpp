@@ -13,7 +13,7 @@
 namespace pedzone {
 namespace {
 
-constexpr double kReach = 60.0;  // [m] numerical, by timing: walls farther away are not looked at
+constexpr double kReach = 30.0;  // [m] numerical, by timing: walls farther away are not looked at
 // numerical: what a wall hides must be on its other side by far more than the micrometre from which
 // on sees() tells sides apart.
 constexpr double kLeastDistance = 1e-3;  // [m] of the point from the wall's line
@@ -24,13 +24,19 @@ constexpr double kNowhere = std::numeric_limits<double>::infinity();  // [m]
 
 }  // namespace
 
-/// Unit vector along the border at which a sector begins.
-Vec2 Outlook::border_of(int sector) {
-  const double turn = 4.0 * sector / kSectors, part = turn - std::floor(turn);
-  const Vec2 in_first_quarter(1.0 - part, part), in_second = left_of(in_first_quarter);
-  const int quarter = static_cast<int>(turn);
-  const Vec2 border = quarter % 2 == 0 ? in_first_quarter : in_second;
-  return (quarter < 2 ? border : Vec2(-border)).normalized();
+const std::array<Vec2, Outlook::kSectors>& Outlook::borders() {
+  static const auto kBorders = [] {
+    std::array<Vec2, kSectors> all;
+    for (int sector = 0; sector < kSectors; ++sector) {
+      const double turn = 4.0 * sector / kSectors, part = turn - std::floor(turn);
+      const Vec2 in_first_quarter(1.0 - part, part), in_second = left_of(in_first_quarter);
+      const int quarter = static_cast<int>(turn);
+      const Vec2 border = quarter % 2 == 0 ? in_first_quarter : in_second;
+      all[sector] = (quarter < 2 ? border : Vec2(-border)).normalized();
+    }
+    return all;
+  }();
+  return kBorders;
 }
 
 void Outlook::look(const WallIndex& walls, const Vec2& from) {
@@ -56,7 +62,7 @@ void Outlook::hide_behind(const Vec2& a, const Vec2& b) {
   const int end = static_cast<int>(std::floor(last - kAtEnds));
   double before = kNowhere;
   for (int border = begin; border <= end; ++border) {
-    const double sine = cross(border_of(border % kSectors), along);  // times the wall's length
+    const double sine = cross(borders()[border % kSectors], along);  // times the wall's length
     const double here = sine >= kLeastSine * length ? area / sine + kBehind / kLeastSine : kNowhere;
     if (border > begin) {
       double& farthest = farthest_[(border - 1) % kSectors];

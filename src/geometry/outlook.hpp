@@ -35,7 +35,8 @@ class Outlook {
   static int sector_of(const Vec2& direction) {
     return std::min(static_cast<int>(turn_of(direction) * kSectors / 4.0), kSectors - 1);
   }
-  static Vec2 border_of(int sector);
+  /// Unit vectors along the borders at which the sectors begin.
+  static const std::array<Vec2, kSectors>& borders();
   void hide_behind(const Vec2& a, const Vec2& b);
 
   std::array<double, kSectors> farthest_;  ///< [m] what is farther away in the sector is hidden

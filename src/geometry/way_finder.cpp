@@ -132,11 +132,8 @@ class WayFinder::Search {
   }
 
   void link_start() {
-    Outlook outlook;
-    outlook.look(finder_.walls_, from_);
     for (int i = 0; i < goal_; ++i) {
       const Vec2 line = node(i).point - from_;
-      if (outlook.hides(line)) continue;
       if (is_taut(node(i), line)) push(i, kStart, line.norm());
     }
   }

@@ -45,7 +45,7 @@ constexpr ParameterInfo kParameters[] = {
      "width of a body with its shoulders turned, over its full one; 1: nobody turns",
      "depth over width: 0.45 of SUMO's person, and clothes"},
     {"turnTime", &P::turn_time, 1.0, 0.0, 5.0, "s",
-     "after so long without a free way among people, a person turns its shoulders", "assumed"},
+     "who finds no direction that people leave free for so long ahead turns the shoulders", "assumed"},
     {"jamTime", &P::jam_time, 60.0, 1.0, 3600.0, "s",
      "who has not come 0.5 m nearer for so long, with only people in the way, squeezes through",
      "assumed; striping's jamtime is 300 s"},

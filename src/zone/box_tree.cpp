@@ -5,7 +5,6 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <iterator>
 #include <utility>
 
 namespace pedzone {
@@ -39,8 +38,6 @@ struct BoxTree::Tree {
 BoxTree::BoxTree(const std::vector<Box>& boxes)
     : tree_(new Tree{decltype(Tree::entries)(entries_of(boxes))}) {}
 BoxTree::~BoxTree() = default;
-BoxTree::BoxTree(BoxTree&&) noexcept = default;
-BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
 
 std::vector<std::size_t> BoxTree::meeting(const Box& box) const {
   std::vector<std::size_t> found;

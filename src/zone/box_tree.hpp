@@ -14,8 +14,6 @@ class BoxTree {
   /// Empty boxes meet nothing.
   explicit BoxTree(const std::vector<Box>& boxes);
   ~BoxTree();
-  BoxTree(BoxTree&&) noexcept;
-  BoxTree& operator=(BoxTree&&) noexcept;
 
   /// Places in the list of those that meet `box`, borders included, in ascending order.
   std::vector<std::size_t> meeting(const Box& box) const;

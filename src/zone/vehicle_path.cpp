@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/csv_stream.hpp"
+#include "core/xml.hpp"
 
 namespace pedzone {
 namespace {

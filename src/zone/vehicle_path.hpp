@@ -7,9 +7,10 @@
 
 #include "core/error.hpp"
 #include "core/vec.hpp"
-#include "core/xml.hpp"
 
 namespace pedzone {
+
+class XmlFile;
 
 /// Where the middle of a vehicle's front bumper (SUMO's reference point) is: straight and at a
 /// constant speed from each row to the next.

@@ -13,13 +13,12 @@ import signal
 import stat
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from tiny_scenario import TinyScenario
+from tiny_scenario import TinyCase
 
 PEDZONE = None  # set from the command line
 FOR_EVER = "100000000"  # s
@@ -27,12 +26,9 @@ FLOW = """<routes><personFlow id="f" begin="0" end="1000" period="5">
   <walk edges="west shared east"/></personFlow></routes>"""
 
 
-class OutputCase(unittest.TestCase):
+class OutputCase(TinyCase):
     def setUp(self):
-        directory = tempfile.TemporaryDirectory()
-        self.addCleanup(directory.cleanup)
-        self.folder = Path(directory.name)
-        self.tiny = TinyScenario(self.folder)
+        super().setUp()
         self.tiny.write("tiny.rou.xml", FLOW)
         self.config = self.tiny.config()
 

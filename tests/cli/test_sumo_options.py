@@ -7,23 +7,19 @@ usage: test_sumo_options.py PEDZONE_PROGRAM
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from refusal import RefusalChecks
-from tiny_scenario import TinyScenario
+from tiny_scenario import TinyCase
 
 PEDZONE = None  # set from the command line
 
 
-class OptionsCase(RefusalChecks, unittest.TestCase):
+class OptionsCase(RefusalChecks, TinyCase):
     def setUp(self):
-        directory = tempfile.TemporaryDirectory()
-        self.addCleanup(directory.cleanup)
-        self.folder = Path(directory.name)
-        self.tiny = TinyScenario(self.folder)
+        super().setUp()
         self.tiny.config()
 
     def pedzone(self, *words):

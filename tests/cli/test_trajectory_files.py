@@ -9,7 +9,6 @@ import re
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -18,7 +17,7 @@ from pathlib import Path
 import numpy
 from shapely.geometry import MultiPoint, MultiPolygon, Polygon
 
-from tiny_scenario import EDGES, TinyScenario, sumo_environment
+from tiny_scenario import EDGES, TinyCase, TinyScenario, sumo_environment
 from trajectory_files import JUPEDSIM, Database, Text, table_rows
 
 PEDZONE = None  # set from the command line
@@ -37,12 +36,9 @@ TWO_ZONES = re.sub('(id="middle".*?)speed="2.78".*?/>', r'\1speed="13.89" sidewa
                    TWO_ZONES, flags=re.DOTALL)
 
 
-class Files(unittest.TestCase):
+class Files(TinyCase):
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory(prefix="pedzone-trajectories-")
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
-        self.tiny = TinyScenario(self.folder)
+        super().setUp()
         self.tiny.write("tiny.rou.xml", WALKS)
         self.config = self.tiny.config()
 

@@ -8,13 +8,12 @@ import bisect
 import math
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
 from refusal import RefusalChecks
-from tiny_scenario import TinyScenario
+from tiny_scenario import TinyCase
 
 PEDZONE = None  # set from the command line
 EXACT = 0.01    # [m]
@@ -50,15 +49,10 @@ def place(rows, time):
     return x0 + share * (x1 - x0), y0 + share * (y1 - y0)
 
 
-class VehiclePaths(RefusalChecks, unittest.TestCase):
+class VehiclePaths(RefusalChecks, TinyCase):
     def setUp(self):
-        self.directory = tempfile.TemporaryDirectory()
-        self.folder = Path(self.directory.name)
-        self.tiny = TinyScenario(self.folder)
+        super().setUp()
         (self.folder / "paths").mkdir()
-
-    def tearDown(self):
-        self.directory.cleanup()
 
     def run_path(self, csv=text_of(ROWS), paths=ONE, depart="10", words=(), zones=ZONES):
         """`pedzone run` with outputs into out/; returns the finished process."""

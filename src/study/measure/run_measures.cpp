@@ -19,21 +19,13 @@
 #include "study/measure/zone_stays.hpp"
 #include "study/measure/zone_walks.hpp"
 #include "sumo/files/fcd_reader.hpp"
-#include "sumo/files/scenario.hpp"
+#include "sumo/files/type_files.hpp"
 
 namespace pedzone::study {
 namespace {
 
 /// For messages where a file cannot be written.
 constexpr const char* kFolder = "the run's folder";
-
-BodySizes read_sizes(const Scenario& scenario, const std::vector<std::string>& types) {
-  BodySizes sizes;
-  for (const auto& files : {scenario.additional_files, scenario.route_files, types}) {
-    for (const std::string& file : files) sizes.read(file);
-  }
-  return sizes;
-}
 
 /// Striping takes a random share of up to `dawdling` off people's maximum speed in every step.
 double free_share(const Scenario& scenario) {
@@ -155,7 +147,7 @@ class Observer {
 
 RunMeasures measure_run(const RunOutputs& outputs, const Place& place) {
   const Scenario scenario = read_any_scenario(outputs.config, outputs.sumo_options);
-  const BodySizes sizes = read_sizes(scenario, outputs.types);
+  const auto sizes = read_type_files<BodySizes>(scenario, outputs.types);
   Trips trips = read_tripinfo(outputs.folder + "/tripinfo.xml");
   Observer observer(outputs.folder, trips, place, free_share(scenario));
   const std::unordered_set<std::string> as_persons;

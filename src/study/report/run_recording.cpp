@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "sumo/files/place_reader.hpp"
+#include "sumo/files/type_files.hpp"
 
 namespace pedzone::study {
 namespace {
@@ -37,13 +38,9 @@ const Place& RunPlaces::of(const PlannedRun& run, const std::string& folder) {
 }
 
 RecordingCast run_cast(const Plan& plan, const PlannedRun& run, const std::string& folder) {
-  const Scenario scenario = scenario_of_run(plan, run);
-  RecordingCast cast;
-  for (const std::string& file : scenario.additional_files) cast.read(file);
-  for (const std::string& file : scenario.route_files) cast.read(file);
-  const fs::path people = fs::path(folder) / kPeopleFile;
-  if (fs::exists(people)) cast.read(people.string());
-  return cast;
+  std::vector<std::string> people{(fs::path(folder) / kPeopleFile).string()};
+  if (!fs::exists(people.front())) people.clear();
+  return read_type_files<RecordingCast>(scenario_of_run(plan, run), people);
 }
 
 }  // namespace pedzone::study

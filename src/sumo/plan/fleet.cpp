@@ -135,8 +135,7 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
       carry_over(previous_[before->second], dt, vehicle);
       ways_.remember(previous_[before->second], vehicle);
     }
-    const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
-    ways_.look(vehicle, braking + kLookAhead);
+    ways_.look(vehicle, braking_distance(vehicle) + kLookAhead);
     vehicles_.push_back(std::move(vehicle));
   }
   share_junctions();
@@ -157,8 +156,7 @@ void Fleet::find_leaders() {
   std::ranges::sort(by_x_);
   for (FleetVehicle& vehicle : vehicles_) {
     if (!goes_on(vehicle)) continue;
-    const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
-    const double distance = braking + vehicle.speed + kLeaderAhead;
+    const double distance = braking_distance(vehicle) + vehicle.speed + kLeaderAhead;
     const double reach = distance + longest + kRounding, east = vehicle.front.x() + reach;
     auto at = std::ranges::lower_bound(by_x_, vehicle.front.x() - reach, {},
                                        &std::pair<double, std::size_t>::first);

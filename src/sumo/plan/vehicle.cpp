@@ -10,6 +10,10 @@ constexpr double kRounding = 1e-3;  // [m] numerical
 
 }  // namespace
 
+double braking_distance(const FleetVehicle& vehicle) {
+  return vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
+}
+
 bool goes_on(const FleetVehicle& vehicle) {
   return length_of(vehicle.way) > vehicle.traits.length + kRounding;
 }

@@ -68,6 +68,9 @@ struct FleetVehicle : VehicleSeen {
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };
 
+/// [m] in which it stops as it likes to brake.
+double braking_distance(const FleetVehicle& vehicle);
+
 /// Whether its way goes on ahead of its front.
 bool goes_on(const FleetVehicle& vehicle);
 

@@ -79,8 +79,7 @@ double safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
 /// [m] how far a vehicle looks for people: as far as it needs to stop, and farther; where it comes
 /// to a junction, as far as it must go to be out of it again.
 double look_ahead(const FleetVehicle& vehicle, const Parameters& parameters) {
-  const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
-  const double usual = braking + vehicle.speed + parameters.yield_horizon;
+  const double usual = braking_distance(vehicle) + vehicle.speed + parameters.yield_horizon;
   if (!vehicle.junction.shared || vehicle.junction.begin > usual) return usual;
   return std::max(usual, room_behind(vehicle, parameters.yield_gap));
 }
@@ -107,8 +106,7 @@ std::optional<YieldOrder> let_go(FleetVehicle& vehicle, double dt) {
 /// Before a zebra crossing that people use: it waits, and claims nothing, where it can in comfort.
 std::optional<YieldOrder> give_way(FleetVehicle& vehicle, double way, const SafeSpeeds& safe_speeds,
                                    double dt) {
-  const double braking = vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
-  if (braking > way + kSample) return std::nullopt;
+  if (braking_distance(vehicle) > way + kSample) return std::nullopt;
   const double safe = safe_speeds.stop(vehicle, way);
   vehicle.creeping = false;
   vehicle.blocked_time = vehicle.slowed = 0.0;

@@ -8,6 +8,7 @@
 #include <pugixml.hpp>
 
 #include "core/error.hpp"
+#include "core/xml.hpp"
 
 namespace pedzone {
 namespace {
