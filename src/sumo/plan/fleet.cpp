@@ -30,6 +30,8 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.waits = !told && std::max(old.speed, vehicle.speed) < kHaltingSpeed;
   const Vec2 moved = vehicle.centre() - old.centre();
   if (dt > 0.0 && moved.norm() > kShortMove) vehicle.velocity = moved.normalized() * vehicle.speed;
+  // By its front: the middle of one that turns round within a step may go backwards.
+  vehicle.reverses = (vehicle.front - old.front).dot(unit(vehicle.heading)) < -kShortMove;
 }
 
 /// [m/s] that is safe `gap` [m] behind one that drives at `speed` and may brake as hard: SUMO's
@@ -78,8 +80,7 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
   state.claim = vehicle.claim;
   state.claimed = vehicle.slowed;
   state.way = vehicle.way;
-  const bool ahead = vehicle.velocity.dot(unit(vehicle.heading)) >= -1e-9;
-  if (vehicle.traits.external || !ahead || !goes_on(vehicle) || dt <= 0.0) {
+  if (vehicle.traits.external || vehicle.reverses || !goes_on(vehicle) || dt <= 0.0) {
     state.velocity = vehicle.velocity;
     state.yaw_rate = vehicle.yaw_rate;
   } else {

@@ -63,7 +63,8 @@ struct FleetVehicle : VehicleSeen {
   double slowed = 0.0;        ///< [s] people have made it slower without a break
   double claim = 0.0;         ///< [m] see VehicleState
   bool creeping = false;
-  bool waits = false;  ///< it stands, as it did before, and not since we told it to
+  bool reverses = false;  ///< its front went backwards
+  bool waits = false;     ///< it stands, as it did before, and not since we told it to
 
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };

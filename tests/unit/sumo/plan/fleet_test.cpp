@@ -81,6 +81,7 @@ TEST_F(FleetTest, remembers_what_people_did_to_a_vehicle_while_it_is_near) {
 TEST_F(FleetTest, sees_from_two_places_that_a_vehicle_reverses) {
   const FleetVehicle back = moved(car(60.0, 2.0), car(59.8, 2.0), 0.1);
   EXPECT_TRUE(back.velocity.isApprox(Vec2(-2.0, 0.0)));
+  EXPECT_TRUE(back.reverses);
   const FleetVehicle aside = moved(
       car(60.0, 2.0),
       [&] {
@@ -90,6 +91,16 @@ TEST_F(FleetTest, sees_from_two_places_that_a_vehicle_reverses) {
       }(),
       0.1);
   EXPECT_TRUE(aside.velocity.isApprox(Vec2(0.0, 2.0)));
+  EXPECT_FALSE(aside.reverses);
+}
+
+TEST_F(FleetTest, one_that_turns_round_within_a_step_does_not_reverse) {
+  VehicleSeen turned = car(60.0, 2.5);
+  turned.front = {59.0, 2.4};
+  turned.heading = kPi;  // its middle goes from 58 m to 61 m: against its heading
+  const FleetVehicle vehicle = moved(car(60.0, 2.5), turned, 1.0);
+  EXPECT_GT(vehicle.velocity.x(), 0.0);
+  EXPECT_FALSE(vehicle.reverses);
 }
 
 TEST_F(FleetTest, takes_the_heading_for_the_way_of_one_that_hardly_moves) {
@@ -255,6 +266,7 @@ TEST_F(FleetTest, shows_people_where_a_vehicle_turns) {
 TEST_F(FleetTest, shows_people_one_that_reverses_or_is_steered_by_others_as_it_moves_now) {
   FleetVehicle vehicle = one(car(60.0, 5.0));
   vehicle.velocity = {-5.0, 0.0};
+  vehicle.reverses = true;
   EXPECT_TRUE(state(vehicle, 0.5).velocity.isApprox(Vec2(-5.0, 0.0)));
   vehicle.velocity = {0.0, 3.0};
   vehicle.yaw_rate = 0.7;
