@@ -149,10 +149,11 @@ struct DirectionKernel {
   /// (index kNoDirection); `first` is a multiple of kDirectionGroup. None where all are excluded.
   DirectionChoice (*choose)(const DirectionTask& task, std::size_t first, std::size_t count,
                             DirectionChoice best);
-  /// The best of all directions, padding included, and of `best`, which is not none, when each
-  /// costs what `prices` says beside the task's own cost.
+  /// The best of all directions, padding included, when each costs what `prices` says instead of
+  /// the task's own cost. `known`: one whose time is known and whose price has been asked for; its
+  /// value may be that of another goal.
   DirectionChoice (*choose_priced)(const DirectionTask& task, const DirectionPrices& prices,
-                                   DirectionChoice best);
+                                   DirectionChoice known);
   /// `out[k]` for directions [first, first + count), multiples of kDirectionGroup: time [s] until
   /// the first contact with these alone, at most the horizon.
   void (*times_of)(const DirectionTask& task, const DiscView& discs, const FaceView& faces,

@@ -149,14 +149,13 @@ void GivingWay::price(const DirectionTask& task, const Parameters& parameters, s
 }
 
 PacedChoice GivingWay::choose(const Candidates& candidates, const DirectionTask& task,
-                              const Parameters& parameters, DirectionChoice known, float hurry,
-                              const DirectionKernel& kernel) {
+                              const Parameters& parameters, const DirectionChoice& known,
+                              float hurry, const DirectionKernel& kernel) {
   hurry_ = hurry;
   std::fill(cost_, cost_ + candidates.padded(), kNever);
   // First the group of what is known: its value is a bound from then on.
   const std::size_t start = known.index / kDirectionGroup * kDirectionGroup;
   price(task, parameters, start, kNever, kernel);
-  known.value += cost_[known.index];
   auto ask = [&](std::size_t first, float most) {
     if (first == start) return;
     price(task, parameters, first, most + kSlack * task.horizon * task.horizon, kernel);
@@ -166,8 +165,8 @@ PacedChoice GivingWay::choose(const Candidates& candidates, const DirectionTask&
                                  (*static_cast<decltype(ask)*>(asker))(first, most);
                                },
                                &ask};
-  known = kernel.choose_priced(task, prices, known);
-  return {known, share_[known.index]};
+  const DirectionChoice best = kernel.choose_priced(task, prices, known);
+  return {best, share_[best.index]};
 }
 
 }  // namespace pedzone

@@ -63,9 +63,10 @@ class GivingWay {
                           const Parameters& parameters);
 
   /// Over the whole circle, after notice(). `hurry`: the greatest share of the speed, [1,
-  /// kMostHurry]. `known`: the choice that knows nothing of discomfort.
+  /// kMostHurry]. `known`: the choice that knows nothing of discomfort; it may be that of
+  /// another equation.
   PacedChoice choose(const Candidates& candidates, const DirectionTask& task,
-                     const Parameters& parameters, DirectionChoice known, float hurry,
+                     const Parameters& parameters, const DirectionChoice& known, float hurry,
                      const DirectionKernel& kernel);
 
  private:

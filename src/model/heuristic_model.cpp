@@ -121,16 +121,13 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
     return scratch.making_way.choose(self, scratch.surroundings, candidates_, task, haste, kernel_);
   }
   DirectionChoice best = choose(i, self, to_goal, task, scratch);
-  const auto choose_by_second = [&] {
-    if (task.half_angle || !extended()) return;
-    set_goal(task, to_goal, true);
-    best = choose(i, self, to_goal, task, scratch);
-  };
   // Round a vehicle that stands across the way Eq. 1 finds no way: it would stand before it for
   // ever.
   const auto near = static_cast<float>(parameters.near_distance);
-  if (scratch.surroundings.nearest_bar() < near + self.radius && best.time * self.speed < near) {
-    choose_by_second();
+  if (extended() && scratch.surroundings.nearest_bar() < near + self.radius &&
+      best.time * self.speed < near) {
+    set_goal(task, to_goal, true);
+    best = choose(i, self, to_goal, task, scratch);
   }
   const std::span<const VehicleView> vehicles = scratch.surroundings.vehicles();
   if (vehicles.empty()) return {best, 1.0};
@@ -143,7 +140,7 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
       giving_way.comfortable(task, best, parameters, kernel_)) {
     return {best, pace};
   }
-  choose_by_second();
+  if (extended()) set_goal(task, to_goal, true);
   PacedChoice chosen = giving_way.choose(candidates_, task, parameters, best, hurry(i), kernel_);
   if (chosen.share <= 1.0) chosen.share *= pace;  // who hurries does not let it pass
   return chosen;

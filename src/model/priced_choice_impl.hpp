@@ -66,7 +66,7 @@ struct PricedChoiceImpl {
   }
 
   static DirectionChoice choose(const DirectionTask& task, const DirectionPrices& prices,
-                                DirectionChoice best) {
+                                DirectionChoice known) {
     Search search{task, task, prices, {}, {}};
     search.priced.cost = prices.cost;
     const std::size_t count = task.candidates.padded / kLanes;
@@ -76,6 +76,9 @@ struct PricedChoiceImpl {
       d.store(search.dirs.weight + b * kLanes);
       search.blocks.lowest[b] = smallest(Kernel::bound_of(task, b * kLanes, horizon, d));
     }
+    DirectionChoice best = known;
+    best.weight = search.dirs.weight[known.index];
+    best.value = known.time * (known.time - best.weight) + prices.cost[known.index];
     for (std::size_t b = search.blocks.best(count); Kernel::hopeful(search.blocks.lowest[b], best);
          b = search.blocks.best(count)) {
       look_closer(search, b, best);

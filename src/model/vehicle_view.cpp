@@ -139,6 +139,11 @@ Awareness awareness(const VehicleView& view, const Walker& person, const Senses&
   // borders runs through it.
   const VehicleShape& s = *view.shape;
   const Vec2f h = to_vehicle(s, person.heading_cos, person.heading_sin);
+  // All of it lies behind a person who sees no farther round than to its sides.
+  const bool behind = h.x * view.x + h.y * view.y > s.reach + kReachMargin;
+  if (behind && senses.field_cos >= 0.0F) {
+    return heard(view, senses) ? Awareness::kHeard : Awareness::kNone;
+  }
   for (const float sx : {-1.0F, 1.0F}) {
     for (const float sy : {-1.0F, 1.0F}) {
       const float cx = sx * s.half_length - view.x, cy = sy * s.half_width - view.y;

@@ -112,15 +112,17 @@ DirectionChoice choose(const DirectionTask& task, std::size_t first, std::size_t
   return best;
 }
 
-/// Asks for all prices, then tries everything.
+/// Asks for all prices, then tries everything: it needs no direction to begin with.
 DirectionChoice choose_priced(const DirectionTask& task, const DirectionPrices& prices,
-                              DirectionChoice best) {
+                              DirectionChoice /*known*/) {
   for (std::size_t k = 0; k < task.candidates.padded; k += kDirectionGroup) {
     prices.ask(prices.asker, k, std::numeric_limits<float>::infinity());
   }
   DirectionTask priced = task;
   priced.cost = prices.cost;
-  return choose(priced, 0, task.candidates.padded, best);
+  DirectionChoice none;
+  none.index = kNoDirection;
+  return choose(priced, 0, task.candidates.padded, none);
 }
 
 void times_of(const DirectionTask& task, const DiscView& discs, const FaceView& faces,
