@@ -179,15 +179,17 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   if (vehicle.speed > kCleared) vehicle.blocked_time = 0.0;
   vehicle.creeping = vehicle.blocked_time >= parameters.creep_after;
   double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);
-  if (vehicle.slowed > kClaimAfter &&
-      !waits_before_junction(vehicle, *ahead, parameters.yield_gap)) {
+  // One that stays out of a junction would not use the room that it claims: people beside it would
+  // wait for it while it waits for them.
+  const bool stays_out = waits_before_junction(vehicle, *ahead, parameters.yield_gap);
+  if (vehicle.slowed > kClaimAfter && !stays_out) {
     safe = std::max(safe,
                     speed_beside(vehicle, people, *ahead, distance, parameters, safe_speeds, dt));
   }
   if (safe >= vehicle.allowed_speed) return let_go(vehicle, dt);
   // People who made room for one that traffic holds would wait for nothing, and for each other.
   vehicle.slowed = by_traffic ? 0.0 : vehicle.slowed + dt;
-  if (vehicle.slowed > kClaimAfter) vehicle.claim = kClaim;
+  if (vehicle.slowed > kClaimAfter && !stays_out) vehicle.claim = kClaim;
   if (safe < vehicle.speed - vehicle.traits.decel * dt) {
     const double needed = needed_deceleration(vehicle, people, dt);
     if (needed > vehicle.traits.decel) {

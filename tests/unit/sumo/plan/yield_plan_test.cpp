@@ -267,6 +267,23 @@ TEST(PlanYield, claims_no_room_while_traffic_holds_it) {
   }
 }
 
+TEST(PlanYield, claims_no_room_in_a_junction_that_it_stays_out_of) {
+  const EvenBraking own;
+  const std::vector<PersonAhead> people{{{6.0, 0.0}, {0.0, 0.0}, 0.24}};
+  for (const bool shared : {true, false}) {
+    FleetVehicle vehicle = before_junction(shared);
+    vehicle.junction.begin = 0.1;
+    vehicle.speed = vehicle.commanded = 0.0;
+    for (int step = 0; step < 50; ++step)
+      plan_yield(vehicle, people, Parameters(), own.speeds(), 0.1);
+    EXPECT_EQ(vehicle.claim > 0.0, !shared);
+    for (int step = 0; step < 160; ++step)
+      plan_yield(vehicle, people, Parameters(), own.speeds(), 0.1);
+    EXPECT_TRUE(vehicle.creeping);
+    EXPECT_GT(vehicle.claim, 0.0) << "it enters";
+  }
+}
+
 TEST(PlanYield, creeps_past_those_who_have_stepped_aside_once_it_was_slowed) {
   const Parameters parameters;
   const double side = 1.0 + 0.24;  // of the vehicle, and a body
