@@ -30,8 +30,6 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.waits = !told && std::max(old.speed, vehicle.speed) < kHaltingSpeed;
   const Vec2 moved = vehicle.centre() - old.centre();
   if (dt > 0.0 && moved.norm() > kShortMove) vehicle.velocity = moved.normalized() * vehicle.speed;
-  // By its front: the middle of one that turns round within a step may go backwards.
-  vehicle.reverses = (vehicle.front - old.front).dot(unit(vehicle.heading)) < -kShortMove;
 }
 
 /// [m/s] that is safe `gap` [m] behind one that drives at `speed` and may brake as hard: SUMO's
@@ -137,6 +135,9 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
       ways_.remember(previous_[before->second], vehicle);
     }
     ways_.look(vehicle, braking_distance(vehicle) + kLookAhead);
+    if (before != previous_index_.end()) {
+      vehicle.reverses = came_from_ahead(vehicle, previous_[before->second].front);
+    }
     vehicles_.push_back(std::move(vehicle));
   }
   share_junctions();

@@ -18,6 +18,13 @@ bool goes_on(const FleetVehicle& vehicle) {
   return length_of(vehicle.way) > vehicle.traits.length + kRounding;
 }
 
+bool came_from_ahead(const FleetVehicle& vehicle, const Vec2& front_before) {
+  constexpr double kShortMove = 0.01;  // [m] numerical: so little in a step gives no direction
+  if (!goes_on(vehicle)) return false;
+  const double at = project_on(vehicle.way, front_before).offset;
+  return at > vehicle.traits.length + kShortMove;
+}
+
 Rectangle body_of(const FleetVehicle& vehicle) {
   return {vehicle.centre(),
           unit(vehicle.heading),

@@ -75,6 +75,10 @@ double braking_distance(const FleetVehicle& vehicle);
 /// Whether its way goes on ahead of its front.
 bool goes_on(const FleetVehicle& vehicle);
 
+/// Whether its front has come to where it is from a place farther on along its way. Its heading
+/// does not tell: that of one that turns round in little room points elsewhere than it drives.
+bool came_from_ahead(const FleetVehicle& vehicle, const Vec2& front_before);
+
 /// The part of the plane that a vehicle covers.
 Rectangle body_of(const FleetVehicle& vehicle);
 

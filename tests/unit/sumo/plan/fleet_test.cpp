@@ -94,13 +94,18 @@ TEST_F(FleetTest, sees_from_two_places_that_a_vehicle_reverses) {
   EXPECT_FALSE(aside.reverses);
 }
 
-TEST_F(FleetTest, one_that_turns_round_within_a_step_does_not_reverse) {
-  VehicleSeen turned = car(60.0, 2.5);
-  turned.front = {59.0, 2.4};
-  turned.heading = kPi;  // its middle goes from 58 m to 61 m: against its heading
-  const FleetVehicle vehicle = moved(car(60.0, 2.5), turned, 1.0);
-  EXPECT_GT(vehicle.velocity.x(), 0.0);
-  EXPECT_FALSE(vehicle.reverses);
+TEST(CameFromAhead, is_told_by_the_way_and_not_by_the_heading) {
+  FleetVehicle vehicle;  // it turns round: its rear is still on the lane by which it came
+  vehicle.traits.length = 4.0;
+  vehicle.way = {{2.0, 0.0}, {4.0, 0.0}, {5.0, 1.0}, {4.0, 2.0}, {-30.0, 2.0}};
+  vehicle.front = point_on(vehicle.way, 4.0).point;
+  vehicle.heading = angle_of(vehicle.front - vehicle.way.front());
+  const auto before = [&](double offset) { return point_on(vehicle.way, offset).point; };
+  for (const double offset : {0.0, 2.5, 3.9, 4.0}) {
+    EXPECT_FALSE(came_from_ahead(vehicle, before(offset))) << offset;
+  }
+  EXPECT_TRUE(came_from_ahead(vehicle, before(4.1)));
+  EXPECT_TRUE(came_from_ahead(vehicle, before(6.0)));
 }
 
 TEST_F(FleetTest, takes_the_heading_for_the_way_of_one_that_hardly_moves) {
