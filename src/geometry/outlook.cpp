@@ -61,8 +61,9 @@ void Outlook::hide_behind(const Vec2& a, const Vec2& b) {
   const int begin = static_cast<int>(std::ceil(first + kAtEnds));
   const int end = static_cast<int>(std::floor(last - kAtEnds));
   double before = kNowhere;
+  const auto& all = borders();
   for (int border = begin; border <= end; ++border) {
-    const double sine = cross(borders()[border % kSectors], along);  // times the wall's length
+    const double sine = cross(all[border % kSectors], along);  // times the wall's length
     const double here = sine >= kLeastSine * length ? area / sine + kBehind / kLeastSine : kNowhere;
     if (border > begin) {
       double& farthest = farthest_[(border - 1) % kSectors];

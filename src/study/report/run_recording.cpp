@@ -38,9 +38,10 @@ const Place& RunPlaces::of(const PlannedRun& run, const std::string& folder) {
 }
 
 RecordingCast run_cast(const Plan& plan, const PlannedRun& run, const std::string& folder) {
-  std::vector<std::string> people{(fs::path(folder) / kPeopleFile).string()};
-  if (!fs::exists(people.front())) people.clear();
-  return read_type_files<RecordingCast>(scenario_of_run(plan, run), people);
+  const fs::path people = fs::path(folder) / kPeopleFile;
+  std::vector<std::string> more;
+  if (fs::exists(people)) more.push_back(people.string());
+  return read_type_files<RecordingCast>(scenario_of_run(plan, run), more);
 }
 
 }  // namespace pedzone::study

@@ -17,7 +17,6 @@ constexpr double kNearStreets = 150.0;  // [m] ... where people cross streets: a
 constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
 constexpr double kLeaderAhead = 10.0;   // [m] numerical: who is farther ahead lets it drive off
 constexpr double kWaitingSpeed = 0.5;   // [m/s] numerical: slower vehicles wait
-constexpr double kShortMove = 0.01;     // [m] numerical: so little in a step gives no direction
 
 /// What is carried over from a vehicle's last step, of `dt` [s].
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
@@ -129,15 +128,15 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     FleetVehicle vehicle;
     static_cast<VehicleSeen&>(vehicle) = std::move(told);
     vehicle.velocity = unit(vehicle.heading) * vehicle.speed;
-    const auto before = previous_index_.find(vehicle.id);
-    if (before != previous_index_.end()) {
-      carry_over(previous_[before->second], dt, vehicle);
-      ways_.remember(previous_[before->second], vehicle);
+    const auto found = previous_index_.find(vehicle.id);
+    const FleetVehicle* const before =
+        found == previous_index_.end() ? nullptr : &previous_[found->second];
+    if (before != nullptr) {
+      carry_over(*before, dt, vehicle);
+      ways_.remember(*before, vehicle);
     }
     ways_.look(vehicle, braking_distance(vehicle) + kLookAhead);
-    if (before != previous_index_.end()) {
-      vehicle.reverses = came_from_ahead(vehicle, previous_[before->second].front);
-    }
+    vehicle.reverses = before != nullptr && came_from_ahead(vehicle, before->front);
     vehicles_.push_back(std::move(vehicle));
   }
   share_junctions();

@@ -19,10 +19,11 @@ bool goes_on(const FleetVehicle& vehicle) {
 }
 
 bool came_from_ahead(const FleetVehicle& vehicle, const Vec2& front_before) {
-  constexpr double kShortMove = 0.01;  // [m] numerical: so little in a step gives no direction
   if (!goes_on(vehicle)) return false;
-  const double at = project_on(vehicle.way, front_before).offset;
-  return at > vehicle.traits.length + kShortMove;
+  const LineProjection at = project_on(vehicle.way, front_before);
+  // Who drives fast towards a place to turn round in was nearest to the lane that leads back.
+  const bool on_way = std::abs(at.lateral) < 0.5 * vehicle.traits.width;
+  return on_way && at.offset > vehicle.traits.length + kShortMove;
 }
 
 Rectangle body_of(const FleetVehicle& vehicle) {

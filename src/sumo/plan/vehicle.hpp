@@ -11,6 +11,8 @@
 
 namespace pedzone {
 
+inline constexpr double kShortMove = 0.01;  ///< [m] numerical: so little gives no direction
+
 /// What does not change during a vehicle's life.
 struct VehicleTraits {
   double length = 5.0, width = 1.8;                        ///< [m]
@@ -63,7 +65,7 @@ struct FleetVehicle : VehicleSeen {
   double slowed = 0.0;        ///< [s] people have made it slower without a break
   double claim = 0.0;         ///< [m] see VehicleState
   bool creeping = false;
-  bool reverses = false;  ///< its front went backwards
+  bool reverses = false;  ///< its front went backwards along its way
   bool waits = false;     ///< it stands, as it did before, and not since we told it to
 
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }

@@ -108,6 +108,14 @@ TEST(CameFromAhead, is_told_by_the_way_and_not_by_the_heading) {
   EXPECT_TRUE(came_from_ahead(vehicle, before(6.0)));
 }
 
+TEST(CameFromAhead, not_where_the_way_back_lay_nearer_than_the_way_behind) {
+  FleetVehicle vehicle;
+  vehicle.traits.length = 4.0;
+  vehicle.way = {{56.0, 0.0}, {64.0, 0.0}, {64.0, 3.2}, {30.0, 3.2}};
+  EXPECT_FALSE(came_from_ahead(vehicle, {50.0, 0.0})) << "10 m in a step, and not 14 m back";
+  EXPECT_TRUE(came_from_ahead(vehicle, {61.0, 0.1}));
+}
+
 TEST_F(FleetTest, takes_the_heading_for_the_way_of_one_that_hardly_moves) {
   EXPECT_TRUE(moved(car(60.0, 0.05), car(59.995, 0.05), 0.1).velocity.isApprox(Vec2(0.05, 0.0)));
   EXPECT_TRUE(one(car(60.0, 2.0)).velocity.isApprox(Vec2(2.0, 0.0)));
