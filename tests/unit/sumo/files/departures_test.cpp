@@ -38,7 +38,8 @@ class DeparturesTest : public testing::Test {
   }
 
   Network network_;
-  std::string file_ = testing::TempDir() + "departures_test.rou.xml";
+  std::string file_ = testing::TempDir() + "departures_test." +
+                      testing::UnitTest::GetInstance()->current_test_info()->name() + ".rou.xml";
 };
 
 TEST_F(DeparturesTest, are_those_of_vehicles_and_trips_that_begin_on_the_edges) {
