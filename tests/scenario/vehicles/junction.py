@@ -12,7 +12,7 @@ from SUMO's own messages and outputs:
 Contacts of people whom pedzone walks are told, at insertions and others: the latter are tails that
 swing over people where a vehicle turns round, by some centimetres. Steps of 1 s are left out but with
 --steps 0.1,1. Streets of one lane without footways in steps of 1 s need --all, too: in one run of
-eight two cars meet there, and one is teleported.
+ten two cars meet there, and one is teleported.
 """
 import argparse
 import json
