@@ -1,4 +1,4 @@
-"""People's visits of an area, and shortest ways in it, from floating-car data."""
+"""People's visits of a zone, and shortest ways in its area, from floating-car data."""
 import heapq
 
 import numpy
@@ -6,7 +6,6 @@ from shapely.geometry import LineString, Point
 from shapely.ops import nearest_points
 from shapely.prepared import prep
 
-GAP = 5.0  # [s] out of the area that do not end a visit
 STANDING = 0.1  # [m/s]
 CLEARANCE = 0.3  # [m] that shortest ways keep to walls
 SIMPLER = 0.02  # [m] between the area's arcs and the corners taken of them
@@ -58,24 +57,14 @@ class Ways:
         return extra + best
 
 
-def visits(times, x, y, speed, inside):
+def visits(inside):
     """Of one walk: [(first row, last row)] of its visits."""
-    found, begin, last = [], None, None
-    for row in range(len(times)):
-        if inside[row]:
-            if begin is None:
-                begin = row
-            last = row
-        elif begin is not None and times[row] - times[last] > GAP + 1e-6:
-            found.append((begin, last))
-            begin = None
-    if begin is not None:
-        found.append((begin, last))
-    return found
+    ends = numpy.diff(numpy.concatenate(([False], inside, [False])).astype(int))
+    return list(zip(numpy.flatnonzero(ends > 0), numpy.flatnonzero(ends < 0) - 1))
 
 
-def walk_measures(fcd, persons, area, ways, free_share):
-    """person.* of those who walk in the area."""
+def walk_measures(fcd, persons, inside, ways, free_share):
+    """person.* of those who walk in the zone; `inside`: of each row; without `ways` no delay."""
     rows = fcd.persons
     total = dict.fromkeys(("time", "waiting", "walked", "covered", "shortest", "delay"), 0.0)
     numbers = {name: number for number, name in enumerate(rows.names)}
@@ -92,7 +81,7 @@ def walk_measures(fcd, persons, area, ways, free_share):
             own = mine[(moments >= depart - 1e-6) & (moments <= arrival + 1e-6)]
             times, x, y, speed = (fcd.times[rows.step[own]], rows.x[own], rows.y[own],
                                   rows.speed[own])
-            for first, last in visits(times, x, y, speed, area.contains(x, y)):
+            for first, last in visits(inside[own]):
                 came = True
                 part = slice(first, last + 1)
                 dt = numpy.diff(times[part])
@@ -101,12 +90,16 @@ def walk_measures(fcd, persons, area, ways, free_share):
                 total["waiting"] += dt[speed[part][1:] < STANDING].sum()
                 total["walked"] += numpy.hypot(numpy.diff(x[part]), numpy.diff(y[part])).sum()
                 total["covered"] += (dt * speed[part][1:]).sum()
+                if ways is None:
+                    continue
                 shortest = ways.length((x[first], y[first]), (x[last], y[last]))
                 total["shortest"] += shortest
                 total["delay"] += time - shortest / (top * free_share)
         visitors += came
-    return {"person.visitors": visitors, "person.waiting": total["waiting"] / visitors,
-            "person.walked": total["walked"] / visitors,
-            "person.speed": total["covered"] / total["time"],
-            "person.delay": total["delay"] / visitors,
-            "person.detour": total["walked"] / total["shortest"]}
+    values = {"person.visitors": visitors, "person.waiting": total["waiting"] / visitors,
+              "person.walked": total["walked"] / visitors,
+              "person.speed": total["covered"] / total["time"]}
+    if ways is not None:
+        values["person.delay"] = total["delay"] / visitors
+        values["person.detour"] = total["walked"] / total["shortest"]
+    return values

@@ -19,23 +19,22 @@ int level_of_service(double density) {
   return static_cast<int>(std::ranges::find_if(kSpace, enough) - std::begin(kSpace));
 }
 
-Crowding::Crowding(const Trips& trips) : standing_(trips.persons.size()) {}
+ClosenessMeter::ClosenessMeter(const Trips& trips) : standing_(trips.persons.size()) {}
 
-void Crowding::step(double dt, std::span<const Walker> walkers) {
+std::span<const Closeness> ClosenessMeter::of(double dt, std::span<const Walker> walkers) {
   ++step_;
   stuck_.clear();
   for (const Walker& walker : walkers) stuck_.push_back(stands_long(dt, walker));
   count_near(walkers);
+  closeness_.clear();
   for (std::size_t i = 0; i < walkers.size(); ++i) {
-    if (!walkers[i].counts()) continue;
-    time_ += dt;
-    density_time_ += density(i) * dt;
-    level_time_[level_of_service(density(i))] += dt;
-    if (stuck_[i] && near_[i].stuck >= kJamOthers) jammed_ += dt;
+    closeness_.push_back(
+        {circle_density(1 + near_[i].all), stuck_[i] && near_[i].stuck >= kJamOthers});
   }
+  return closeness_;
 }
 
-bool Crowding::stands_long(double dt, const Walker& walker) {
+bool ClosenessMeter::stands_long(double dt, const Walker& walker) {
   Standing& standing = standing_[walker.person];
   const bool stays = standing.seen + 1 == step_;
   const bool stands = walker.walk != nullptr && walker.speed < kHaltingSpeed;
@@ -44,7 +43,7 @@ bool Crowding::stands_long(double dt, const Walker& walker) {
   return standing.time >= kJamTime;
 }
 
-void Crowding::count_near(std::span<const Walker> walkers) {
+void ClosenessMeter::count_near(std::span<const Walker> walkers) {
   near_.assign(walkers.size(), {});
   order_.resize(walkers.size());
   std::iota(order_.begin(), order_.end(), 0U);
@@ -59,6 +58,13 @@ void Crowding::count_near(std::span<const Walker> walkers) {
       near_[*b].stuck += stuck_[*a];
     }
   }
+}
+
+void Crowding::add(double dt, const Closeness& closeness) {
+  time_ += dt;
+  density_time_ += closeness.density * dt;
+  level_time_[level_of_service(closeness.density)] += dt;
+  if (closeness.jammed) jammed_ += dt;
 }
 
 void Crowding::finish(std::map<std::string, double>& values) const {

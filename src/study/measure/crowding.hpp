@@ -29,17 +29,19 @@ double circle_density(int persons);
 /// Level of service 0 (A) ... 5 (F) of walkways at a density [1/m²] (Fruin 1971).
 int level_of_service(double density);
 
-class Crowding {
+/// How close others are to a person in a step.
+struct Closeness {
+  double density = 0.0;  ///< [1/m²]
+  bool jammed = false;   ///< it stands in a jam
+};
+
+/// Tells it of everybody.
+class ClosenessMeter {
  public:
-  explicit Crowding(const Trips& trips);
+  explicit ClosenessMeter(const Trips& trips);
 
-  /// Takes in a step, `dt` [s] after the one before.
-  void step(double dt, std::span<const Walker> walkers);
-  /// [1/m²] that the i-th walker of this step is in.
-  double density(std::size_t i) const { return circle_density(1 + near_[i].all); }
-
-  /// Appends the measures space.*.
-  void finish(std::map<std::string, double>& values) const;
+  /// Of each walker in a step, `dt` [s] after the one before. Valid until the next call.
+  std::span<const Closeness> of(double dt, std::span<const Walker> walkers);
 
  private:
   struct Near {
@@ -58,6 +60,19 @@ class Crowding {
   std::vector<std::uint32_t> order_;  ///< walkers of this step by x
   std::vector<char> stuck_;           ///< of this step
   std::vector<Near> near_;
+  std::vector<Closeness> closeness_;
+};
+
+/// Its sums, of those who walk in a zone.
+class Crowding {
+ public:
+  /// Somebody walks in a zone for `dt` [s].
+  void add(double dt, const Closeness& closeness);
+
+  /// Appends the measures space.*.
+  void finish(std::map<std::string, double>& values) const;
+
+ private:
   double time_ = 0.0, jammed_ = 0.0;    ///< [s] persons' time in zones, and in jams there
   double density_time_ = 0.0;           ///< [s/m²]
   std::array<double, 6> level_time_{};  ///< [s]

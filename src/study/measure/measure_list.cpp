@@ -43,7 +43,10 @@ constexpr Measure kMeasures[] = {
      "went on to arrive as in its last quarter.",
      "People", false},
     {"person.count", "Persons", "", "Due to depart before the end of the run.", "People", false},
-    {"person.visitors", "In the zone", "", "Persons who have walked in the zone.", "People", false},
+    {"person.visitors", "In the zone", "",
+     "Persons who have walked in the zone: on its edges, or in a junction between two of them. "
+     "All that is told of the zone is told of people there.",
+     "People", false},
     {"crossing.count", "Streets crossed", "",
      "Times that somebody got from one side of a street of the zone to the other "
      "(crossing=\"anywhere\").",

@@ -42,10 +42,10 @@ class Observer {
   Observer(const std::string& folder, const Trips& trips, const Place& place, double free_share)
       : folder_(folder),
         stays_(trips, place.network, place.zones),
-        walkers_(trips, place.zones),
+        walkers_(trips),
         walks_(trips, place.zones, free_share),
         crossings_(place.zones),
-        crowding_(trips),
+        closeness_meter_(trips),
         series_(place.zones),
         writer_(
             {.xml = {}, .xml_option = {}, .csv = folder + "/conflicts.csv", .csv_option = kFolder}),
@@ -53,27 +53,22 @@ class Observer {
 
   void step(double time, std::span<const PersonSample> persons,
             std::span<const VehicleSample> vehicles) {
-    const double dt = begun_ ? time - time_ : 0.0;
+    step_ = {step_.number + 1, time, step_.number > 0 ? time - step_.time : 0.0};
     const std::span<const Walker> walkers = walkers_.at(time, persons);
-    stays_.step(time, walkers);
-    walks_.step(dt, walkers);
-    crowding_.step(dt, walkers);
-    add_times(dt, walkers);
-    series_.step(time, dt, walkers, vehicles, [&](std::size_t i) { return crowding_.density(i); });
+    series_.step(step_, vehicles);
+    count_present(stays_.step(step_, walkers, closeness_meter_.of(step_.dt, walkers)));
     stops_.step(vehicles);
-    crossings_.step(time, dt, persons, vehicles);
+    crossings_.step(time, step_.dt, persons, vehicles);
     tracker_.step(time, persons, vehicles, {}, over_);
     take_conflicts();
-    begun_ = true;
-    time_ = time;
-    dt_ = dt;
   }
 
   /// [s] The last step that SUMO writes is the last before the end.
-  double end() const { return time_ + dt_; }
+  double end() const { return step_.time + step_.dt; }
   std::size_t stops() const { return stops_.count(); }
 
   void finish(std::map<std::string, double>& values) {
+    count_present(stays_.finish());
     tracker_.finish(over_);
     take_conflicts();
     writer_.finish();
@@ -87,10 +82,13 @@ class Observer {
   }
 
  private:
-  void add_times(double dt, std::span<const Walker> walkers) {
-    if (dt <= 0.0) return;
-    for (const Walker& walker : walkers) {
-      if (walker.zone != Walker::kNowhere) grid_.add(walker.at, dt);
+  void count_present(std::span<const Presence> present) {
+    for (const Presence& presence : present) {
+      if (presence.step.dt > 0.0) grid_.add(presence.walker.at, presence.step.dt);
+      if (presence.walker.walk == nullptr) continue;
+      walks_.add(presence);
+      crowding_.add(presence.step.dt, presence.closeness);
+      series_.add(presence);
     }
   }
 
@@ -132,6 +130,7 @@ class Observer {
   Walkers walkers_;
   ZoneWalks walks_;
   StreetCrossings crossings_;
+  ClosenessMeter closeness_meter_;
   Crowding crowding_;
   DensityGrid grid_;
   RunSeries series_;
@@ -139,8 +138,7 @@ class Observer {
   ConflictWriter writer_;
   ConflictTracker tracker_;
   std::vector<Conflict> over_, told_;  ///< told_: in the end those of people in the zones
-  bool begun_ = false;
-  double time_ = 0.0, dt_ = 0.0;  ///< [s] of the latest step
+  RunStep step_;                       ///< the latest
 };
 
 }  // namespace

@@ -13,13 +13,32 @@ std::optional<double> mean(double sum, double time) {
   return time > 0.0 ? std::optional(sum / time) : std::nullopt;
 }
 
+bool in_any(const std::vector<Zone>& zones, const Vec2& at) {
+  return std::ranges::any_of(zones, [&at](const Zone& zone) {
+    return zone.walls.inside(at) || (!zone.streets.empty() && zone.street_walls.inside(at));
+  });
+}
+
 }  // namespace
 
-RunSeries::Window& RunSeries::window_at(double time, double dt) {
-  const double begin = std::floor(time / kWindow) * kWindow;
+double RunSeries::begin_of_window(double time) { return std::floor(time / kWindow) * kWindow; }
+
+void RunSeries::step(const RunStep& step, std::span<const VehicleSample> vehicles) {
+  const double begin = begin_of_window(step.time);
   if (windows_.empty() || windows_.back().begin != begin) windows_.push_back({begin, 0.0, {}, {}});
-  windows_.back().length += dt;
-  return windows_.back();
+  Window& window = windows_.back();
+  window.length += step.dt;
+  for (const VehicleSample& vehicle : vehicles) {
+    if (in_any(zones_, vehicle.centre)) {
+      add(window.vehicles, step.dt, vehicle.velocity.norm(), 0.0);
+    }
+  }
+}
+
+void RunSeries::add(const Presence& presence) {
+  const double begin = begin_of_window(presence.step.time);
+  const auto window = std::ranges::lower_bound(windows_, begin, {}, &Window::begin);
+  add(window->persons, presence.step.dt, presence.walker.speed, presence.closeness.density);
 }
 
 void RunSeries::add(Sums& sums, double dt, double speed, double density) {

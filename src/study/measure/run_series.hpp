@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "conflict/tracker.hpp"
-#include "study/measure/walkers.hpp"
+#include "study/measure/zone_stays.hpp"
 
 namespace pedzone::study {
 
@@ -18,21 +18,10 @@ class RunSeries {
   /// Must outlive it.
   explicit RunSeries(const std::vector<Zone>& zones) : zones_(zones) {}
 
-  /// Takes in the step at `time` [s], `dt` [s] after the one before. `density(i)` [1/m²]: that the
-  /// i-th walker is in.
-  template <typename Density>
-  void step(double time, double dt, std::span<const Walker> walkers,
-            std::span<const VehicleSample> vehicles, const Density& density) {
-    Window& window = window_at(time, dt);
-    for (std::size_t i = 0; i < walkers.size(); ++i) {
-      if (walkers[i].counts()) add(window.persons, dt, walkers[i].speed, density(i));
-    }
-    for (const VehicleSample& vehicle : vehicles) {
-      if (zone_at(zones_, vehicle.centre) != Walker::kNowhere) {
-        add(window.vehicles, dt, vehicle.velocity.norm(), 0.0);
-      }
-    }
-  }
+  /// Takes in a step. Vehicles are in a zone by their middle's place.
+  void step(const RunStep& step, std::span<const VehicleSample> vehicles);
+  /// Takes in somebody who walked in a zone, in a step that it was given.
+  void add(const Presence& presence);
 
   /// The table (results/run_tables.hpp), a row for each window of kWindow. Speeds and density are
   /// empty where nobody was.
@@ -51,11 +40,11 @@ class RunSeries {
     Sums persons, vehicles;
   };
 
-  Window& window_at(double time, double dt);
+  static double begin_of_window(double time);
   static void add(Sums& sums, double dt, double speed, double density);
 
   const std::vector<Zone>& zones_;
-  std::vector<Window> windows_;
+  std::vector<Window> windows_;  ///< by begin
 };
 
 }  // namespace pedzone::study

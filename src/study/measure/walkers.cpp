@@ -4,8 +4,7 @@
 
 namespace pedzone::study {
 
-Walkers::Walkers(const Trips& trips, const std::vector<Zone>& zones)
-    : trips_(trips), zones_(zones), stage_(trips.persons.size(), 0) {
+Walkers::Walkers(const Trips& trips) : trips_(trips), stage_(trips.persons.size(), 0) {
   for (std::uint32_t i = 0; i < trips.persons.size(); ++i) index_[trips.persons[i].id] = i;
 }
 
@@ -21,8 +20,8 @@ std::span<const Walker> Walkers::at(double time, std::span<const PersonSample> p
                         .allowed = "outputs of one run, with tripinfo-output.write-unfinished"});
     }
     const std::uint32_t person = found->second;
-    walkers_.push_back({person, walk_of(person, time), zone_at(zones_, sample.position),
-                        sample.position, sample.velocity.norm(), sample.edge});
+    walkers_.push_back(
+        {person, walk_of(person, time), sample.position, sample.velocity.norm(), sample.edge});
   }
   return walkers_;
 }
@@ -32,14 +31,6 @@ const WalkStage* Walkers::walk_of(std::uint32_t person, double time) {
   std::uint32_t& stage = stage_[person];
   while (stage < walks.size() && walks[stage].arrival && *walks[stage].arrival < time) ++stage;
   return stage < walks.size() && walks[stage].depart <= time ? &walks[stage] : nullptr;
-}
-
-int zone_at(const std::vector<Zone>& zones, const Vec2& at) {
-  for (std::size_t i = 0; i < zones.size(); ++i) {
-    const bool on_street = !zones[i].streets.empty() && zones[i].street_walls.inside(at);
-    if (on_street || zones[i].walls.inside(at)) return static_cast<int>(i);
-  }
-  return Walker::kNowhere;
 }
 
 }  // namespace pedzone::study

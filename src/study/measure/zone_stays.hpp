@@ -1,5 +1,8 @@
-// When people walked in a zone, by the edges that SUMO has them on. Their place alone does not say
+// When people were in a zone, by the edges that SUMO has them on. Their place alone does not say
 // whose they are: at a junction that zone and streets share, people of both walk in one space.
+//
+// Somebody is in a zone on its edges, and in a junction between two of them. Where a junction led
+// is known only when it is left, so that what happened in it is told later.
 #pragma once
 
 #include <span>
@@ -7,20 +10,41 @@
 #include <unordered_map>
 #include <vector>
 
+#include "study/measure/crowding.hpp"
 #include "study/measure/walkers.hpp"
+#include "zone/zone.hpp"
 
 namespace pedzone::study {
+
+/// A step of a run, as its outputs have it.
+struct RunStep {
+  std::uint64_t number = 0;
+  double time = 0.0;  ///< [s]
+  double dt = 0.0;    ///< [s] since the one before; 0 for the first
+};
+
+/// Somebody in a zone in a step.
+struct Presence {
+  RunStep step;
+  Walker walker;  ///< whose edge is empty
+  int zone = 0;   ///< index
+  Closeness closeness;
+};
 
 class ZoneStays {
  public:
   /// `trips` and `network` must outlive it.
   ZoneStays(const Trips& trips, const Network& network, const std::vector<Zone>& zones);
 
-  /// Takes a time step [s], later than the one before.
-  void step(double time, std::span<const Walker> walkers);
+  /// Takes in a step, with the `closeness` of each walker. Returns what is known now and was not
+  /// before: each person's presences in the order of time. Valid until the next call.
+  std::span<const Presence> step(const RunStep& step, std::span<const Walker> walkers,
+                                 std::span<const Closeness> closeness);
 
-  /// Whether somebody was in a zone at a time [s]: on one of its edges, or in a junction between
-  /// two of them. To be asked after the last step: only then it is known where a junction led.
+  /// After the last step: of those who are in a junction to the end. They came from the zone.
+  std::span<const Presence> finish();
+
+  /// Whether somebody was in a zone at a time [s]. To be asked after the last step.
   bool cover(std::string_view person, double time) const;
 
  private:
@@ -30,11 +54,19 @@ class ZoneStays {
     int where;
   };
   static constexpr int kOutside = -1, kJunction = -2;
+  struct Person {
+    std::vector<Stay> stays;         ///< neighbours are in different places
+    int last_edge = kOutside;        ///< the zone of the last edge, or kOutside
+    std::vector<Presence> junction;  ///< since it left that edge, where it was a zone's
+  };
+
   int where(std::string_view edge) const;
+  void settle(Person& person);
 
   std::unordered_map<std::string_view, std::size_t> index_;  ///< of persons, by id
   std::unordered_map<std::string_view, int> zone_of_edge_;   ///< by id
-  std::vector<std::vector<Stay>> stays_;  ///< by person; neighbours are in different places
+  std::vector<Person> persons_;                              ///< as Trips::persons
+  std::vector<Presence> known_;                              ///< since the latest call
 };
 
 }  // namespace pedzone::study

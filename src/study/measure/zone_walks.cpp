@@ -36,54 +36,38 @@ void ZoneWalks::Amount::add(const Amount& other) {
   covered += other.covered;
 }
 
-void ZoneWalks::step(double dt, std::span<const Walker> walkers) {
-  ++step_;
-  for (const Walker& walker : walkers) {
-    Person& person = persons_[walker.person];
-    const bool goes_on = person.seen + 1 == step_ && person.walk == walker.walk;
+void ZoneWalks::add(const Presence& presence) {
+  const Walker& walker = presence.walker;
+  Person& person = persons_[walker.person];
+  person.visitor = true;
+  if (person.visit) {
+    const Presence& last = person.visit->last;
+    const bool goes_on = last.zone == presence.zone && last.walker.walk == walker.walk &&
+                         last.step.number + 1 == presence.step.number;
     if (!goes_on) close(person);
-    if (walker.walk != nullptr) {
-      Amount since;
-      if (goes_on) {
-        since = {dt, walker.speed < kHaltingSpeed ? dt : 0.0, (walker.at - person.at).norm(),
-                 walker.speed * dt};
-      }
-      follow(walker, since, person);
-    }
-    person.seen = step_;
-    person.walk = walker.walk;
-    person.at = walker.at;
   }
-}
-
-void ZoneWalks::follow(const Walker& walker, const Amount& since, Person& person) {
-  Visit& visit = person.visit;
-  if (visit.zone != Walker::kNowhere) {
-    visit.gap.add(since);
-    if (walker.zone == visit.zone) {
-      visit.inside.add(visit.gap);
-      visit.gap = {};
-      visit.exit = walker.at;
-    } else if (walker.zone != Walker::kNowhere || visit.gap.time > kGap) {
-      close(person);
-    }
+  if (!person.visit) {
+    person.visit = {presence, presence, {}};
+    return;
   }
-  if (visit.zone == Walker::kNowhere && walker.zone != Walker::kNowhere) {
-    visit = {walker.zone, walker.walk, walker.at, walker.at, {}, {}};
-    person.visitor = true;
-  }
+  const double dt = presence.step.dt;
+  const double walked = (walker.at - person.visit->last.walker.at).norm();
+  person.visit->amount.add(
+      {dt, walker.speed < kHaltingSpeed ? dt : 0.0, walked, walker.speed * dt});
+  person.visit->last = presence;
 }
 
 void ZoneWalks::close(Person& person) {
-  const Visit visit = std::exchange(person.visit, {});
-  if (visit.zone == Walker::kNowhere) return;
-  person.total.add(visit.inside);
-  const double shortest = shortest_way(zones_[visit.zone].ways, visit.entry, visit.exit);
+  if (!person.visit) return;
+  const Visit visit = *std::exchange(person.visit, {});
+  person.total.add(visit.amount);
+  const WayFinder& ways = zones_[static_cast<std::size_t>(visit.first.zone)].ways;
+  const double shortest = shortest_way(ways, visit.first.walker.at, visit.last.walker.at);
   if (!std::isfinite(shortest)) return;
   person.shortest += shortest;
-  person.walked += visit.inside.walked;
-  person.delay = person.delay.value_or(0.0) + visit.inside.time -
-                 shortest / (visit.walk->max_speed * free_share_);
+  person.walked += visit.amount.walked;
+  person.delay = person.delay.value_or(0.0) + visit.amount.time -
+                 shortest / (visit.first.walker.walk->max_speed * free_share_);
 }
 
 void ZoneWalks::finish(std::map<std::string, double>& values) {

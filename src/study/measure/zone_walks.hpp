@@ -1,10 +1,9 @@
 // What people walk in the zones: time, distance, waiting, and what it would have been without
 // others.
 //
-// A visit is the part of a walk between entering a zone's walkable area and leaving it. Who is out
-// of it for up to kGap and comes back has not left: SUMO's own models walk people through corners
-// of obstacles and over the area's rims. A visit that the end of the run cuts off counts up to
-// there: those who are stuck must not drop out of the mean.
+// A visit is the part of a walk between entering a zone and leaving it, by SUMO's edges
+// (zone_stays.hpp). A visit that the end of the run cuts off counts up to there: those who are
+// stuck must not drop out of the mean.
 #pragma once
 
 #include <map>
@@ -13,20 +12,17 @@
 #include <string>
 #include <vector>
 
-#include "study/measure/walkers.hpp"
+#include "study/measure/zone_stays.hpp"
 
 namespace pedzone::study {
-
-/// [s] assumed: at walking pace past any corner; nobody leaves by one side and is back by then.
-inline constexpr double kGap = 5.0;
 
 class ZoneWalks {
  public:
   /// `free_share`: of SUMO's maximum speed at which people walk freely (0, 1]. All must outlive it.
   ZoneWalks(const Trips& trips, const std::vector<Zone>& zones, double free_share);
 
-  /// Takes in a step, `dt` [s] after the one before.
-  void step(double dt, std::span<const Walker> walkers);
+  /// Takes in somebody who walks in a zone; each person's in the order of time.
+  void add(const Presence& presence);
 
   /// Closes all visits and appends the measures person.delay ... person.visitors.
   void finish(std::map<std::string, double>& values);
@@ -40,28 +36,21 @@ class ZoneWalks {
     void add(const Amount& other);
   };
   struct Visit {
-    int zone = Walker::kNowhere;  ///< kNowhere: none is open
-    const WalkStage* walk = nullptr;
-    Vec2 entry = Vec2::Zero(), exit = Vec2::Zero();  ///< [m]
-    Amount inside, gap;                              ///< gap: since it was inside last
+    Presence first, last;
+    Amount amount;
   };
   struct Person {
-    std::uint64_t seen = 0;           ///< number of the latest step
-    const WalkStage* walk = nullptr;  ///< in that step
-    Vec2 at = Vec2::Zero();           ///< [m] in that step
-    Visit visit;
+    std::optional<Visit> visit;           ///< the latest, not yet in what follows
     bool visitor = false;                 ///< has been in a zone
     Amount total;                         ///< of all visits
     double shortest = 0.0, walked = 0.0;  ///< [m] of visits that have a shortest way
     std::optional<double> delay;          ///< [s] of those
   };
 
-  void follow(const Walker& walker, const Amount& since, Person& person);
   void close(Person& person);
 
   const std::vector<Zone>& zones_;
   double free_share_;
-  std::uint64_t step_ = 0;
   std::vector<Person> persons_;  ///< as Trips::persons
 };
 

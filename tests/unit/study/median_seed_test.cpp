@@ -40,7 +40,8 @@ class MedianPairs : public testing::Test {
     plan_.study.models = {"striping", "heuristic"};
     plan_.study.reference = "striping";
     plan_.study.seeds = {3, 5, 8};
-    plan_.study.scenarios.push_back({"s", PEDZONE_SCENARIOS "/plaza/plaza-low.sumocfg", "", {}, {}});
+    plan_.study.scenarios.push_back(
+        {"s", PEDZONE_SCENARIOS "/plaza/plaza-low.sumocfg", "", {}, {}});
     plan_.study.factors = {
         {"demand", {scaled("high", "3"), scaled("low", "1"), scaled("medium", "2")}}};
     plan_.study.combinations = {{0}, {1}, {2}};

@@ -1,6 +1,6 @@
 #include "study/measure/zone_stays.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace pedzone::study {
 namespace {
@@ -24,17 +24,25 @@ class ZoneStaysTest : public testing::Test {
   /// edge: "1" or "0" for each.
   std::string covered(const std::vector<std::string>& edges) const {
     ZoneStays stays(trips_, network_, zones_);
+    std::string present(edges.size(), '0');
+    const auto note = [&present](std::span<const Presence> known) {
+      for (const Presence& presence : known) present[presence.step.number] = '1';
+    };
     for (std::size_t second = 0; second < edges.size(); ++second) {
-      const std::vector<Walker> walkers{{.edge = edges[second]}};
-      stays.step(static_cast<double>(second), walkers);
+      note(stays.step(at(second), std::vector<Walker>{{.edge = edges[second]}}, one_));
     }
+    note(stays.finish());
     std::string text;
     for (std::size_t second = 0; second < edges.size(); ++second) {
       text += stays.cover("p", static_cast<double>(second) + 0.5) ? '1' : '0';
     }
+    EXPECT_EQ(present, text) << "who is covered and who is present are the same";
     return text;
   }
 
+  static RunStep at(std::size_t second) { return {second, static_cast<double>(second), 1.0}; }
+
+  const std::vector<Closeness> one_{1};
   Network network_;
   std::vector<Zone> zones_;
   Trips trips_;
@@ -56,10 +64,30 @@ TEST_F(ZoneStaysTest, where_somebody_is_last_decides_by_where_it_came_from) {
   EXPECT_EQ(covered({":j_w0", "a1"}), "01");
 }
 
+TEST_F(ZoneStaysTest, are_told_of_a_junction_when_it_is_left) {
+  ZoneStays stays(trips_, network_, zones_);
+  const auto told = [&](std::size_t second, const char* edge) {
+    std::vector<std::size_t> steps;
+    for (const Presence& presence :
+         stays.step(at(second), std::vector<Walker>{{.edge = edge}}, one_)) {
+      EXPECT_EQ(presence.zone, 0);
+      steps.push_back(presence.step.number);
+    }
+    return steps;
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(told(0, "a1"), ElementsAre(0));
+  EXPECT_THAT(told(1, ":j_w0"), ElementsAre());
+  EXPECT_THAT(told(2, "a2"), ElementsAre(1, 2));
+  EXPECT_THAT(told(3, ":k_w0"), ElementsAre());
+  EXPECT_THAT(told(4, "out"), ElementsAre()) << "it led out";
+  EXPECT_TRUE(stays.finish().empty());
+}
+
 TEST_F(ZoneStaysTest, are_of_nobody_unknown_and_not_before_the_first_step) {
   ZoneStays stays(trips_, network_, zones_);
   const std::vector<Walker> walkers{{.edge = "a1"}};
-  stays.step(5.0, walkers);
+  stays.step(at(5), walkers, one_);
   EXPECT_FALSE(stays.cover("p", 4.9));
   EXPECT_TRUE(stays.cover("p", 5.0));
   EXPECT_FALSE(stays.cover("q", 5.0));

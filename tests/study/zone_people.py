@@ -1,0 +1,134 @@
+#!/usr/bin/python3
+"""Whom a study counts, and which conflicts: people in the zone, by the edges of SUMO's outputs.
+
+As a program it checks that on a scenario where people of the zone and of other streets meet at
+junctions that both share. Shares nothing with src/.
+
+usage: zone_people.py MEASURE_RUN SCENARIO.sumocfg END_SECONDS
+"""
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "check"))
+from fcd import read_fcd  # noqa: E402
+from scenario import read_scenario  # noqa: E402
+from trips import read_trips  # noqa: E402
+from visits import walk_measures  # noqa: E402
+from zone_area import ZoneRule, read_network  # noqa: E402
+
+
+def read_table(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def edges_of(fcd, person):
+    """[(time, edge)] at which somebody came to each edge."""
+    rows = fcd.persons
+    own = numpy.flatnonzero(rows.who == rows.names.index(person))
+    new = own[numpy.diff(rows.edge[own], prepend=-1) != 0]
+    return [(fcd.times[rows.step[row]], rows.edge_names[rows.edge[row]]) for row in new]
+
+
+def in_zone(visits, time, edges):
+    """Whether somebody is on an edge of the zone, or in a junction between two of them."""
+    now = max((i for i, (begin, _) in enumerate(visits) if begin <= time + 1e-6), default=None)
+    if now is None:
+        return False
+
+    def normal(places):
+        return next((edge in edges for _, edge in places if not edge.startswith(":")), None)
+
+    if not visits[now][1].startswith(":"):
+        return visits[now][1] in edges
+    before, after = normal(reversed(visits[:now])), normal(visits[now + 1:])
+    return bool(before) and after in (True, None)
+
+
+def rows_in_zone(fcd, edges):
+    """Of each row of a person: whether it is on an edge of the zone, or in a junction between two
+    of them, or to the end in one to which it came from the zone."""
+    rows = fcd.persons
+    kinds = numpy.array([0 if name.startswith(":") else 1 if name in edges else -1
+                         for name in rows.edge_names])[rows.edge]
+    inside = numpy.zeros(len(rows.x), bool)
+    order = numpy.lexsort((rows.step, rows.who))
+    for own in numpy.split(order, numpy.flatnonzero(numpy.diff(rows.who[order])) + 1):
+        kind = kinds[own]
+        known = numpy.flatnonzero(kind)
+        if len(known) == 0:
+            continue
+        after = numpy.searchsorted(known, numpy.arange(len(own)))
+        before = numpy.searchsorted(known, numpy.arange(len(own)), side="right") - 1
+        came_from = numpy.where(before >= 0, kind[known[numpy.maximum(before, 0)]], -1)
+        went_to = kind[known[numpy.minimum(after, len(known) - 1)]]  # to the end: where it was last
+        inside[own] = (came_from > 0) & (went_to > 0)
+    return inside
+
+
+def of_the_zone(fcd, rows, edges):
+    """Those of people in the zone at the moment that each is told by; how many it is not sure of,
+    since times in the table are rounded."""
+    inside, unsure = [], 0
+    for row in rows:
+        moment = next(name for name in ("contact", "minTTC", "PET", "minClearance") if row[name])
+        time, visits = float(row[f"{moment}_time"]), edges_of(fcd, row["person"])
+        answers = [in_zone(visits, time + shift, edges) for shift in (-0.005, 0.0, 0.005)]
+        unsure += len(set(answers)) > 1
+        if answers[1]:
+            inside.append(row)
+    return inside, unsure
+
+
+def check_conflicts(folder, fcd, edges):
+    everywhere = read_table(folder / "conflicts.csv")
+    inside, unsure = of_the_zone(fcd, everywhere, edges)
+    counted = read_table(folder / "zone-conflicts.csv")
+    print(f"conflicts: {len(everywhere)}, counted {len(counted)}, of the zone {len(inside)}, "
+          f"not sure {unsure}")
+    differ = sum(row not in counted for row in inside) + sum(row not in inside for row in counted)
+    return differ <= unsure and 10 < len(inside) < len(everywhere) - 10
+
+
+def check_walks(measured, fcd, persons, edges):
+    inside = rows_in_zone(fcd, edges)
+    print(f"rows of people in the zone: {inside.sum()} of {len(inside)}")
+    good = True
+    for key, found in walk_measures(fcd, persons, inside, None, 1.0).items():
+        same = abs(measured[key] - found) <= 1e-6 * found
+        print(f"{key}: {measured[key]:.6g}, recomputed {found:.6g}" + ("" if same else "  FAILED"))
+        good &= same
+    return good
+
+
+def main():
+    measure_run, scenario, end = sys.argv[1:]
+    environment = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        subprocess.run(["sumo", "-c", scenario, "--seed", "1", "--end", end, "--precision", "4",
+                        "--no-warnings", "--fcd-output", folder / "fcd.xml.gz",
+                        "--tripinfo-output", folder / "tripinfo.xml",
+                        "--tripinfo-output.write-unfinished", "--tripinfo-output.write-undeparted"],
+                       env=environment, check=True, stdout=subprocess.DEVNULL)
+        text = subprocess.run([measure_run, folder, scenario], env=environment, check=True,
+                              capture_output=True, text=True).stdout
+        measured = {key: float(value) for key, value in
+                    (line.rsplit(" ", 1) for line in text.splitlines() if line.startswith("person."))}
+        rule, network = ZoneRule(), read_network(read_scenario(scenario).net_file)
+        edges = {edge.id for edge in network.edges.values()
+                 if any(rule.takes(edge, lane) for lane in edge.lanes)}
+        fcd = read_fcd(str(folder / "fcd.xml.gz"))
+        persons, _ = read_trips(folder / "tripinfo.xml", float(end))
+        good = check_conflicts(folder, fcd, edges)
+        return 0 if check_walks(measured, fcd, persons, edges) and good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
