@@ -58,11 +58,11 @@ std::string shortened(std::string_view text, std::size_t most) {
   return letters <= most ? std::string(text) : std::string(text.substr(0, cut)) + "…";
 }
 
-MapPanel::MapPanel(const Vec2& map, std::vector<LegendEntry> legend, double head)
+MapPanel::MapPanel(const Vec2& map, std::vector<LegendEntry> legend, bool narrow, double head)
     : map_(map),
       legend_(std::move(legend)),
       head_(head),
-      unit_(std::min(map.maxCoeff() / 100.0, map.x() / kColumn)) {}
+      unit_(narrow ? map.x() / kColumn : std::min(map.maxCoeff() / 100.0, map.x() / kColumn)) {}
 
 std::size_t MapPanel::rows() const {
   const std::size_t columns = map_.x() >= 2.0 * kColumn * unit_ ? 2 : 1;

@@ -23,11 +23,12 @@ std::string shortened(std::string_view text, std::size_t most);
 
 class MapPanel {
  public:
-  /// For a map of these sizes [m]. `head`: room left free above the legend, in units.
-  MapPanel(const Vec2& map, std::vector<LegendEntry> legend, double head = 0.0);
+  /// For a map of these sizes [m]. `narrow`: it will be shown some 500 pixels wide, in a column of
+  /// a page. `head`: room left free above the legend, in units.
+  MapPanel(const Vec2& map, std::vector<LegendEntry> legend, bool narrow, double head = 0.0);
 
-  /// [m] a hundredth of the map, less where a column of the legend would not fit: texts, signs and
-  /// lines of the picture are multiples of it.
+  /// [m] a hundredth of the map, less where a column of the legend would not fit; of a narrow one
+  /// as large as a column allows. Texts, signs and lines of the picture are multiples of it.
   double unit() const { return unit_; }
   double height() const;  ///< [m]
 

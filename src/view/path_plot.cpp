@@ -107,13 +107,15 @@ std::string path_plot(const Recording& recording, const Place* place,
                       const PathPlotOptions& options) {
   const Box box = shown_box(recording, place, options.area);
   const std::vector<LineSet> sets = line_sets(recording, options.colour);
-  const MapPanel panel(box.sizes(), legend(recording, place, box, sets));
+  const MapPanel panel(box.sizes(), legend(recording, place, box, sets), options.narrow);
   SvgPage page(box, panel.height());
   draw_ground(page, place, panel.unit());
   draw_vehicle_ways(page, recording, panel.unit());
   draw_waypoints(page, place, panel.unit());
   const bool few = recording.persons.size() <= kLineLooks;
-  const double width = (few ? 0.25 : 0.14) * panel.unit(), gap = line_gap(recording);
+  // A narrow picture has larger letters; lines as wide as these would run into each other.
+  const double fine = options.narrow ? 0.5 : 1.0;
+  const double width = (few ? 0.25 : 0.14) * fine * panel.unit(), gap = line_gap(recording);
   page.begin_group("id=\"persons\" stroke-linejoin=\"round\" stroke-linecap=\"round\"");
   for (std::size_t i = 0; i < sets.size(); ++i) {
     page.begin_group(look_of(i, width, few ? 1.0 : 0.45));

@@ -17,6 +17,7 @@ struct PathPlotOptions {
   std::string title;
   Box area;  ///< [m] to show; empty: where the persons are
   PathColour colour = PathColour::kAuto;
+  bool narrow = false;  ///< it will be shown some 500 pixels wide: texts must be larger
 };
 
 /// The picture as an SVG file; the place may be null.

@@ -20,7 +20,7 @@ namespace {
 constexpr double kMoments = 20.0;          // shown at most, where the user does not say
 constexpr std::size_t kNamedPersons = 12;  // more are not named in the map
 constexpr double kHead = 5.5;              // [units] of the panel, for the colour bar
-constexpr double kBarLeft = 2.0, kBarWidth = 44.0, kBarTop = 1.2, kBarHeight = 1.3;  // [units]
+constexpr double kBarLeft = 2.0, kBarWidth = 37.0, kBarTop = 1.2, kBarHeight = 1.3;  // [units]
 constexpr int kBarPieces = 100;
 constexpr double kLeastDisc = 0.28;         // [units] radius: smaller ones would not be seen
 constexpr double kThinning = 0.02;          // [units] corners of lines are left out so far
@@ -35,7 +35,7 @@ class TimePlot {
         place_(place),
         options_(options),
         box_(shown_box(recording, place, options.area)),
-        panel_(box_.sizes(), legend(), kHead),
+        panel_(box_.sizes(), legend(), options.narrow, kHead),
         page_(box_, options.legend ? panel_.height() : 0.0),
         gap_(line_gap(recording)),
         unit_(panel_.unit()) {

@@ -17,6 +17,7 @@ struct TimePlotOptions {
   std::optional<double> every;    ///< [s] > 0 between two moments; unset: a round step, for 8 to 20
   std::optional<double> at = {};  ///< [s] a snapshot of this moment, with the ways until then
   bool legend = true;             ///< below the map, with the colours of time
+  bool narrow = false;            ///< it will be shown some 500 pixels wide: texts must be larger
 };
 
 /// The picture as an SVG file: persons as discs, vehicles as outlines in the colours of the

@@ -71,7 +71,7 @@ void draw_layer(SvgPage& page, const PathLayer& layer) {
 std::string zone_svg(const Network& network, const std::vector<Zone>& zones,
                      const std::vector<PathLayer>& layers) {
   const Box box = extent(network, zones);
-  const MapPanel panel(box.sizes(), legend(zones, layers));
+  const MapPanel panel(box.sizes(), legend(zones, layers), false);
   SvgPage page(box, panel.height());
   draw_zone_map(page, network, zones);
   const double lane_width = std::max(0.3, 0.08 * panel.unit());  // to be seen in large pictures too

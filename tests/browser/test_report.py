@@ -207,6 +207,25 @@ class Report(unittest.TestCase):
         density = maps[0]["pictures"]
         self.assertTrue(all(one["fills"] for one in density), "somebody was everywhere")
 
+    def test_letters_of_still_pictures_can_be_read_and_are_not_cut(self):
+        self.open()
+        stills = self.ask("""[...document.querySelectorAll(".still svg")].filter((one) =>
+            !one.parentElement.closest("svg")).map((one) => {
+          const frame = one.getBoundingClientRect();
+          return [...one.querySelectorAll("text")].map((text) => {
+            const box = text.getBoundingClientRect();
+            return {text: text.textContent, height: box.height,
+                    inside: box.left >= frame.left && box.right <= frame.right
+                            && box.top >= frame.top && box.bottom <= frame.bottom};
+          });
+        })""")
+        self.assertGreaterEqual(len(stills), 2)
+        for texts in stills:
+            self.assertTrue(texts)
+            for text in texts:
+                self.assertGreaterEqual(text["height"], 10.0, text)
+                self.assertTrue(text["inside"], text)
+
     def test_gaps_are_not_spoken_of_where_no_street_may_be_crossed_anywhere(self):
         self.open()
         self.assertIsNone(self.ask("document.getElementById('gaps')"))

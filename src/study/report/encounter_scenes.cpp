@@ -113,7 +113,9 @@ std::string still(const Recording& recording, const Place& place, const Encounte
   for (const RecordedPerson& person : two.persons) {
     for (const PersonMoment& moment : person.moments) box.extend(moment.position);
   }
-  return time_plot(two, &place, {.title = title, .area = grown(box, kBesideStill), .every = 1.0});
+  return time_plot(
+      two, &place,
+      {.title = title, .area = grown(box, kBesideStill), .every = 1.0, .narrow = true});
 }
 
 Scene scene_of(const Plan& plan, const Encounter& encounter, const Place& place) {

@@ -50,7 +50,8 @@ class MedianScene {
     scene.page = animation_page({{left, &reference}, {right, &model}}, &place,
                                 {.title = scene.title, .rate = kRate, .area = area});
     const auto paths = [&](const std::string& name, const Recording& recording) {
-      return NamedPicture{name, path_plot(recording, &place, {.title = name, .area = area})};
+      return NamedPicture{
+          name, path_plot(recording, &place, {.title = name, .area = area, .narrow = true})};
     };
     scene.still = svg_row({paths(left, reference), paths(right, model)});
     scene.wide = true;
