@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "same_decision.hpp"
 #include "scene.hpp"
 #include "world/model_names.hpp"
 
@@ -87,14 +88,6 @@ double share_of_others(const std::vector<Decision>& a, const std::vector<Decisio
 }
 
 constexpr double kRare = 0.02;
-
-void expect_equal(const Decision& a, const Decision& b, std::size_t person) {
-  ASSERT_EQ(a.direction, b.direction) << "person " << person;
-  ASSERT_EQ(a.speed, b.speed) << "person " << person;
-  ASSERT_EQ(a.free_distance, b.free_distance) << "person " << person;
-  ASSERT_EQ(a.waits, b.waits) << "person " << person;
-  ASSERT_EQ(a.turns, b.turns) << "person " << person;
-}
 
 TEST_P(Models, alone_people_walk_to_their_goal_at_their_speed) {
   Scene scene = empty_scene();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "oracle.hpp"
+#include "same_decision.hpp"
 #include "scene.hpp"
 
 namespace pedzone::test {
@@ -42,14 +43,6 @@ Scene transformed(Scene scene, Point&& point, Direction&& direction) {
   }
   for (Wall& w : scene.walls) w = {point(w.a), point(w.b)};
   return scene;
-}
-
-void expect_equal(const Decision& a, const Decision& b, std::size_t person) {
-  ASSERT_EQ(a.direction, b.direction) << "person " << person;
-  ASSERT_EQ(a.speed, b.speed) << "person " << person;
-  ASSERT_EQ(a.free_distance, b.free_distance) << "person " << person;
-  ASSERT_EQ(a.waits, b.waits) << "person " << person;
-  ASSERT_EQ(a.turns, b.turns) << "person " << person;
 }
 
 TEST(Symmetry, a_mirrored_scene_gives_mirrored_decisions_to_the_bit) {
