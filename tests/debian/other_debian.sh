@@ -19,6 +19,11 @@ if [[ -r "${NODE_EXTRA_CA_CERTS:-}" ]]; then
   cp "$NODE_EXTRA_CA_CERTS" "$root/etc/host-certificates.crt"
   settings+=(NODE_EXTRA_CA_CERTS=/etc/host-certificates.crt)
 fi
+# A second run compiles only what has changed.
+if command -v ccache >/dev/null; then
+  compiled=$(ccache --get-config cache_dir)
+  mkdir -p "$compiled"
+fi
 mkdir "$root/pedzone"
 tar -C "$source" --exclude='./build*' --exclude=./out --exclude=./.git -cf - . |
   tar -C "$root/pedzone" -xf -

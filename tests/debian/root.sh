@@ -33,15 +33,21 @@ make_root() {
 }
 
 # in_root [NAME=VALUE...] COMMAND...   in namespaces of its own: what it mounts or starts ends with it.
+# Where $compiled names a folder, it is /compiled there: what ccache keeps from one root to the next.
 in_root() {
   local settings=(HOME=/root LANG=C.UTF-8
                   PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin) name
   for name in http_proxy https_proxy no_proxy; do
     [[ -z "${!name:-}" ]] || settings+=("$name=${!name}")
   done
+  if [[ -n "${compiled:-}" ]]; then
+    mkdir -p "$root/compiled"
+    settings+=(CCACHE_DIR=/compiled)
+  fi
   unshare --mount --propagation private --pid --fork --kill-child \
     bash -c 'mount -t proc proc "$0/proc" && mount --rbind /sys "$0/sys" &&
              mount --rbind /dev "$0/dev" && mount -t tmpfs tmpfs "$0/run" || exit 1
-             exec chroot "$0" env -i "$@"' \
-    "$root" "${settings[@]}" "$@" </dev/null
+             [[ -z "$1" ]] || mount --bind "$1" "$0/compiled" || exit 1
+             exec chroot "$0" env -i "${@:2}"' \
+    "$root" "${compiled:-}" "${settings[@]}" "$@" </dev/null
 }
