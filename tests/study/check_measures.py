@@ -174,14 +174,14 @@ def parted(rows):
     return put, moving, standing
 
 
-def check_conflicts(comparison, arguments, folder, fcd, scenario, persons, edges):
+def check_conflicts(comparison, arguments, folder, fcd, scenario, persons, inside):
     table = folder / "again.csv"
     run([arguments.pedzone, "conflicts", folder / "fcd.xml.gz", "--scenario", arguments.scenario,
          "--conflict-csv", table])
     comparison.require("conflicts.csv is that of `pedzone conflicts`",
                        table.read_bytes() == (folder / "conflicts.csv").read_bytes())
     everywhere = read_table(table)
-    rows, unsure = of_the_zone(fcd, everywhere, edges)
+    rows, unsure = of_the_zone(fcd, everywhere, inside)
     print(f"  conflicts in the zone: {len(rows)} of {len(everywhere)}, not sure: {unsure}")
     comparison.require("zone-conflicts.csv has them",
                        unsure > 0 or read_table(folder / "zone-conflicts.csv") == rows)
@@ -284,7 +284,7 @@ def check_run(arguments, model, folder):
             comparison.check(key, value, WAYS if key == "person.detour" else SAME)
     for key, value in space_measures(fcd, walking, inside).items():
         comparison.check(key, value)
-    check_conflicts(comparison, arguments, folder, fcd, scenario, persons, parts.edges)
+    check_conflicts(comparison, arguments, folder, fcd, scenario, persons, inside)
     check_series(comparison, folder, fcd, walking & inside)
     return comparison, measured
 

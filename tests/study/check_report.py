@@ -86,7 +86,7 @@ def run_measures(folder, config, places):
     inside = rows_in_zone(fcd, edges)
     values.update(walk_measures(fcd, persons, inside, Ways(area), FREE_SHARE))
     values.update(space_measures(fcd, walking_rows(fcd, persons), inside))
-    rows, _ = of_the_zone(fcd, read_table(folder / "conflicts.csv"), edges)
+    rows, _ = of_the_zone(fcd, read_table(folder / "conflicts.csv"), inside)
     moving = parted(rows)[1]
     values["conflict.count"] = len(moving)
     values["conflict.contacts"] = sum(bool(row["contact"]) for row in moving)

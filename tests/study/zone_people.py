@@ -28,29 +28,6 @@ def read_table(path):
         return list(csv.DictReader(file))
 
 
-def edges_of(fcd, person):
-    """[(time, edge)] at which somebody came to each edge."""
-    rows = fcd.persons
-    own = numpy.flatnonzero(rows.who == rows.names.index(person))
-    new = own[numpy.diff(rows.edge[own], prepend=-1) != 0]
-    return [(fcd.times[rows.step[row]], rows.edge_names[rows.edge[row]]) for row in new]
-
-
-def in_zone(visits, time, edges):
-    """Whether somebody is on an edge of the zone, or in a junction between two of them."""
-    now = max((i for i, (begin, _) in enumerate(visits) if begin <= time + 1e-6), default=None)
-    if now is None:
-        return False
-
-    def normal(places):
-        return next((edge in edges for _, edge in places if not edge.startswith(":")), None)
-
-    if not visits[now][1].startswith(":"):
-        return visits[now][1] in edges
-    before, after = normal(reversed(visits[:now])), normal(visits[now + 1:])
-    return bool(before) and after in (True, None)
-
-
 def rows_in_zone(fcd, edges):
     """Of each row of a person: whether it is on an edge of the zone, or in a junction between two
     of them, or to the end in one to which it came from the zone."""
@@ -72,23 +49,26 @@ def rows_in_zone(fcd, edges):
     return inside
 
 
-def of_the_zone(fcd, rows, edges):
+def of_the_zone(fcd, rows, inside):
     """Those of people in the zone at the moment that each is told by; how many it is not sure of,
-    since times in the table are rounded."""
-    inside, unsure = [], 0
+    since times in the table are rounded. `inside`: rows_in_zone."""
+    told, unsure = [], 0
     for row in rows:
         moment = next(name for name in ("contact", "minTTC", "PET", "minClearance") if row[name])
-        time, visits = float(row[f"{moment}_time"]), edges_of(fcd, row["person"])
-        answers = [in_zone(visits, time + shift, edges) for shift in (-0.005, 0.0, 0.005)]
+        own = numpy.flatnonzero(fcd.persons.who == fcd.persons.names.index(row["person"]))
+        times = fcd.times[fcd.persons.step[own]]
+        near = float(row[f"{moment}_time"]) + numpy.array([-0.005, 0.0, 0.005])
+        latest = numpy.searchsorted(times, near + 1e-6, side="right") - 1
+        answers = inside[own[numpy.maximum(latest, 0)]] & (latest >= 0)
         unsure += len(set(answers)) > 1
         if answers[1]:
-            inside.append(row)
-    return inside, unsure
+            told.append(row)
+    return told, unsure
 
 
-def check_conflicts(folder, fcd, edges):
+def check_conflicts(folder, fcd, in_zone):
     everywhere = read_table(folder / "conflicts.csv")
-    inside, unsure = of_the_zone(fcd, everywhere, edges)
+    inside, unsure = of_the_zone(fcd, everywhere, in_zone)
     counted = read_table(folder / "zone-conflicts.csv")
     print(f"conflicts: {len(everywhere)}, counted {len(counted)}, of the zone {len(inside)}, "
           f"not sure {unsure}")
@@ -96,8 +76,7 @@ def check_conflicts(folder, fcd, edges):
     return differ <= unsure and 10 < len(inside) < len(everywhere) - 10
 
 
-def check_walks(measured, fcd, persons, edges):
-    inside = rows_in_zone(fcd, edges)
+def check_walks(measured, fcd, persons, inside):
     print(f"rows of people in the zone: {inside.sum()} of {len(inside)}")
     good = True
     for key, found in walk_measures(fcd, persons, inside, None, 1.0).items():
@@ -126,8 +105,9 @@ def main():
                  if any(rule.takes(edge, lane) for lane in edge.lanes)}
         fcd = read_fcd(str(folder / "fcd.xml.gz"))
         persons, _ = read_trips(folder / "tripinfo.xml", float(end))
-        good = check_conflicts(folder, fcd, edges)
-        return 0 if check_walks(measured, fcd, persons, edges) and good else 1
+        inside = rows_in_zone(fcd, edges)
+        good = check_conflicts(folder, fcd, inside)
+        return 0 if check_walks(measured, fcd, persons, inside) and good else 1
 
 
 if __name__ == "__main__":

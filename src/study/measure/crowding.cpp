@@ -1,7 +1,6 @@
 #include "study/measure/crowding.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace pedzone::study {
 namespace {
@@ -12,59 +11,18 @@ constexpr double kSpace[] = {3.25, 2.32, 1.39, 0.93, 0.46};
 
 }  // namespace
 
-double circle_density(int persons) { return persons / (kPi * kCircle * kCircle); }
-
 int level_of_service(double density) {
   const auto enough = [density](double space) { return density * space <= 1.0; };
   return static_cast<int>(std::ranges::find_if(kSpace, enough) - std::begin(kSpace));
 }
 
-ClosenessMeter::ClosenessMeter(const Trips& trips) : standing_(trips.persons.size()) {}
-
-std::span<const Closeness> ClosenessMeter::of(double dt, std::span<const Walker> walkers) {
-  ++step_;
-  stuck_.clear();
-  for (const Walker& walker : walkers) stuck_.push_back(stands_long(dt, walker));
-  count_near(walkers);
-  closeness_.clear();
-  for (std::size_t i = 0; i < walkers.size(); ++i) {
-    closeness_.push_back(
-        {circle_density(1 + near_[i].all), stuck_[i] && near_[i].stuck >= kJamOthers});
-  }
-  return closeness_;
-}
-
-bool ClosenessMeter::stands_long(double dt, const Walker& walker) {
-  Standing& standing = standing_[walker.person];
-  const bool stays = standing.seen + 1 == step_;
-  const bool stands = walker.walk != nullptr && walker.speed < kHaltingSpeed;
-  standing.time = stays && stands ? standing.time + dt : 0.0;
-  standing.seen = step_;
-  return standing.time >= kJamTime;
-}
-
-void ClosenessMeter::count_near(std::span<const Walker> walkers) {
-  near_.assign(walkers.size(), {});
-  order_.resize(walkers.size());
-  std::iota(order_.begin(), order_.end(), 0U);
-  std::ranges::sort(order_, {}, [&](std::uint32_t i) { return walkers[i].at.x(); });
-  for (auto a = order_.begin(); a != order_.end(); ++a) {
-    const Vec2& at = walkers[*a].at;
-    for (auto b = a + 1; b != order_.end() && walkers[*b].at.x() - at.x() <= kCircle; ++b) {
-      if ((walkers[*b].at - at).squaredNorm() > kCircle * kCircle) continue;
-      ++near_[*a].all;
-      ++near_[*b].all;
-      near_[*a].stuck += stuck_[*b];
-      near_[*b].stuck += stuck_[*a];
-    }
-  }
-}
-
-void Crowding::add(double dt, const Closeness& closeness) {
+void Crowding::add(const Presence& presence) {
+  if (!presence.walks()) return;
+  const double dt = presence.step.dt, density = presence.closeness.density;
   time_ += dt;
-  density_time_ += closeness.density * dt;
-  level_time_[level_of_service(closeness.density)] += dt;
-  if (closeness.jammed) jammed_ += dt;
+  density_time_ += density * dt;
+  level_time_[level_of_service(density)] += dt;
+  if (presence.closeness.jammed) jammed_ += dt;
 }
 
 void Crowding::finish(std::map<std::string, double>& values) const {

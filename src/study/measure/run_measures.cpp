@@ -85,9 +85,8 @@ class Observer {
   void count_present(std::span<const Presence> present) {
     for (const Presence& presence : present) {
       if (presence.step.dt > 0.0) grid_.add(presence.walker.at, presence.step.dt);
-      if (presence.walker.walk == nullptr) continue;
       walks_.add(presence);
-      crowding_.add(presence.step.dt, presence.closeness);
+      crowding_.add(presence);
       series_.add(presence);
     }
   }

@@ -36,6 +36,7 @@ void RunSeries::step(const RunStep& step, std::span<const VehicleSample> vehicle
 }
 
 void RunSeries::add(const Presence& presence) {
+  if (!presence.walks()) return;
   const double begin = begin_of_window(presence.step.time);
   const auto window = std::ranges::lower_bound(windows_, begin, {}, &Window::begin);
   add(window->persons, presence.step.dt, presence.walker.speed, presence.closeness.density);

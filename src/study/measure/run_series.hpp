@@ -20,7 +20,7 @@ class RunSeries {
 
   /// Takes in a step. Vehicles are in a zone by their middle's place.
   void step(const RunStep& step, std::span<const VehicleSample> vehicles);
-  /// Takes in somebody who walked in a zone, in a step that it was given.
+  /// Takes in somebody in a zone, in a step that it was given: who walks counts.
   void add(const Presence& presence);
 
   /// The table (results/run_tables.hpp), a row for each window of kWindow. Speeds and density are

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "study/measure/crowding.hpp"
+#include "study/measure/closeness.hpp"
 #include "study/measure/walkers.hpp"
 #include "zone/zone.hpp"
 
@@ -29,6 +29,9 @@ struct Presence {
   Walker walker;  ///< whose edge is empty
   int zone = 0;   ///< index
   Closeness closeness;
+
+  /// Neither waits for a ride nor stops as planned.
+  bool walks() const { return walker.walk != nullptr; }
 };
 
 class ZoneStays {

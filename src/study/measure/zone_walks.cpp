@@ -37,6 +37,7 @@ void ZoneWalks::Amount::add(const Amount& other) {
 }
 
 void ZoneWalks::add(const Presence& presence) {
+  if (!presence.walks()) return;
   const Walker& walker = presence.walker;
   Person& person = persons_[walker.person];
   person.visitor = true;

@@ -21,7 +21,7 @@ class ZoneWalks {
   /// `free_share`: of SUMO's maximum speed at which people walk freely (0, 1]. All must outlive it.
   ZoneWalks(const Trips& trips, const std::vector<Zone>& zones, double free_share);
 
-  /// Takes in somebody who walks in a zone; each person's in the order of time.
+  /// Takes in somebody in a zone, each person's presences in the order of time: who walks counts.
   void add(const Presence& presence);
 
   /// Closes all visits and appends the measures person.delay ... person.visitors.

@@ -42,7 +42,7 @@ std::map<std::string, double> walk(const Trips& trips, const std::vector<Zone>& 
     PersonSample sample{.id = "p", .position = at};
     if (step.number > 0) sample.velocity = (at - places[step.number - 1]) / kStep;
     const Walker walker = walkers.at(step.time, std::span(&sample, 1)).front();
-    if (walker.walk != nullptr && at.x() >= 0.0) walks.add({step, walker, 0, {}});
+    if (at.x() >= 0.0) walks.add({step, walker, 0, {}});
     step = {step.number + 1, step.time + kStep, kStep};
   }
   std::map<std::string, double> values;
