@@ -11,7 +11,8 @@ usage: tools/test.sh [--long] [--again] [-- OPTIONS OF ctest]
 Installs what is missing, builds in build/ with warnings as errors, and runs the tests.
   --long    also those that take long: the property test over 1,000,000 person-steps, many seeds,
             all tests in a root of the other Debian (12 or 13; only root can make it), and the unit
-            tests under sanitizers of memory and of threads (build-*/)
+            tests under sanitizers: all of them for memory, those with threads for data races
+            (build-*/)
   --again   run even when nothing has changed since the tests last passed
 Exit code: 0 when all tests passed.
 TEXT
