@@ -79,9 +79,13 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
 }
 
 /// [m] to which a vehicle gets to a body: past one that stands, people go with turned shoulders.
+/// One that creeps on comes no nearer to who is beside it so.
 double reach_of(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
-  const bool stands = vehicle.velocity.norm() < kStaticSpeed;
-  return stands ? crowd.persons.present_radius[i] : crowd.persons.radius[i];
+  const double turned = crowd.persons.present_radius[i], straight = crowd.persons.radius[i];
+  const double speed = vehicle.velocity.norm();
+  if (speed < kDrivingSpeed) return turned;
+  if (speed > crowd.zone.parameters.creep_speed + kStaticSpeed) return straight;
+  return std::clamp(distance_to(vehicle, crowd.position(i)), turned, straight);
 }
 
 /// Lists who may be reached by which vehicle, ordered by person.

@@ -34,7 +34,7 @@ bool OutsideDrivers::is_odd(const VehicleSeen& vehicle, const Suspect& suspect, 
   if (told == told_.end()) return !as_sumo;
   if (suspect.driven && as_sumo) return false;
   if (suspect.last_speed < 0.0) return false;
-  const double slowest = suspect.last_speed - vehicle.traits.emergency_decel * dt;
+  const double slowest = suspect.last_speed - vehicle.traits.decel * dt;
   return vehicle.speed > std::max(told->second, slowest) + kSame;
 }
 

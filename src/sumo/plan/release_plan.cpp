@@ -112,7 +112,7 @@ bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt
   if (fleet.approaches(place, room, kVehicleLook)) return false;
   const FleetVehicle* beside = fleet.waiting_beside(place, room);
   if (beside == nullptr || kept >= kPatience) return true;
-  if (beside->commanded >= 0.0) kept += dt;
+  if (beside->commanded >= 0.0 || beside->lets_go) kept += dt;
   return false;
 }
 

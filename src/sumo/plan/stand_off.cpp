@@ -15,6 +15,7 @@ constexpr double kTry = 2.0;        // [s] assumed: one that can creep past does
 constexpr double kSample = 0.5;     // [m] numerical
 constexpr double kGap = 0.3;        // [m] assumed: kept to other vehicles
 constexpr double kMargin = 0.05;    // [m] as a creeping vehicle's
+constexpr double kDrives = 0.2;     // [m/s] numerical: told so much or more, it is to drive
 
 bool meets(const Rectangle& body, const FleetVehicle& other) {
   const Rectangle its = body_of(other);
@@ -77,7 +78,7 @@ StandOffs::Way StandOffs::go_on(StandOff& one, const FleetVehicle& vehicle, Way 
 
 /// From what the vehicle did to what it does now. `commanded`: Yielding has told it a speed, which
 /// stays.
-void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool commanded,
+void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool commanded, double dt,
                      std::vector<SpeedOrder>& orders) const {
   if (before == Way::kPass && now != before) orders.push_back({vehicle.id, SpeedMode::kDefault});
   if (before != Way::kWait && now == Way::kWait && !commanded) {
@@ -85,11 +86,15 @@ void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool commanded,
   }
   if (now == Way::kPass) {
     if (before != now) orders.push_back({vehicle.id, SpeedMode::kPass});
-    vehicle.commanded = zones_[vehicle.zone].parameters.creep_speed;
+    const double creep = zones_[vehicle.zone].parameters.creep_speed;
+    vehicle.commanded = commanded ? std::min(creep, vehicle.commanded) : creep;
     vehicle.pull = vehicle.traits.accel;  // no braking that Yielding would ease
     orders.push_back({vehicle.id, vehicle.commanded});
   } else if (now == Way::kLetGo) {
-    orders.push_back({vehicle.id, 0.0});
+    vehicle.lets_go = true;
+    // No harder than SUMO brakes at its client's word: what does not do as told seems to be driven
+    // by another program.
+    orders.push_back({vehicle.id, std::max(0.0, vehicle.speed - vehicle.traits.decel * dt)});
   }
 }
 
@@ -105,11 +110,13 @@ std::vector<SpeedOrder> StandOffs::plan(std::span<FleetVehicle> vehicles,
     if (before == Way::kWait && vehicle.speed > kHaltingSpeed) continue;
     one.stood += dt;
     const bool commanded = vehicle.commanded >= 0.0;
-    const bool waits = !commanded && !vehicle.stopped && vehicle.speed <= kHaltingSpeed;
+    // Whom Yielding lets drive while it stands, SUMO holds.
+    const bool may_drive = !commanded || vehicle.commanded >= kDrives;
+    const bool waits = may_drive && !vehicle.stopped && vehicle.speed <= kHaltingSpeed;
     const bool may_act =
-        !commanded && !vehicle.stopped && one.stood >= zones_[vehicle.zone].parameters.creep_after;
+        may_drive && !vehicle.stopped && one.stood >= zones_[vehicle.zone].parameters.creep_after;
     one.way = may_act ? go_on(one, vehicle, way_out(vehicle, vehicles, people), dt) : Way::kWait;
-    tell(vehicle, before, one.way, commanded, orders);
+    tell(vehicle, before, one.way, commanded, dt, orders);
     if (waits || one.way != Way::kWait) stand_offs[vehicle.id] = one;
   }
   for (const auto& [id, one] : stand_offs_) {  // not ours to tell at present

@@ -24,10 +24,11 @@ class StandOffs {
   /// vehicles it creeps past. If SUMO keeps it standing for 2 s all the same, it waits again: it
   /// may find a gap with its own speed that it does not with this one. Where somebody stands in its
   /// way it lets people go first, for creepAfter at most before it waits again: while it is told to
-  /// stand, SUMO opens crossings to them. To be called after Yielding::plan; vehicles that this has
-  /// told a speed are left alone. A vehicle that meanwhile has gone (it teleports), or is driven by
-  /// another program, gets its own speed back as soon as it is among `vehicles` again and pedzone's
-  /// to tell.
+  /// stand, SUMO opens crossings to them, and pedzone gives people back beside it. To be called
+  /// after Yielding::plan; vehicles that this slows down are left alone, those that it lets drive
+  /// while SUMO has them stand are not. A vehicle that meanwhile has gone (it teleports), or is
+  /// driven by another program, gets its own speed back as soon as it is among `vehicles` again and
+  /// pedzone's to tell.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, double dt);
 
@@ -43,7 +44,7 @@ class StandOffs {
   Way way_out(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles,
               std::span<const PersonAhead> people) const;
   Way go_on(StandOff& one, const FleetVehicle& vehicle, Way out, double dt) const;
-  void tell(FleetVehicle& vehicle, Way before, Way now, bool commanded,
+  void tell(FleetVehicle& vehicle, Way before, Way now, bool commanded, double dt,
             std::vector<SpeedOrder>& orders) const;
 
   const std::vector<Zone>& zones_;

@@ -66,6 +66,7 @@ struct FleetVehicle : VehicleSeen {
   double claim = 0.0;         ///< [m] see VehicleState
   bool creeping = false;
   bool reverses = false;  ///< its front went backwards along its way
+  bool lets_go = false;   ///< it is told to stand, so that people beside it go first
   bool waits = false;     ///< it stands, as it did before, and not since we told it to
 
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }

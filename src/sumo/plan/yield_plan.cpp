@@ -17,6 +17,7 @@ constexpr double kClaimAfter =
 constexpr double kClaim = 8.0;    // [m] recorded onset of avoidance, median
 constexpr double kObeyed = 0.05;  // [m/s] numerical: slower than told by more, traffic holds it
 constexpr double kEase = 5.0;     // [m/s³] assumed: from braking to driving off in less than 1.5 s
+constexpr double kTouch = 0.01;   // [m] numerical
 constexpr double kCreepMargin = 0.05;  // [m] numerical: a creeping vehicle passes people close
 
 /// Whether the body comes within `margin` of a person when its front has gone `travelled`.
@@ -142,11 +143,12 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
     const auto later = contact_distance(vehicle, soon, person.radius + margin, distance);
     if (!contact && later && (soon - person.position).norm() > kSample) contact = later;
     if (!contact) continue;
-    const double clearance = body.signed_distance(person.position) - person.radius;
     // Beside the body already and not before it: passed, unless the rear will swing over them.
+    // Who has turned its shoulders and squeezes past is nearer than its disc: no nearer then.
+    const double beside = body.signed_distance(person.position) - kTouch;
     const Vec2 to = person.position - vehicle.front;
-    if (to.dot(unit(vehicle.heading)) < 0.0 && clearance > 0.0 &&
-        !contact_distance(vehicle, person.position, person.radius, distance)) {
+    if (to.dot(unit(vehicle.heading)) < 0.0 &&
+        !contact_distance(vehicle, person.position, std::min(person.radius, beside), distance)) {
       continue;
     }
     const double allowed = std::max(0.0, *contact);

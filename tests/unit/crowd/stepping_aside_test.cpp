@@ -30,8 +30,12 @@ class NarrowStreet {
       scene_.vehicles = {vehicle_};
       scene_.step();
       least_ = std::min(least_, distance_to(vehicle_, view(0).position));
+      for (const VehiclePush& push : scene_.crowd.pushes()) runs_into_ |= push.run_into;
+      vehicle_.centre += vehicle_.velocity * 0.1;
     }
   }
+  void drive_on(double speed) { vehicle_.velocity = {speed, 0.0}; }
+  bool runs_into_anybody() const { return runs_into_; }
   const PersonView& view(std::size_t person) const { return scene_.people[person].view; }
   const Scene& scene() const { return scene_; }
   double least_distance_so_far() const { return least_; }
@@ -42,6 +46,7 @@ class NarrowStreet {
   Zone zone_;
   Scene scene_;
   double least_ = 1e9;  ///< [m]
+  bool runs_into_ = false;
 };
 
 TEST(SteppingAside, turned_at_the_wall_people_leave_room_for_the_vehicle) {
@@ -70,6 +75,17 @@ TEST(SteppingAside, a_parked_vehicle_is_passed_in_the_same_way) {
     street.run(40.0);
     EXPECT_GT(street.scene().people[person].arrival_time, 0.0) << from;
   }
+}
+
+TEST(SteppingAside, who_squeezes_past_a_vehicle_is_not_run_into_where_it_begins_to_creep) {
+  NarrowStreet street(0.35, 0.0);
+  street.add({3.0, 0.0}, {-20.0, 0.0});
+  while (street.view(0).position.x() > -1.0) street.run(0.1);
+  ASSERT_LT(street.least_distance_so_far(), 0.9 * kRadius) << "it has turned";
+  street.drive_on(0.25);
+  street.run(3.0);
+  EXPECT_LT(street.view(0).position.x(), -2.0);
+  EXPECT_FALSE(street.runs_into_anybody());
 }
 
 TEST(SteppingAside, nobody_goes_past_where_a_turned_body_does_not_fit) {

@@ -64,6 +64,12 @@ TEST_F(OutsideDriversTest, who_drives_faster_than_told_is_driven_by_another_prog
   EXPECT_TRUE(step(5.0, 5.0));
 }
 
+TEST_F(OutsideDriversTest, one_told_to_stand_brakes_as_sumo_lets_it_and_is_no_other_programs) {
+  (void)step(1.0, 5.0);
+  tell(0.0);
+  for (const double speed : {0.55, 0.1, 0.0, 0.0}) EXPECT_FALSE(step(speed, 5.0)) << speed;
+}
+
 TEST_F(OutsideDriversTest, it_is_sumos_again_after_two_seconds_as_sumo_lets_it) {
   (void)step(3.0, 5.0);
   EXPECT_TRUE(step(3.0, 5.0));

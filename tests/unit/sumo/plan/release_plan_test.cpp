@@ -140,6 +140,13 @@ TEST_F(MayRelease, after_ten_seconds_beside_one_that_waits_for_people) {
   }
 }
 
+TEST_F(MayRelease, after_ten_seconds_beside_one_that_lets_people_go_first) {
+  vehicle(0.5, 0.0).lets_go = true;
+  double time = 0.0;
+  while (!ask() && time < 100.0) time += 0.1;
+  EXPECT_NEAR(time, 10.0, 0.1 + 1e-6);
+}
+
 TEST_F(MayRelease, not_beside_one_that_waits_for_something_else) {
   vehicle(0.5, 0.0);
   for (int step = 0; step < 1000; ++step) EXPECT_FALSE(ask());

@@ -179,9 +179,24 @@ TEST_F(StandOffTest, ends_when_the_vehicle_has_left_the_zone) {
 
 TEST_F(StandOffTest, leaves_the_speed_to_yielding_once_that_holds_the_vehicle) {
   wait(100.0);
-  vehicles_[0].commanded = 0.3;
+  vehicles_[0].commanded = 0.1;
   EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}));
-  EXPECT_EQ(vehicles_[0].commanded, 0.3);
+  EXPECT_EQ(vehicles_[0].commanded, 0.1);
+}
+
+TEST_F(StandOffTest, creeps_past_too_where_yielding_lets_it_drive_and_sumo_does_not) {
+  for (const double told : {0.26, 2.6}) {
+    stand_offs_.emplace(zones_);
+    std::vector<SpeedOrder> orders;
+    for (time_ = 0.0; orders.empty() && time_ < 100.0; time_ += 0.1) {
+      vehicles_[0].commanded = told;
+      orders = step(0.1);
+    }
+    EXPECT_NEAR(time_, creep_after_, 0.1 + 1e-6);
+    const double speed = std::min(told, creep_);
+    EXPECT_THAT(orders, ElementsAre(SpeedOrder{"van", SpeedMode::kPass}, SpeedOrder{"van", speed}));
+    EXPECT_EQ(vehicles_[0].commanded, speed);
+  }
 }
 
 TEST_F(StandOffTest, is_none_while_yielding_holds_the_vehicle) {
@@ -237,6 +252,17 @@ TEST_F(StandOffTest, goes_from_passing_to_letting_go) {
   people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
   EXPECT_THAT(step(0.1),
               ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", 0.0}));
+}
+
+TEST_F(StandOffTest, brakes_for_people_no_harder_than_sumo_does_at_its_word) {
+  wait(100.0);
+  vehicles_[0].commanded = kOwnSpeed;
+  vehicles_[0].speed = 1.0;
+  people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
+  const auto orders = step(0.1);
+  ASSERT_THAT(orders, testing::SizeIs(2));
+  EXPECT_DOUBLE_EQ(std::get<double>(orders[1].what), 1.0 - vehicles_[0].traits.decel * 0.1);
+  EXPECT_TRUE(vehicles_[0].lets_go);
 }
 
 TEST_F(StandOffTest, looks_five_metres_ahead) {

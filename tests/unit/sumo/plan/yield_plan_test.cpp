@@ -63,6 +63,13 @@ TEST(FirstInWay, ignores_who_stands_close_beside_the_body) {
   EXPECT_FALSE(ahead_of(kStraight, {{-2.0, 1.3}, {0.0, 0.0}, 0.24}));
 }
 
+TEST(FirstInWay, ignores_who_squeezes_past_the_body_with_turned_shoulders) {
+  EXPECT_FALSE(ahead_of(kStraight, {{-2.0, 1.15}, {0.0, 0.0}, 0.24}));
+  EXPECT_TRUE(ahead_of(kStraight, {{0.5, 0.9}, {0.0, 0.0}, 0.24})) << "before the bumper";
+  const FleetVehicle turning = shuttle({{0.5, 0.0}, {0.5, 2.0}, {-30.0, 2.0}});
+  EXPECT_TRUE(ahead_of(turning, {{-1.5, -1.15}, {0.0, 0.0}, 0.24})) << "the rear swings there";
+}
+
 TEST(FirstInWay, tells_the_speed_along_the_way) {
   const auto found = ahead_of(kStraight, {{10.0, 0.0}, {1.2, 0.0}, 0.24});
   ASSERT_TRUE(found);
