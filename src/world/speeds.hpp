@@ -15,6 +15,10 @@ inline constexpr float kStaticSpeed = 0.05F;
 /// in front of it. Assumed: crawling is not driving.
 inline constexpr double kDrivingSpeed = 0.3;
 
+/// [m/s] no faster, a vehicle drives past people who have turned their shoulders since there is no
+/// other room beside it. Assumed: below what measures of conflicts call moving (0.5 m/s).
+inline constexpr double kSqueezeSpeed = 0.4;
+
 /// [m/s] slower, a body faces where it likes; faster, it faces where it goes. Assumed.
 inline constexpr double kFacingSpeed = 0.3;
 

@@ -43,8 +43,8 @@ Decision step_to(const Vec2& way, double heading, double speed) {
   return decision;
 }
 
-/// A standing vehicle as one sees it who wants to go past: u along its way, from -length/2 to
-/// length/2 beside the vehicle.
+/// A vehicle that stands, or creeps, as one sees it who wants to go past: u along its way, from
+/// -length/2 to length/2 beside the vehicle.
 class Passing {
  public:
   Passing(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle)
@@ -55,6 +55,8 @@ class Passing {
 
   std::optional<Decision> decide() const {
     if (std::abs(along(i_)) < kAlong || !in_reach()) return std::nullopt;
+    const bool stands = vehicle_.velocity.norm() < kStaticSpeed;
+    if (!stands && !beside()) return std::nullopt;  // nobody begins to
     const auto way = narrow_way();
     if (!way) return std::nullopt;
     const double entry = -frame_.half.x() - crowd_.persons.radius[i_];
@@ -160,24 +162,24 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
   return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
 }
 
-using StandingVehicles = std::vector<const VehicleState*>;
+using SlowVehicles = std::vector<const VehicleState*>;
 
-/// Vehicles that stand where people walk: those who drive are nothing to go past.
-StandingVehicles standing_on_ground(const CrowdState& crowd) {
-  StandingVehicles standing;
+/// Vehicles that stand or creep where people walk: those who drive are nothing to go past.
+SlowVehicles slow_on_ground(const CrowdState& crowd) {
+  SlowVehicles found;
   for (const VehicleState& vehicle : crowd.vehicles) {
-    const bool stands = vehicle.velocity.norm() < kStaticSpeed;
-    if (stands && !vehicle.apart) standing.push_back(&vehicle);
+    const bool is_slow = vehicle.velocity.norm() < kSqueezeSpeed + kStaticSpeed;
+    if (is_slow && !vehicle.apart) found.push_back(&vehicle);
   }
-  return standing;
+  return found;
 }
 
-/// The nearest vehicle that stands and is in the way decides.
-std::optional<Decision> decision_about_standing(const CrowdState& crowd, std::size_t i,
-                                                const StandingVehicles& standing) {
+/// The nearest vehicle that is in the way decides.
+std::optional<Decision> decision_about_slow(const CrowdState& crowd, std::size_t i,
+                                            const SlowVehicles& slow) {
   std::optional<Decision> decision;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const VehicleState* vehicle : standing) {
+  for (const VehicleState* vehicle : slow) {
     if (far_from(*vehicle, crowd.position(i))) continue;
     const double distance = distance_to(*vehicle, crowd.position(i));
     if (distance >= nearest) continue;
@@ -191,25 +193,24 @@ std::optional<Decision> decision_about_standing(const CrowdState& crowd, std::si
 
 /// What person i does about vehicles; nothing: what it has decided.
 std::optional<Decision> decision_about_vehicles(const CrowdState& crowd, std::size_t i,
-                                                const StandingVehicles& standing,
-                                                const Decision& decided) {
+                                                const SlowVehicles& slow, const Decision& decided) {
   std::optional<Decision> decision;
   visit_claims(crowd, i, [&](const VehicleState& vehicle, const auto& place) {
     if (!decision) decision = decision_about_claim(crowd, i, vehicle, place.has_value(), decided);
   });
-  return decision ? decision : decision_about_standing(crowd, i, standing);
+  return decision ? decision : decision_about_slow(crowd, i, slow);
 }
 
 }  // namespace
 
 void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
-  const StandingVehicles standing = standing_on_ground(crowd);
-  if (standing.empty() && crowd.claimants.empty()) return;
+  const SlowVehicles slow = slow_on_ground(crowd);
+  if (slow.empty() && crowd.claimants.empty()) return;
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;
       if (crowd.is_over(i)) continue;
-      const auto decision = decision_about_vehicles(crowd, i, standing, decisions[i]);
+      const auto decision = decision_about_vehicles(crowd, i, slow, decisions[i]);
       if (decision) decisions[i] = *decision;
     }
   });

@@ -53,9 +53,10 @@ Rectangle around(const VehicleState& vehicle) {
 }
 
 /// Where a body of `radius` at `here` gets out of the vehicle's way: towards the nearest exit that
-/// no wall bars; where all are barred, to the place with most room that it can get to.
+/// no wall bars, or where there is room for `least` [m] at least; where all are barred, to the
+/// place with most room that it can get to.
 Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& here, double radius,
-               double longest) {
+               double least, double longest) {
   const Rectangle frame = around(vehicle);
   const Vec2 local = frame.into_frame(here);
   Vec2 best = here;
@@ -66,10 +67,10 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
   for (const Vec2& exit : exits(frame, local, reach)) {
     Vec2 step = frame.out_of_frame(exit) - here;
     if (step.norm() > longest) step *= longest / step.norm();
-    const Vec2 at = walls.slide(here, here + step, radius);
+    const Vec2 at = walls.slide(here, here + step, least);
     const double room = frame.distance(at);
     const bool barred = (here + step - at).norm() > kNoGap;
-    if (room >= radius - kNoGap || !barred) return at;
+    if (room >= least - kNoGap || !barred) return at;
     if (room > best_room) {
       best = at;
       best_room = room;
@@ -78,14 +79,10 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
   return best;
 }
 
-/// [m] to which a vehicle gets to a body: past one that stands, people go with turned shoulders.
-/// One that creeps on comes no nearer to who is beside it so.
-double reach_of(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
-  const double turned = crowd.persons.present_radius[i], straight = crowd.persons.radius[i];
-  const double speed = vehicle.velocity.norm();
-  if (speed < kDrivingSpeed) return turned;
-  if (speed > crowd.zone.parameters.creep_speed + kStaticSpeed) return straight;
-  return std::clamp(distance_to(vehicle, crowd.position(i)), turned, straight);
+/// [m] to which a vehicle of less than `slow` [m/s] gets to a body with turned shoulders.
+double reach_of(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle, double slow) {
+  const bool turned = vehicle.velocity.norm() < slow;
+  return turned ? crowd.persons.present_radius[i] : crowd.persons.radius[i];
 }
 
 /// Lists who may be reached by which vehicle, ordered by person.
@@ -135,14 +132,17 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   const VehicleState& vehicle = crowd.vehicles[hit.vehicle];
   const VehicleState later = moved_on(vehicle, dt);
   const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
-  const double radius = reach_of(crowd, hit.person, vehicle);
-  const Vec2 at = moved_out(crowd.walls_of(hit.person), later, here, radius, longest);
+  // Past one that stands people go with turned shoulders. One that drives gets all the room that
+  // there is; where that is too little a slow one still passes who has turned.
+  const double radius = reach_of(crowd, hit.person, vehicle, kStaticSpeed);
+  const double least = reach_of(crowd, hit.person, vehicle, kSqueezeSpeed + kStaticSpeed);
+  const Vec2 at = moved_out(crowd.walls_of(hit.person), later, here, radius, least, longest);
   moves.x[hit.person] = at.x();
   moves.y[hit.person] = at.y();
   VehiclePush push{persons.key[hit.person], vehicle.key};
   push.way = (at - here).norm();
   push.speed = push.way / dt;
-  push.run_into = distance_to(later, at) < radius - kContact;
+  push.run_into = distance_to(later, at) < least - kContact;
   push.contact_speed = push.run_into ? vehicle.velocity.norm() : 0.0;
   push.position = at;
   return push;

@@ -126,6 +126,19 @@ double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> pe
   return std::min(safe, parameters.creep_speed);
 }
 
+/// Whether it stands or creeps, and somebody is beside its body, nearer than one could be who has
+/// not turned its shoulders.
+bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> people) {
+  if (vehicle.speed > kSqueezeSpeed + kStaticSpeed) return false;
+  const Rectangle body = body_of(vehicle);
+  return std::ranges::any_of(people, [&](const PersonAhead& person) {
+    const Vec2 to = person.position - vehicle.front;
+    if (to.norm() > vehicle.traits.length + vehicle.traits.width) return false;
+    return to.dot(unit(vehicle.heading)) < 0.0 &&
+           body.signed_distance(person.position) < person.radius;
+  });
+}
+
 }  // namespace
 
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
@@ -170,10 +183,12 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   if (zebra && (!ahead || *zebra <= ahead->distance)) {
     if (const auto order = give_way(vehicle, *zebra, safe_speeds, dt)) return order;
   }
+  const double most = is_squeezed_past(vehicle, people) ? kSqueezeSpeed : vehicle.allowed_speed;
   if (!ahead) {
     vehicle.creeping = false;
     vehicle.blocked_time = 0.0;
-    return let_go(vehicle, dt);
+    if (most >= vehicle.allowed_speed) return let_go(vehicle, dt);
+    return comfortable_order(vehicle, most, dt);
   }
   const bool is_commanded = vehicle.commanded >= 0.0;
   const bool by_traffic = is_commanded && vehicle.commanded > vehicle.speed + kObeyed;
@@ -188,6 +203,7 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
     safe = std::max(safe,
                     speed_beside(vehicle, people, *ahead, distance, parameters, safe_speeds, dt));
   }
+  safe = std::min(safe, most);
   if (safe >= vehicle.allowed_speed) return let_go(vehicle, dt);
   // People who made room for one that traffic holds would wait for nothing, and for each other.
   vehicle.slowed = by_traffic ? 0.0 : vehicle.slowed + dt;

@@ -6,6 +6,7 @@
 #include "crowd/sense/side_room.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
 #include "scene.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone::test {
 namespace {
@@ -77,12 +78,12 @@ TEST(SteppingAside, a_parked_vehicle_is_passed_in_the_same_way) {
   }
 }
 
-TEST(SteppingAside, who_squeezes_past_a_vehicle_is_not_run_into_where_it_begins_to_creep) {
+TEST(SteppingAside, who_squeezes_past_a_vehicle_is_not_run_into_where_it_creeps_on) {
   NarrowStreet street(0.35, 0.0);
   street.add({3.0, 0.0}, {-20.0, 0.0});
   while (street.view(0).position.x() > -1.0) street.run(0.1);
   ASSERT_LT(street.least_distance_so_far(), 0.9 * kRadius) << "it has turned";
-  street.drive_on(0.25);
+  street.drive_on(kSqueezeSpeed);
   street.run(3.0);
   EXPECT_LT(street.view(0).position.x(), -2.0);
   EXPECT_FALSE(street.runs_into_anybody());

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include "world/speeds.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -289,6 +291,25 @@ TEST(PlanYield, claims_no_room_in_a_junction_that_it_stays_out_of) {
     EXPECT_TRUE(vehicle.creeping);
     EXPECT_GT(vehicle.claim, 0.0) << "it enters";
   }
+}
+
+TEST(PlanYield, drives_slowly_past_who_squeezes_past_with_turned_shoulders) {
+  const auto speed_beside = [](const Vec2& place, double at_first = 0.0) {
+    const EvenBraking own;
+    FleetVehicle vehicle = driving(at_first);
+    std::optional<YieldOrder> order;
+    for (int step = 0; step < 20; ++step) {  // it gathers speed; where it is stays the same
+      order = plan_yield(vehicle, std::vector{PersonAhead{place, {0.0, 0.0}, 0.24}}, Parameters(),
+                         own.speeds(), 0.1);
+      vehicle.speed += vehicle.traits.accel * 0.1;
+      if (order) vehicle.speed = vehicle.commanded = order->speed;
+    }
+    return vehicle.speed;
+  };
+  EXPECT_NEAR(speed_beside({-2.0, 1.0 + 0.15}), kSqueezeSpeed, 1e-9);
+  EXPECT_GT(speed_beside({-2.0, 1.0 + 0.25}), 4.0) << "beside it with straight shoulders";
+  EXPECT_GT(speed_beside({-5.0, 0.0}), 4.0) << "behind it";
+  EXPECT_GT(speed_beside({-2.0, 1.0 + 0.15}, 8.0), 8.0) << "who stands at the kerb";
 }
 
 TEST(PlanYield, creeps_past_those_who_have_stepped_aside_once_it_was_slowed) {
