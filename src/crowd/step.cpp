@@ -126,6 +126,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   restrain_adults(crowd, restraints);
   restrain_crossings(crowd, restraints);
   restraints.apply(crowd.decisions);
+  list_slow_vehicles(crowd, crowd.slow_vehicles);
   step_aside(crowd, crowd.decisions);
   lead_by_hand(crowd, crowd.decisions);
 

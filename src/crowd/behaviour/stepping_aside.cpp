@@ -162,28 +162,16 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
   return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
 }
 
-using SlowVehicles = std::vector<const VehicleState*>;
-
-/// Vehicles that stand or creep where people walk: those who drive are nothing to go past.
-SlowVehicles slow_on_ground(const CrowdState& crowd) {
-  SlowVehicles found;
-  for (const VehicleState& vehicle : crowd.vehicles) {
-    const bool is_slow = vehicle.velocity.norm() < kSqueezeSpeed + kStaticSpeed;
-    if (is_slow && !vehicle.apart) found.push_back(&vehicle);
-  }
-  return found;
-}
-
 /// The nearest vehicle that is in the way decides.
-std::optional<Decision> decision_about_slow(const CrowdState& crowd, std::size_t i,
-                                            const SlowVehicles& slow) {
+std::optional<Decision> decision_about_slow(const CrowdState& crowd, std::size_t i) {
   std::optional<Decision> decision;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const VehicleState* vehicle : slow) {
-    if (far_from(*vehicle, crowd.position(i))) continue;
-    const double distance = distance_to(*vehicle, crowd.position(i));
+  for (const std::uint32_t v : crowd.slow_vehicles) {
+    const VehicleState& vehicle = crowd.vehicles[v];
+    if (far_from(vehicle, crowd.position(i))) continue;
+    const double distance = distance_to(vehicle, crowd.position(i));
     if (distance >= nearest) continue;
-    if (const auto passing = Passing(crowd, i, *vehicle).decide()) {
+    if (const auto passing = Passing(crowd, i, vehicle).decide()) {
       decision = passing;
       nearest = distance;
     }
@@ -193,24 +181,32 @@ std::optional<Decision> decision_about_slow(const CrowdState& crowd, std::size_t
 
 /// What person i does about vehicles; nothing: what it has decided.
 std::optional<Decision> decision_about_vehicles(const CrowdState& crowd, std::size_t i,
-                                                const SlowVehicles& slow, const Decision& decided) {
+                                                const Decision& decided) {
   std::optional<Decision> decision;
   visit_claims(crowd, i, [&](const VehicleState& vehicle, const auto& place) {
     if (!decision) decision = decision_about_claim(crowd, i, vehicle, place.has_value(), decided);
   });
-  return decision ? decision : decision_about_slow(crowd, i, slow);
+  return decision ? decision : decision_about_slow(crowd, i);
 }
 
 }  // namespace
 
+void list_slow_vehicles(const CrowdState& crowd, std::vector<std::uint32_t>& slow) {
+  slow.clear();
+  for (std::uint32_t v = 0; v < crowd.vehicles.size(); ++v) {
+    const VehicleState& vehicle = crowd.vehicles[v];
+    const bool is_slow = vehicle.velocity.norm() < kSqueezeSpeed + kStaticSpeed;
+    if (is_slow && !vehicle.apart) slow.push_back(v);
+  }
+}
+
 void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
-  const SlowVehicles slow = slow_on_ground(crowd);
-  if (slow.empty() && crowd.claimants.empty()) return;
+  if (crowd.slow_vehicles.empty() && crowd.claimants.empty()) return;
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;
       if (crowd.is_over(i)) continue;
-      const auto decision = decision_about_vehicles(crowd, i, slow, decisions[i]);
+      const auto decision = decision_about_vehicles(crowd, i, decisions[i]);
       if (decision) decisions[i] = *decision;
     }
   });

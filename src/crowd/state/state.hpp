@@ -137,7 +137,7 @@ struct CrowdState {
   ByHandle<PathMemory> paths;
   ByHandle<JamMemory> jams;
   ByHandle<CrossingMemory> crossings;  ///< empty where the zone has no streets to cross
-  std::size_t grouped = 0;  ///< how many walkers have a group
+  std::size_t grouped = 0;             ///< how many walkers have a group
 
   Clock clock;
 
@@ -145,7 +145,8 @@ struct CrowdState {
   Attention attention;                   ///< where people differ in what they perceive
   bool perception_varies = false;        ///< they do
   std::vector<std::uint32_t> claimants;  ///< vehicles that claim room, those first that come first
-  std::vector<GroupMember> members;      ///< of groups, by group and key
+  std::vector<std::uint32_t> slow_vehicles;  ///< where people walk: those one can squeeze past
+  std::vector<GroupMember> members;          ///< of groups, by group and key
   Proposals proposals;
   std::vector<Decision> decisions;
   Restraints restraints;
@@ -159,8 +160,8 @@ struct CrowdState {
   std::vector<VehiclePush> pushes;          ///< of this step, by person and vehicle
   std::vector<CrossingBegun> crossings_begun;  ///< in this step
   std::vector<StreetTraffic> street_traffic;   ///< of each of the zone's streets
-  bool solid_vehicles = true;               ///< bodies are kept out of vehicles
-  bool kept_out = false;                    ///< one ever was
+  bool solid_vehicles = true;                  ///< bodies are kept out of vehicles
+  bool kept_out = false;                       ///< one ever was
 
   Ways ways() { return {walkers, paths, crossings, jams, persons}; }
 

@@ -2,7 +2,9 @@
 //
 // The recipe is the only one of many measured that neither aborts SUMO 1.15 nor strands anybody:
 //   take over   on an ordinary edge of the zone, in a walking stage: moveToXY with no edge and
-//               matchThreshold -1 in every step, so that SUMO's lane model skips the person;
+//               matchThreshold -1 in every step, so that SUMO's lane model skips the person.
+//               From a walking area it ends SUMO after the release ("Disconnected walk"), also
+//               with moveTo the edge's lane first: it keeps the inner edge (tried);
 //   leave       in the hand-over step no moveToXY, but moveTo the last lane. If SUMO still has the
 //               person on that very lane, first a hop over another lane, since a move to the same
 //               lane does not enter the lane's list again;
