@@ -19,6 +19,9 @@ inline constexpr double kDrivingSpeed = 0.3;
 /// other room beside it. Assumed: below what measures of conflicts call moving (0.5 m/s).
 inline constexpr double kSqueezeSpeed = 0.4;
 
+/// Whether people squeeze past a vehicle of that speed [m/s]; a little more is rounding.
+constexpr bool lets_squeeze_past(double speed) { return speed < kSqueezeSpeed + kStaticSpeed; }
+
 /// [m/s] slower, a body faces where it likes; faster, it faces where it goes. Assumed.
 inline constexpr double kFacingSpeed = 0.3;
 

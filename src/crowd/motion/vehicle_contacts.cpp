@@ -79,12 +79,6 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
   return best;
 }
 
-/// [m] to which a vehicle of less than `slow` [m/s] gets to a body with turned shoulders.
-double reach_of(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle, double slow) {
-  const bool turned = vehicle.velocity.norm() < slow;
-  return turned ? crowd.persons.present_radius[i] : crowd.persons.radius[i];
-}
-
 /// Lists who may be reached by which vehicle, ordered by person.
 void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits) {
   const Persons& persons = crowd.persons;
@@ -134,8 +128,10 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
   // Past one that stands people go with turned shoulders. One that drives gets all the room that
   // there is; where that is too little a slow one still passes who has turned.
-  const double radius = reach_of(crowd, hit.person, vehicle, kStaticSpeed);
-  const double least = reach_of(crowd, hit.person, vehicle, kSqueezeSpeed + kStaticSpeed);
+  const double straight = persons.radius[hit.person], turned = persons.present_radius[hit.person];
+  const double speed = vehicle.velocity.norm();
+  const double radius = speed < kStaticSpeed ? turned : straight;
+  const double least = lets_squeeze_past(speed) ? turned : straight;
   const Vec2 at = moved_out(crowd.walls_of(hit.person), later, here, radius, least, longest);
   moves.x[hit.person] = at.x();
   moves.y[hit.person] = at.y();

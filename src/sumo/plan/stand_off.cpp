@@ -76,8 +76,8 @@ StandOffs::Way StandOffs::go_on(StandOff& one, const FleetVehicle& vehicle, Way 
   return Way::kWait;
 }
 
-/// From what the vehicle did to what it does now. `commanded`: Yielding has told it a speed, which
-/// stays.
+/// From what the vehicle did to what it does now. `commanded`: Yielding has told it a speed; it
+/// creeps past no faster, and that speed stays where it does no more.
 void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool commanded, double dt,
                      std::vector<SpeedOrder>& orders) const {
   if (before == Way::kPass && now != before) orders.push_back({vehicle.id, SpeedMode::kDefault});

@@ -126,16 +126,19 @@ double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> pe
   return std::min(safe, parameters.creep_speed);
 }
 
+/// Whether the front is past the point.
+bool is_past(const FleetVehicle& vehicle, const Vec2& point) {
+  return (point - vehicle.front).dot(unit(vehicle.heading)) < 0.0;
+}
+
 /// Whether it stands or creeps, and somebody is beside its body, nearer than one could be who has
 /// not turned its shoulders.
 bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> people) {
-  if (vehicle.speed > kSqueezeSpeed + kStaticSpeed) return false;
+  if (!lets_squeeze_past(vehicle.speed)) return false;
   const Rectangle body = body_of(vehicle);
   return std::ranges::any_of(people, [&](const PersonAhead& person) {
-    const Vec2 to = person.position - vehicle.front;
-    if (to.norm() > vehicle.traits.length + vehicle.traits.width) return false;
-    return to.dot(unit(vehicle.heading)) < 0.0 &&
-           body.signed_distance(person.position) < person.radius;
+    return body.signed_distance(person.position) < person.radius &&
+           is_past(vehicle, person.position);
   });
 }
 
@@ -159,8 +162,7 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
     // Beside the body already and not before it: passed, unless the rear will swing over them.
     // Who has turned its shoulders and squeezes past is nearer than its disc: no nearer then.
     const double beside = body.signed_distance(person.position) - kTouch;
-    const Vec2 to = person.position - vehicle.front;
-    if (to.dot(unit(vehicle.heading)) < 0.0 &&
+    if (is_past(vehicle, person.position) &&
         !contact_distance(vehicle, person.position, std::min(person.radius, beside), distance)) {
       continue;
     }
