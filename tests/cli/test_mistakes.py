@@ -43,6 +43,11 @@ MISTAKES = [
     ("run tiny.sumocfg -seed 7",
      "pedzone run: '-seed' is no option; allowed: those of `pedzone run --help`. "
      "Did you mean '--seed'?"),
+    ("run tiny.sumocfg --sed 7 -- --no-warnings true",
+     "pedzone run: '--sed' is no option; allowed: those of `pedzone run --help`. "
+     "Did you mean '--seed'?"),
+    ("run tiny.sumocfg more -- --no-warnings true",
+     f"pedzone run: 'more' is no option of SUMO; allowed: {RUN}"),
     ("run tiny.sumocfg --wheather rain",
      "pedzone run: '--wheather' is no option; allowed: those of `pedzone run --help`"),
     ("plot run.csv --oput a.svg",

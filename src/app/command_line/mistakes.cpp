@@ -84,14 +84,20 @@ InputError mistake_of(const CLI::Option& option, const CLI::ParseError& error) {
   }
 }
 
-/// The command that was given words which it does not expect; null: there is none.
+/// The command that was given words which it does not expect; null: there is none. After a word too
+/// many before `--`, CLI11 leaves what stands after `--` to the command above: the innermost knows.
 const CLI::App* command_with_extras(const CLI::App& app) {
-  const CLI::App* command = &app;
-  while (command->remaining().empty()) {
-    if (command->get_subcommands().empty()) return nullptr;
-    command = command->get_subcommands().front();
+  const CLI::App* puzzled = nullptr;
+  for (const CLI::App* command = &app;; command = command->get_subcommands().front()) {
+    if (!command->remaining().empty()) puzzled = command;
+    if (command->get_subcommands().empty()) return puzzled;
   }
-  return command;
+}
+
+/// Throws InputError where the word too many was taken for one that SUMO is given.
+void refuse_word_before_dashes(const CLI::App& command) {
+  const CLI::Option* words = command.get_option_no_throw(kSumoOptions);
+  if (words != nullptr) require_sumo_words(command, words->results());
 }
 
 }  // namespace
@@ -107,6 +113,9 @@ InputError mistake(const CLI::App& app, const CLI::ParseError& error) {
   // odd.
   const bool odd = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ValidationError);
   const CLI::App* puzzled = odd ? nullptr : command_with_extras(app);
+  if (puzzled != nullptr && puzzled != &chosen_command(app)) {
+    refuse_word_before_dashes(chosen_command(app));
+  }
   if (puzzled != nullptr) return unexpected_word(*puzzled, puzzled->remaining().front());
   const std::string text = error.what();
   const CLI::App& command = chosen_command(app);
