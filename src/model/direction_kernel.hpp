@@ -21,6 +21,7 @@ struct PersonSlots {
   const float* turned_radius;   ///< [m]
   const float* present_radius;  ///< [m]
   const float *hx, *hy;         ///< unit vector of the heading
+  float broadest;               ///< [m] largest of the radii
 };
 
 /// Slots are looked at in groups of this many.
@@ -36,7 +37,8 @@ struct Sight {
   std::int32_t x, y;  ///< lattice, the person
   float heading_cos, heading_sin;
   float field_cos;      ///< of the half field of view
-  float reach, near;    ///< [m] d_max; who is within `near` is told apart
+  float reach;          ///< [m] d_max
+  float soon;           ///< [s] who can be touched within this is told apart
   float radius;         ///< [m] of the person's body
   float turned_radius;  ///< [m]
   Shoulders shoulders;  ///< as it holds them in what it looks for
@@ -50,8 +52,10 @@ inline constexpr std::size_t kFarGroup = 2 * kObstacleGroup;
 
 /// Room for persons who are seen: as many as there are slots to look at, and two groups more.
 struct SeenSpace {
-  float *x, *y, *vx, *vy, *free;  ///< while they are picked out; free [m²]: p² − R², softened
-  DiscGroup* discs;               ///< what comes of them, filled up to two groups
+  float *x, *y, *vx, *vy;  ///< while they are picked out: places seen from the person, velocities
+  float *radius, *turned;  ///< [m]
+  float *hx, *hy;          ///< headings, read where shoulders depend on them
+  DiscGroup* discs;        ///< what comes of them, filled up to two groups
 };
 
 /// How many discs there are in either space.
@@ -142,7 +146,7 @@ struct DirectionPrices {
 struct DirectionKernel {
   const char* name;
   /// Those of the groups whom the person sees and could touch within its horizon, near and far.
-  /// `met`, room for as many groups, or null: the groups of these alone.
+  /// `met`, room for as many groups, or null: groups that hold all of these.
   Seen (*see)(const PersonSlots& slots, std::span<const SlotGroup> groups, const Sight& sight,
               const SeenSpace& near, const SeenSpace& far, SlotGroup* met);
   /// The best of the directions [first, first + count) and of `best`, which may be none

@@ -62,6 +62,7 @@ void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, doub
   cell_.resize(size_);
   point_.resize(size_);
   bounds_ = {0, 0, -1, -1};
+  broadest_ = 0.0F;
   if (size_ == 0) return;
 
   for (std::size_t i = 0; i < size_; ++i) {
@@ -98,6 +99,7 @@ void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, doub
     speed2_[slot] = vx_[slot] * vx_[slot] + vy_[slot] * vy_[slot];
     radius_[slot] = static_cast<float>(persons.radius[i]);
     turned_[slot] = static_cast<float>(persons.turned_radius[i]);
+    broadest_ = std::max({broadest_, radius_[slot], turned_[slot]});
     present_[slot] = static_cast<float>(persons.present_radius[i]);
     const SineCosine heading = sine_cosine(wrapped(persons.heading[i]));
     hx_[slot] = static_cast<float>(heading.cos);

@@ -30,8 +30,8 @@ class PersonGrid {
   const LatticeBox& bounds() const { return bounds_; }
 
   PersonSlots slots() const {
-    return {x_.data(),      y_.data(),      vx_.data(),      vy_.data(), speed2_.data(),
-            radius_.data(), turned_.data(), present_.data(), hx_.data(), hy_.data()};
+    return {x_.data(),      y_.data(),       vx_.data(), vy_.data(), speed2_.data(), radius_.data(),
+            turned_.data(), present_.data(), hx_.data(), hy_.data(), broadest_};
   }
   std::size_t size() const { return size_; }
 
@@ -59,6 +59,7 @@ class PersonGrid {
   std::vector<std::uint32_t> cell_;        ///< of each person, while sorting
   std::vector<LatticePoint> point_;
   std::vector<std::int32_t> x_, y_;  ///< by slot, as the rest
+  float broadest_ = 0.0F;            ///< [m] largest of the radii
   std::vector<float> vx_, vy_, speed2_, radius_, turned_, present_, hx_, hy_;
 };
 

@@ -44,6 +44,8 @@ struct Float4 {
   friend Float4 more(Float4 a, Float4 b) { return {_mm_cmpgt_ps(a.v, b.v)}; }
   friend Float4 both(Float4 a, Float4 b) { return {_mm_and_ps(a.v, b.v)}; }
   friend Float4 either(Float4 a, Float4 b) { return {_mm_or_ps(a.v, b.v)}; }
+  /// a where b is not true.
+  friend Float4 without(Float4 a, Float4 b) { return {_mm_andnot_ps(b.v, a.v)}; }
   /// Bit i: lane i is true.
   friend std::uint32_t bits(Float4 a) { return static_cast<std::uint32_t>(_mm_movemask_ps(a.v)); }
   friend float largest(Float4 a) {
@@ -115,6 +117,7 @@ struct Float8 {
   friend Float8 more(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
   friend Float8 both(Float8 a, Float8 b) { return {_mm256_and_ps(a.v, b.v)}; }
   friend Float8 either(Float8 a, Float8 b) { return {_mm256_or_ps(a.v, b.v)}; }
+  friend Float8 without(Float8 a, Float8 b) { return {_mm256_andnot_ps(b.v, a.v)}; }
   friend std::uint32_t bits(Float8 a) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(a.v));
   }

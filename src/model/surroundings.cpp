@@ -6,9 +6,9 @@
 namespace pedzone {
 namespace {
 
-/// [m] persons so near are tried on many directions at once, since they decide most of them.
-/// Numerical, by timing.
-constexpr float kNearReach = 2.5F;
+/// [s] persons whom some direction meets so soon are tried on many directions at once, since they
+/// decide most of them. Numerical, by timing.
+constexpr float kSoon = 1.3F;
 /// [m] by which walls are longer at both ends, so that nobody slips through a joint of two that are
 /// in line. Numerical: far above rounding, far below a body.
 constexpr float kOverlap = 1e-3F;
@@ -27,7 +27,7 @@ Sight sight_of(const Walker& walker, const Senses& senses, const Shoulders& shou
   sight.horizon = senses.sight / walker.speed;
   sight.static_reach = walker.static_reach;
   sight.reach = senses.sight;
-  sight.near = std::min(kNearReach, senses.sight);
+  sight.soon = std::min(kSoon, sight.horizon);
   return sight;
 }
 
@@ -61,10 +61,11 @@ Seen Surroundings::see(const PersonGrid& grid, std::span<const SlotGroup> groups
 SeenSpace Surroundings::Room::space(std::size_t persons, DiscList& discs) {
   const std::size_t needed = persons + 2 * kObstacleGroup;
   if (x.size() < needed) {
-    for (auto* array : {&x, &y, &vx, &vy, &free}) array->resize(needed);
+    for (auto* array : {&x, &y, &vx, &vy, &radius, &turned, &hx, &hy}) array->resize(needed);
   }
   discs.reserve(persons + kObstacleGroup);
-  return {x.data(), y.data(), vx.data(), vy.data(), free.data(), discs.groups.data()};
+  return {x.data(),      y.data(),  vx.data(), vy.data(),          radius.data(),
+          turned.data(), hx.data(), hy.data(), discs.groups.data()};
 }
 
 Surroundings::Segment Surroundings::segment_of(const WallFace& wall, const LatticePoint& at) {

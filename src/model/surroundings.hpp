@@ -74,7 +74,7 @@ class Surroundings {
 
   /// Room for persons while they are picked out.
   struct Room {
-    std::vector<float> x, y, vx, vy, free;
+    std::vector<float> x, y, vx, vy, radius, turned, hx, hy;
     SeenSpace space(std::size_t persons, DiscList& discs);
   };
 
