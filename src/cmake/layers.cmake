@@ -6,8 +6,7 @@ target_compile_features(pedzone_flags INTERFACE cxx_std_20)
 # Same bits on every build of one instruction set: no contraction of a*b+c behind our back.
 target_compile_options(pedzone_flags INTERFACE -ffp-contract=off)
 set(PEDZONE_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-    # GCC 12 warns falsely about std::string + const char* (GCC bug 105651).
-    -Wno-restrict -Wno-stringop-overflow)
+    -Wno-restrict)  # GCC 12 warns falsely about std::string + const char* (GCC bug 105651)
 if(PEDZONE_WERROR)
   list(APPEND PEDZONE_WARNINGS -Werror)
 endif()
@@ -22,28 +21,17 @@ if(PEDZONE_SANITIZE)
   add_link_options(-fsanitize=${PEDZONE_SANITIZE})
 endif()
 
-include(${CMAKE_CURRENT_LIST_DIR}/read_once.cmake)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-pedzone_read_once(pedzone_layer_headers)
-set_target_properties(pedzone_layer_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
-
-# pedzone_layer(NAME SOURCES a.cpp ... OPTIONS options... DEPENDS targets... PRIVATE_DEPENDS targets...)
-# OPTIONS are the compiler's. DEPENDS appear in the layer's public headers, PRIVATE_DEPENDS only in
-# its sources.
+# pedzone_layer(NAME SOURCES a.cpp ... DEPENDS targets... PRIVATE_DEPENDS targets...)
+# DEPENDS appear in the layer's public headers, PRIVATE_DEPENDS only in its sources.
 function(pedzone_layer name)
-  cmake_parse_arguments(LAYER "" "" "SOURCES;OPTIONS;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(LAYER "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target pedzone_${name})
   add_library(${target} STATIC ${LAYER_SOURCES})
   add_library(pedzone::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pedzone>)
-  target_compile_options(${target} PRIVATE ${PEDZONE_WARNINGS} ${LAYER_OPTIONS})
-  if(LAYER_OPTIONS)
-    target_precompile_headers(${target} PRIVATE ${PEDZONE_COMMON_HEADERS})
-  else()
-    target_precompile_headers(${target} REUSE_FROM pedzone_layer_headers)
-  endif()
+  target_compile_options(${target} PRIVATE ${PEDZONE_WARNINGS})
   target_link_libraries(${target} PUBLIC pedzone_flags ${LAYER_DEPENDS}
                         PRIVATE ${LAYER_PRIVATE_DEPENDS})
   set_property(GLOBAL APPEND PROPERTY PEDZONE_LAYERS ${target})

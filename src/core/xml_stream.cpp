@@ -88,8 +88,7 @@ double XmlElement::number(std::string_view attribute, const NumberRange& range) 
 
 InputError XmlElement::error(const std::string& problem, std::string_view attribute,
                              std::string_view given, const std::string& allowed) const {
-  std::string element = "<";
-  element += name_;
+  std::string element = "<" + std::string(name_);
   const auto id = value("id");
   if (id && attribute != "id") element += " id=\"" + std::string(*id) + "\"";
   element += ">";

@@ -36,9 +36,8 @@ void add_streets(const Network& network, const Draft& draft, Zone& zone) {
   const Selection& selection = draft.parts.selection;
   zone.streets = find_streets(network, selection.edges, selection.lanes, zone.walkable);
   if (zone.streets.empty()) {
-    zone.warnings.emplace_back(
-        "crossing=\"anywhere\" changes nothing: none of the zone's streets has "
-        "ground for people on both sides");
+    zone.warnings.push_back("crossing=\"anywhere\" changes nothing: none of the zone's streets has "
+                            "ground for people on both sides");
     return;
   }
   for (const auto& link : linked_across(network, zone.streets, selection.edges)) {

@@ -161,7 +161,7 @@ void append_person(pugi::xml_node routes, const Candidate& candidate, int number
   while (person.remove_child("stop")) {
   }
   std::string id = candidate.node.attribute("id").value();
-  if (candidate.flow) id.append(".").append(std::to_string(number));
+  if (candidate.flow) id += "." + std::to_string(number);
   person.attribute("id").set_value(id.c_str());
   person.remove_attribute("depart");
   person.append_attribute("depart") = fmt::format("{:.2f}", depart).c_str();

@@ -204,8 +204,7 @@ SumoOptions with_absolute_files(const SumoOptions& options, const Study& study) 
     const std::string& value = options.words()[i + 1];
     std::string list;
     for (const std::string& file : split_file_list(value)) {
-      if (!list.empty()) list += ',';
-      list += study.resolve(file);
+      list += (list.empty() ? "" : ",") + study.resolve(file);
     }
     resolved.set(name, names_input_files(name) ? list : value);
   }

@@ -173,7 +173,7 @@ SlurmArray submit_array(const std::string& results, const std::vector<std::strin
   array.per_task = std::max(options.per_task, (runs.size() + most - 1) / most);
   array.tasks = write_chunks(array.folder, runs, array.per_task);
   write(array.folder + "/task.sh",
-        script(task, fmt::format(" {}\"$SLURM_ARRAY_TASK_ID\"", shell_word(array.folder + "/"))));
+        script(task, " " + shell_word(array.folder + "/") + "\"$SLURM_ARRAY_TASK_ID\""));
   write(array.folder + "/aggregate.sh", script(aggregate));
   try {
     submit_both(results, options, array);
