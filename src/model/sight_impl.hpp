@@ -2,7 +2,8 @@
 // instruction set; everything is a template on the vector (see direction_kernel_impl.hpp).
 //
 // Left out is who cannot be touched before the horizon T: somebody no faster than V touches at some
-// t ≤ T only if |p + v·t| ≤ R + V·t, and then |p + v·T| ≤ R + V·T.
+// t ≤ T only if |p + v·t| ≤ R + V·t, and then |p + v·T| ≤ R + V·T. First, for all slots, R is more
+// than any contact distance; how far apart two touch is asked for those that are left.
 #pragma once
 
 #include <cstddef>

@@ -113,12 +113,12 @@ InputError mistake(const CLI::App& app, const CLI::ParseError& error) {
   // odd.
   const bool odd = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ValidationError);
   const CLI::App* puzzled = odd ? nullptr : command_with_extras(app);
-  if (puzzled != nullptr && puzzled != &chosen_command(app)) {
-    refuse_word_before_dashes(chosen_command(app));
-  }
-  if (puzzled != nullptr) return unexpected_word(*puzzled, puzzled->remaining().front());
-  const std::string text = error.what();
   const CLI::App& command = chosen_command(app);
+  if (puzzled != nullptr) {
+    if (puzzled != &command) refuse_word_before_dashes(command);
+    return unexpected_word(*puzzled, puzzled->remaining().front());
+  }
+  const std::string text = error.what();
   const CLI::Option* option = option_named(command, text.substr(0, text.find(' ')));
   if (option != nullptr) return mistake_of(*option, error);
   return {text, {.element = command_name(command)}};
