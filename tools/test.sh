@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installs what is missing, builds with warnings as errors, and runs the tests.
+# Installs what is missing, builds, and runs the tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tools/fingerprint.sh
@@ -8,7 +8,7 @@ usage() {
   cat <<'TEXT'
 usage: tools/test.sh [--long] [--again] [-- OPTIONS OF ctest]
 
-Installs what is missing, builds in build/ with warnings as errors, and runs the tests.
+Installs what is missing, builds in build/, and runs the tests.
   --long    also those that take long: the property test over 1,000,000 person-steps, many seeds,
             all tests in a root of the other Debian (12 or 13; only root can make it), and the unit
             tests under sanitizers: all of them for memory, those with threads for data races
@@ -40,9 +40,7 @@ run_tests() {
   shift
   dir=build-$build
   [[ "$build" != release ]] || dir=build
-  [[ -f "$dir/build.ninja" ]] || cmake --preset "$build" -D PEDZONE_WERROR=ON
-  grep -q '^PEDZONE_WERROR:BOOL=ON' "$dir/CMakeCache.txt" ||
-    cmake --preset "$build" -D PEDZONE_WERROR=ON
+  [[ -f "$dir/build.ninja" ]] || cmake --preset "$build"
   cmake --build --preset "$build"
   for preset in "$@"; do
     saved=$dir/tests-passed-$preset

@@ -130,8 +130,9 @@ void OutputFiles::begin(Simulation& simulation) {
     edge_data_->begin(simulation.network(), simulation.zones(), simulation.time());
   }
   if (!tracker_) return;
-  simulation.observe([this](const Scene& scene) {
-    tracker_->step(scene.time, scene.persons, scene.vehicles, scene.aware, over_);
+  simulation.observe([this](const Observation& observation) {
+    tracker_->step(observation.time, observation.persons, observation.vehicles, observation.aware,
+                   over_);
   });
 }
 

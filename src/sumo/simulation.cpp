@@ -159,8 +159,8 @@ struct Simulation::Parts {
   RunTotals totals;
   StuckWatch stuck{zones, crowds, takeover, *session};
   GuiView gui;
-  SceneReader scene{fleet, takeover, crowds, session->persons()};
-  std::function<void(const Scene&)> observer;
+  ObservationReader reader{fleet, takeover, crowds, session->persons()};
+  std::function<void(const Observation&)> observer;
   bool stepped = false;  ///< SUMO has done a step
   bool lost = false;     ///< it is there no more
   std::vector<std::string> stranded;
@@ -200,7 +200,7 @@ void Simulation::Parts::read(double dt) {
   totals.observe(fleet, takeover);
   stuck.update(session->time());
   // SUMO's outputs name a step by the time at which it began.
-  if (observer && stepped) observer(scene.read(session->time() - dt));
+  if (observer && stepped) observer(reader.read(session->time() - dt));
 }
 
 void Simulation::Parts::send(const std::vector<SpeedOrder>& orders) {
@@ -275,7 +275,7 @@ bool Simulation::finished() const {
   return end >= 0.0 ? parts_->session->time() >= end : parts_->session->nobody_left();
 }
 
-void Simulation::observe(std::function<void(const Scene&)> observer) {
+void Simulation::observe(std::function<void(const Observation&)> observer) {
   parts_->observer = std::move(observer);
 }
 

@@ -9,8 +9,8 @@
 
 #include "sumo/calls/own_sumo.hpp"
 #include "sumo/calls/session.hpp"
+#include "sumo/live/observation.hpp"
 #include "sumo/live/run_totals.hpp"
-#include "sumo/live/scene.hpp"
 #include "zone/vehicle_path.hpp"
 
 namespace pedzone {
@@ -51,7 +51,7 @@ class Simulation {
   void step();
   /// From now on shows every step of SUMO's, as soon as its outcome is read: the last one with
   /// close(). One observer; it must not call the simulation.
-  void observe(std::function<void(const Scene&)> observer);
+  void observe(std::function<void(const Observation&)> observer);
   /// Whether SUMO's end time is reached, or, without one, nobody is left.
   bool finished() const;
   /// Ends SUMO so that its outputs are complete. One that was joined goes on, with its people

@@ -9,12 +9,12 @@ namespace pedzone::verify {
 
 // Flow
 
-void FlowLine::look(const Scene& scene) {
-  const auto& people = scene.people();
+void FlowLine::look(const Trial& trial) {
+  const auto& people = trial.people();
   for (std::size_t i = 0; i < people.size(); ++i) {
-    const Walker& walker = people[i];
-    if (!walker.here && walker.arrival < scene.time() - kStep / 2.0) continue;
-    look(i, walker.before, walker.at, scene.time());
+    const Participant& participant = people[i];
+    if (!participant.here && participant.arrival < trial.time() - kStep / 2.0) continue;
+    look(i, participant.before, participant.at, trial.time());
   }
 }
 
@@ -65,10 +65,10 @@ void add_beyond_ends(const Period& period, std::vector<Vec2>& points, std::vecto
 
 }  // namespace
 
-void AreaMeasure::look(const Scene& scene, const std::function<Vec2(const Walker&)>& way) {
-  if (!scene.at_every(every_)) return;
-  const auto& people = scene.people();
-  const bool measure = scene.time() >= from_ && then_.size() == people.size();
+void AreaMeasure::look(const Trial& trial, const std::function<Vec2(const Participant&)>& way) {
+  if (!trial.at_every(every_)) return;
+  const auto& people = trial.people();
+  const bool measure = trial.time() >= from_ && then_.size() == people.size();
   std::vector<Vec2> points;
   std::vector<double> speeds;
   for (std::size_t i = 0; i < people.size() && measure; ++i) {
@@ -77,9 +77,9 @@ void AreaMeasure::look(const Scene& scene, const std::function<Vec2(const Walker
     const Vec2 velocity = (people[i].moved - then_[i]) / every_;
     speeds.push_back(way ? velocity.dot(way(people[i])) : velocity.norm());
   }
-  if (measure && scene.period()) add_beyond_ends(*scene.period(), points, speeds);
+  if (measure && trial.period()) add_beyond_ends(*trial.period(), points, speeds);
   if (measure) {
-    const VoronoiCells cells(scene.zone().walkable, points);
+    const VoronoiCells cells(trial.zone().walkable, points);
     const double density = cells.density(area_);
     density_ += density;
     ++moments_;
@@ -99,12 +99,12 @@ DensityMap::DensityMap(const Vec2& low, const Vec2& high, double cell)
       rows_(static_cast<std::size_t>(std::ceil((high.y() - low.y()) / cell - 1e-9))),
       sums_(columns_ * rows_) {}
 
-void DensityMap::look(const Scene& scene) {
-  if (!scene.at_every(1.0)) return;
+void DensityMap::look(const Trial& trial) {
+  if (!trial.at_every(1.0)) return;
   ++moments_;
-  for (const Walker& walker : scene.people()) {
-    if (!walker.here) continue;
-    const Vec2 place = (walker.at - low_) / cell_;
+  for (const Participant& participant : trial.people()) {
+    if (!participant.here) continue;
+    const Vec2 place = (participant.at - low_) / cell_;
     if (place.x() < 0.0 || place.y() < 0.0) continue;
     const auto column = static_cast<std::size_t>(place.x());
     const auto row = static_cast<std::size_t>(place.y());
@@ -164,8 +164,8 @@ int lane_count(std::span<const LanePlace> people, double low, double high, doubl
   return lanes;
 }
 
-void Turns::look(const Scene& scene) {
-  const auto& people = scene.people();
+void Turns::look(const Trial& trial) {
+  const auto& people = trial.people();
   angles_.resize(people.size());
   most_.resize(people.size());
   for (std::size_t i = 0; i < people.size(); ++i) {
@@ -180,8 +180,8 @@ double Turns::most() const {
   return most_.empty() ? 0.0 : *std::ranges::max_element(most_) / (2.0 * kPi);
 }
 
-void Jolts::look(const Scene& scene) {
-  const std::vector<Walker>& people = scene.people();
+void Jolts::look(const Trial& trial) {
+  const std::vector<Participant>& people = trial.people();
   moved_.resize(people.size(), Vec2::Zero());
   stopped_.resize(people.size(), 0);
   for (std::size_t i = 0; i < people.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "verify/scene.hpp"
+#include "verify/trial.hpp"
 
 namespace pedzone::verify {
 
@@ -15,8 +15,8 @@ class FlowLine {
  public:
   FlowLine(const Vec2& a, const Vec2& b) : a_(a), b_(b) {}
 
-  /// After every step of the scene.
-  void look(const Scene& scene);
+  /// After every step of the trial.
+  void look(const Trial& trial);
   /// The step from `before` to `at` of one person, which ends at `time` [s].
   void look(std::size_t person, const Vec2& before, const Vec2& at, double time);
 
@@ -42,7 +42,7 @@ class AreaMeasure {
       : area_(std::move(area)), from_(from), every_(every) {}
 
   /// After every step. Speeds: displacement over `every`; where `way` is given, along it.
-  void look(const Scene& scene, const std::function<Vec2(const Walker&)>& way = {});
+  void look(const Trial& trial, const std::function<Vec2(const Participant&)>& way = {});
 
   double density() const { return moments_ > 0 ? density_ / moments_ : 0.0; }  ///< [1/m²]
   /// [m/s] by area and, between moments, by the number of people there.
@@ -52,7 +52,7 @@ class AreaMeasure {
  private:
   Ring area_;
   double from_, every_;
-  std::vector<Vec2> then_;  ///< [m] Walker::moved at the moment before
+  std::vector<Vec2> then_;  ///< [m] Participant::moved at the moment before
   double density_ = 0.0, speed_ = 0.0, weight_ = 0.0;
   int moments_ = 0;
 };
@@ -70,7 +70,7 @@ class DensityMap {
  public:
   DensityMap(const Vec2& low, const Vec2& high, double cell = 0.5);
   /// After every step: adds a moment each second.
-  void look(const Scene& scene);
+  void look(const Trial& trial);
 
   /// Means over moments.
   GridMap grid() const;
@@ -104,7 +104,7 @@ class Jolts {
   static constexpr double kJolt = 0.5;  ///< [m/s] assumed: in 0.1 s twice what braking explains
 
   /// After every step.
-  void look(const Scene& scene);
+  void look(const Trial& trial);
   /// Share [1] of all people to whom it happened.
   double share() const;
 
@@ -117,7 +117,7 @@ class Jolts {
 class Turns {
  public:
   explicit Turns(const Vec2& centre) : centre_(centre) {}
-  void look(const Scene& scene);
+  void look(const Trial& trial);
   double most() const;
 
  private:

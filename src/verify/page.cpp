@@ -141,7 +141,7 @@ Json point_list(const Points& points) {
   return list;
 }
 
-Json chart_json(const Chart& chart) {
+Json chart_json(const ChartSpec& chart) {
   Json references = Json::array(), band = Json::array();
   for (const Reference& reference : chart.references) {
     references.push_back({{"name", reference.name},

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "core/random.hpp"
-#include "verify/scene.hpp"
+#include "verify/trial.hpp"
 
 namespace pedzone::verify {
 namespace {

@@ -20,7 +20,7 @@ using Points = std::vector<Point>;
 /// What the cases of one test give for one model and one seed.
 struct Outcome {
   std::map<std::string, double> figures;  ///< by FigureSpec::key
-  std::map<std::string, Points> curves;   ///< by Chart::key
+  std::map<std::string, Points> curves;   ///< by ChartSpec::key
   std::optional<GridMap> map;
 };
 
@@ -61,7 +61,7 @@ struct Reference {
   bool joined = true;  ///< drawn as a line, not as points
 };
 
-struct Chart {
+struct ChartSpec {
   std::string key, title, x_title, y_title;
   std::vector<Reference> references;
   Points band_low, band_high;  ///< what passes lies between; may be empty
@@ -90,7 +90,7 @@ struct StandardTest {
   /// walls and bodies alone, which the crowd keeps apart for every model, bring people through.
   bool behaviour = true;
   std::vector<FigureSpec> figures;
-  std::vector<Chart> charts;
+  std::vector<ChartSpec> charts;
   Drawing drawing;
   std::string map_of =
       {};                 ///< a sentence on which of the cases the density map shows; may be empty

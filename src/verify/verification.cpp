@@ -109,7 +109,7 @@ TestResult judged(const StandardTest& test, std::vector<Outcome> seeds) {
     result.figures.push_back(figure_result(spec, seeds, figure_of(medians, spec.key)));
     result.passed = result.passed && result.figures.back().passed;
   }
-  for (const Chart& chart : test.charts) result.curves.push_back(curve_of(chart.key, seeds));
+  for (const ChartSpec& chart : test.charts) result.curves.push_back(curve_of(chart.key, seeds));
   result.map = seeds.front().map;
   return result;
 }

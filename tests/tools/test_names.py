@@ -70,6 +70,20 @@ class Names(unittest.TestCase):
         double = {name: sorted(files) for name, files in places.items() if len(files) > 1}
         self.assertEqual(double, {})
 
+    def test_no_two_layers_have_types_of_one_name(self):
+        """What a header shows beside other types has its name alone, whatever its namespace."""
+        named = defaultdict(set)
+        for path in sources("src"):
+            types = types_of(path.read_text(encoding="utf-8")) if path.suffix == ".hpp" else []
+            outer = {name for name, _ in types}
+            for name, _ in types:
+                space, _, last = name.rpartition("::")
+                # `remembered` has SUMO's own names on purpose.
+                if space not in outer and space != "pedzone::remembered":
+                    named[last].add(name)
+        self.assertGreater(len(named), 100)
+        self.assertEqual({last: names for last, names in named.items() if len(names) > 1}, {})
+
 
 # Folders inside a layer that is one library, in the order of who may include whom.
 FOLDERS = {"crowd": ["crowd/state", "crowd/sense", "crowd/behaviour", "crowd/motion"]}

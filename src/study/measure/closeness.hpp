@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "study/measure/walkers.hpp"
+#include "study/measure/pedestrians.hpp"
 
 namespace pedzone::study {
 
@@ -35,8 +35,8 @@ class ClosenessMeter {
  public:
   explicit ClosenessMeter(const Trips& trips);
 
-  /// Of each walker in a step, `dt` [s] after the one before. Valid until the next call.
-  std::span<const Closeness> of(double dt, std::span<const Walker> walkers);
+  /// Of each pedestrian in a step, `dt` [s] after the one before. Valid until the next call.
+  std::span<const Closeness> of(double dt, std::span<const Pedestrian> pedestrians);
 
  private:
   struct Near {
@@ -47,12 +47,12 @@ class ClosenessMeter {
     double time = 0.0;       ///< [s] up to that step
   };
 
-  bool stands_long(double dt, const Walker& walker);
-  void count_near(std::span<const Walker> walkers);
+  bool stands_long(double dt, const Pedestrian& pedestrian);
+  void count_near(std::span<const Pedestrian> pedestrians);
 
   std::uint64_t step_ = 0;
   std::vector<Standing> standing_;    ///< as Trips::persons
-  std::vector<std::uint32_t> order_;  ///< walkers of this step by x
+  std::vector<std::uint32_t> order_;  ///< pedestrians of this step by x
   std::vector<char> stuck_;           ///< of this step
   std::vector<Near> near_;
   std::vector<Closeness> closeness_;

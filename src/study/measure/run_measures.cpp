@@ -42,7 +42,7 @@ class Observer {
   Observer(const std::string& folder, const Trips& trips, const Place& place, double free_share)
       : folder_(folder),
         stays_(trips, place.network, place.zones),
-        walkers_(trips),
+        pedestrians_(trips),
         walks_(trips, place.zones, free_share),
         crossings_(place.zones),
         closeness_meter_(trips),
@@ -54,9 +54,9 @@ class Observer {
   void step(double time, std::span<const PersonSample> persons,
             std::span<const VehicleSample> vehicles) {
     step_ = {step_.number + 1, time, step_.number > 0 ? time - step_.time : 0.0};
-    const std::span<const Walker> walkers = walkers_.at(time, persons);
+    const std::span<const Pedestrian> pedestrians = pedestrians_.at(time, persons);
     series_.step(step_, vehicles);
-    count_present(stays_.step(step_, walkers, closeness_meter_.of(step_.dt, walkers)));
+    count_present(stays_.step(step_, pedestrians, closeness_meter_.of(step_.dt, pedestrians)));
     stops_.step(vehicles);
     crossings_.step(time, step_.dt, persons, vehicles);
     tracker_.step(time, persons, vehicles, {}, over_);
@@ -84,7 +84,7 @@ class Observer {
  private:
   void count_present(std::span<const Presence> present) {
     for (const Presence& presence : present) {
-      if (presence.step.dt > 0.0) grid_.add(presence.walker.at, presence.step.dt);
+      if (presence.step.dt > 0.0) grid_.add(presence.pedestrian.at, presence.step.dt);
       walks_.add(presence);
       crowding_.add(presence);
       series_.add(presence);
@@ -126,7 +126,7 @@ class Observer {
 
   std::string folder_;
   ZoneStays stays_;
-  Walkers walkers_;
+  Pedestrians pedestrians_;
   ZoneWalks walks_;
   StreetCrossings crossings_;
   ClosenessMeter closeness_meter_;

@@ -39,7 +39,7 @@ void RunSeries::add(const Presence& presence) {
   if (!presence.walks()) return;
   const double begin = begin_of_window(presence.step.time);
   const auto window = std::ranges::lower_bound(windows_, begin, {}, &Window::begin);
-  add(window->persons, presence.step.dt, presence.walker.speed, presence.closeness.density);
+  add(window->persons, presence.step.dt, presence.pedestrian.speed, presence.closeness.density);
 }
 
 void RunSeries::add(Sums& sums, double dt, double speed, double density) {

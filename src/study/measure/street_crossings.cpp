@@ -39,7 +39,7 @@ void StreetWatch::pass(double time, double from, double to) {
     }
   }
   for (auto entry = awaited_.begin(); entry != awaited_.end();) {
-    const Pedestrian& pedestrian = people_.at(entry->first);
+    const Watched& pedestrian = people_.at(entry->first);
     const bool passed = (pedestrian.s - from) * (pedestrian.s - to) <= 0.0 && from != to;
     if (passed) all_[entry->second].gap = time - pedestrian.ready;
     entry = passed ? awaited_.erase(entry) : std::next(entry);
@@ -64,7 +64,7 @@ void StreetWatch::note_passes(double time, std::span<const VehicleSample> vehicl
 }
 
 /// It is on the ground of one side: has it come from the other?
-void StreetWatch::stand_on(double time, Side side, Pedestrian& pedestrian, const std::string& id) {
+void StreetWatch::stand_on(double time, Side side, Watched& pedestrian, const std::string& id) {
   const bool crossed = pedestrian.side != Side::kUnknown && pedestrian.side != side;
   if (crossed) {
     SeenCrossing crossing{
@@ -79,7 +79,7 @@ void StreetWatch::stand_on(double time, Side side, Pedestrian& pedestrian, const
     from_.push_back(pedestrian.side);
   }
   if (crossed || pedestrian.on_road) {
-    const Pedestrian before = std::exchange(pedestrian, {});
+    const Watched before = std::exchange(pedestrian, {});
     pedestrian.s = before.s;  // where the next vehicle is awaited
     pedestrian.ready = before.ready;
   }
@@ -117,7 +117,7 @@ void StreetWatch::step(double time, double dt, std::span<const PersonSample> per
     if (at.t < place.low - kKerb || at.t > place.high + kKerb) continue;
     const std::string id(person.id);
     const auto [entry, is_new] = people_.try_emplace(id);
-    Pedestrian& pedestrian = entry->second;
+    Watched& pedestrian = entry->second;
     if (at.t > place.low + kOnRoad && at.t < place.high - kOnRoad) {
       if (pedestrian.side == Side::kUnknown) continue;
       if (!pedestrian.on_road) pedestrian.s = at.s;

@@ -40,7 +40,7 @@ class StreetWatch {
  private:
   enum class Side { kUnknown, kLow, kHigh };
   /// Somebody who has been beside the street.
-  struct Pedestrian {
+  struct Watched {
     Side side = Side::kUnknown;  ///< of the ground where it was last
     double since = 0.0;          ///< [s] on that side
     bool on_road = false;
@@ -55,11 +55,11 @@ class StreetWatch {
 
   void note_passes(double time, std::span<const VehicleSample> vehicles);
   void pass(double time, double from, double to);
-  void stand_on(double time, Side side, Pedestrian& pedestrian, const std::string& id);
+  void stand_on(double time, Side side, Watched& pedestrian, const std::string& id);
   void count_conflict(const Conflict& conflict, Side from, SeenCrossing& crossing) const;
 
   const Street* street_;
-  std::unordered_map<std::string, Pedestrian> people_;
+  std::unordered_map<std::string, Watched> people_;
   std::unordered_map<std::string, double> fronts_;        ///< [m] s of vehicles in the last step
   std::unordered_map<std::string, std::size_t> awaited_;  ///< of who has crossed, in all_: whose
                                                           ///< next vehicle is still to come

@@ -1,6 +1,6 @@
 #include "study/measure/vehicle_stops.hpp"
 
-#include "study/measure/walkers.hpp"
+#include "study/measure/pedestrians.hpp"
 
 namespace pedzone::study {
 

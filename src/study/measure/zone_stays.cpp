@@ -20,12 +20,13 @@ int ZoneStays::where(std::string_view edge) const {
   return found == zone_of_edge_.end() ? kOutside : found->second;
 }
 
-std::span<const Presence> ZoneStays::step(const RunStep& step, std::span<const Walker> walkers,
+std::span<const Presence> ZoneStays::step(const RunStep& step,
+                                          std::span<const Pedestrian> pedestrians,
                                           std::span<const Closeness> closeness) {
   known_.clear();
-  for (std::size_t i = 0; i < walkers.size(); ++i) {
-    Person& person = persons_[walkers[i].person];
-    const int now = where(walkers[i].edge);
+  for (std::size_t i = 0; i < pedestrians.size(); ++i) {
+    Person& person = persons_[pedestrians[i].person];
+    const int now = where(pedestrians[i].edge);
     if (person.stays.empty() || person.stays.back().where != now) {
       person.stays.push_back({step.time, now});
     }
@@ -33,8 +34,8 @@ std::span<const Presence> ZoneStays::step(const RunStep& step, std::span<const W
     if (!same_zone) person.junction.clear();
     if (now != kJunction) person.last_edge = now;
     if (person.last_edge == kOutside) continue;
-    Presence presence{step, walkers[i], person.last_edge, closeness[i]};
-    presence.walker.edge = {};
+    Presence presence{step, pedestrians[i], person.last_edge, closeness[i]};
+    presence.pedestrian.edge = {};
     person.junction.push_back(presence);
     if (now != kJunction) settle(person);
   }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "study/measure/closeness.hpp"
-#include "study/measure/walkers.hpp"
+#include "study/measure/pedestrians.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone::study {
@@ -26,12 +26,12 @@ struct RunStep {
 /// Somebody in a zone in a step.
 struct Presence {
   RunStep step;
-  Walker walker;  ///< whose edge is empty
-  int zone = 0;   ///< index
+  Pedestrian pedestrian;  ///< whose edge is empty
+  int zone = 0;           ///< index
   Closeness closeness;
 
   /// Neither waits for a ride nor stops as planned.
-  bool walks() const { return walker.walk != nullptr; }
+  bool walks() const { return pedestrian.walk != nullptr; }
 };
 
 class ZoneStays {
@@ -39,9 +39,9 @@ class ZoneStays {
   /// `trips` and `network` must outlive it.
   ZoneStays(const Trips& trips, const Network& network, const std::vector<Zone>& zones);
 
-  /// Takes in a step, with the `closeness` of each walker. Returns what is known now and was not
-  /// before: each person's presences in the order of time. Valid until the next call.
-  std::span<const Presence> step(const RunStep& step, std::span<const Walker> walkers,
+  /// Takes in a step, with the `closeness` of each pedestrian. Returns what is known now and was
+  /// not before: each person's presences in the order of time. Valid until the next call.
+  std::span<const Presence> step(const RunStep& step, std::span<const Pedestrian> pedestrians,
                                  std::span<const Closeness> closeness);
 
   /// After the last step: of those who are in a junction to the end. They came from the zone.

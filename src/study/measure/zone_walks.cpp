@@ -38,12 +38,12 @@ void ZoneWalks::Amount::add(const Amount& other) {
 
 void ZoneWalks::add(const Presence& presence) {
   if (!presence.walks()) return;
-  const Walker& walker = presence.walker;
-  Person& person = persons_[walker.person];
+  const Pedestrian& pedestrian = presence.pedestrian;
+  Person& person = persons_[pedestrian.person];
   person.visitor = true;
   if (person.visit) {
     const Presence& last = person.visit->last;
-    const bool goes_on = last.zone == presence.zone && last.walker.walk == walker.walk &&
+    const bool goes_on = last.zone == presence.zone && last.pedestrian.walk == pedestrian.walk &&
                          last.step.number + 1 == presence.step.number;
     if (!goes_on) close(person);
   }
@@ -52,9 +52,9 @@ void ZoneWalks::add(const Presence& presence) {
     return;
   }
   const double dt = presence.step.dt;
-  const double walked = (walker.at - person.visit->last.walker.at).norm();
+  const double walked = (pedestrian.at - person.visit->last.pedestrian.at).norm();
   person.visit->amount.add(
-      {dt, walker.speed < kHaltingSpeed ? dt : 0.0, walked, walker.speed * dt});
+      {dt, pedestrian.speed < kHaltingSpeed ? dt : 0.0, walked, pedestrian.speed * dt});
   person.visit->last = presence;
 }
 
@@ -63,12 +63,12 @@ void ZoneWalks::close(Person& person) {
   const Visit visit = *std::exchange(person.visit, {});
   person.total.add(visit.amount);
   const WayFinder& ways = zones_[static_cast<std::size_t>(visit.first.zone)].ways;
-  const double shortest = shortest_way(ways, visit.first.walker.at, visit.last.walker.at);
+  const double shortest = shortest_way(ways, visit.first.pedestrian.at, visit.last.pedestrian.at);
   if (!std::isfinite(shortest)) return;
   person.shortest += shortest;
   person.walked += visit.amount.walked;
   person.delay = person.delay.value_or(0.0) + visit.amount.time -
-                 shortest / (visit.first.walker.walk->max_speed * free_share_);
+                 shortest / (visit.first.pedestrian.walk->max_speed * free_share_);
 }
 
 void ZoneWalks::finish(std::map<std::string, double>& values) {

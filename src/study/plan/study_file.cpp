@@ -83,9 +83,9 @@ class Reader {
 
   /// Everything ends up in JSON and HTML, which know no other encoding.
   void check_encoding() const {
-    struct Walker : pugi::xml_tree_walker {
+    struct Visitor : pugi::xml_tree_walker {
       const XmlFile& file;
-      explicit Walker(const XmlFile& of) : file(of) {}
+      explicit Visitor(const XmlFile& of) : file(of) {}
       bool for_each(pugi::xml_node& node) override {
         for (const pugi::xml_attribute& attribute : node.attributes()) {
           if (!is_utf8(attribute.value())) {
@@ -94,10 +94,10 @@ class Reader {
         }
         return true;
       }
-    } walker(file_);
+    } visitor(file_);
     pugi::xml_node root = file_.root();
-    walker.for_each(root);
-    root.traverse(walker);
+    visitor.for_each(root);
+    root.traverse(visitor);
   }
 
   void read_seeds(const pugi::xml_node& root) {

@@ -118,7 +118,7 @@ std::string still(const Recording& recording, const Place& place, const Encounte
       {.title = title, .area = grown(box, kBesideStill), .every = 1.0, .narrow = true});
 }
 
-Scene scene_of(const Plan& plan, const Encounter& encounter, const Place& place) {
+ReportScene scene_of(const Plan& plan, const Encounter& encounter, const Place& place) {
   const auto& [run, folder, conflict, moment, rank, count] = encounter;
   const Vec2 reach(kReach, kReach);
   const Box area(moment.position - reach, moment.position + reach);
@@ -128,7 +128,7 @@ Scene scene_of(const Plan& plan, const Encounter& encounter, const Place& place)
                       .end = moment.time + kAround},
                      run_cast(plan, run, folder));
   const Recording near = clipped(recording, area);
-  Scene scene;
+  ReportScene scene;
   scene.title = fmt::format("{}: {}", run.model, danger(conflict));
   scene.caption = caption(plan, encounter, recording);
   scene.page = animation_page(
@@ -143,9 +143,9 @@ class EncounterScenes {
   EncounterScenes(const Store& store, const Plan& plan, const Records& records, RunPlaces& places)
       : store_(store), plan_(plan), records_(records), places_(places) {}
 
-  std::vector<Scene> of_model(const std::string& model) const {
+  std::vector<ReportScene> of_model(const std::string& model) const {
     const EncounterChoice choice = all_of(model);
-    std::vector<Scene> scenes;
+    std::vector<ReportScene> scenes;
     for (const EncounterChoice::Place& place : choice.most_dangerous(kMost, kApart)) {
       const PlannedRun& run = plan_.runs[place.run];
       const Conflict conflict = conflict_at(place);
@@ -207,12 +207,12 @@ class EncounterScenes {
 
 }  // namespace
 
-std::vector<Scene> encounter_scenes(const Store& store, const Plan& plan, const Records& records,
-                                    RunPlaces& places) {
+std::vector<ReportScene> encounter_scenes(const Store& store, const Plan& plan,
+                                          const Records& records, RunPlaces& places) {
   const EncounterScenes all(store, plan, records, places);
-  std::vector<Scene> scenes;
+  std::vector<ReportScene> scenes;
   for (const std::string& model : plan.study.models) {
-    for (Scene& scene : all.of_model(model)) scenes.push_back(std::move(scene));
+    for (ReportScene& scene : all.of_model(model)) scenes.push_back(std::move(scene));
   }
   return scenes;
 }

@@ -34,7 +34,7 @@ class MedianScene {
       : store_(store), plan_(plan), records_(records), places_(places), pair_(pair) {}
 
   /// Unset where outputs are missing or broken.
-  std::optional<Scene> make() const {
+  std::optional<ReportScene> make() const {
     const auto window =
         busiest_window({file(pair_.reference, "series.csv"), file(pair_.model, "series.csv")});
     if (!window) return std::nullopt;
@@ -43,7 +43,7 @@ class MedianScene {
     const Recording reference = read(pair_.reference, *window, area);
     const Recording model = read(pair_.model, *window, area);
     const std::string &left = run(pair_.reference).model, &right = run(pair_.model).model;
-    Scene scene;
+    ReportScene scene;
     scene.title =
         fmt::format("{}: {} beside {}, seed {}", condition().name, left, right, pair_.seed);
     scene.caption = caption(*window);
@@ -117,9 +117,9 @@ class MedianScene {
 
 }  // namespace
 
-std::vector<Scene> median_scenes(const Store& store, const Plan& plan, const Records& records,
-                                 RunPlaces& places) {
-  std::vector<Scene> scenes;
+std::vector<ReportScene> median_scenes(const Store& store, const Plan& plan, const Records& records,
+                                       RunPlaces& places) {
+  std::vector<ReportScene> scenes;
   for (std::size_t s = 0; s < plan.study.scenarios.size(); ++s) {
     const auto condition = middle_condition(plan, records, s);
     if (!condition) continue;

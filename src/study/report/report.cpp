@@ -76,9 +76,9 @@ Json conditions(const Input& input, const Json& maps, const Json& lines) {
   return all;
 }
 
-Json scene_list(const std::vector<Scene>& scenes) {
+Json scene_list(const std::vector<ReportScene>& scenes) {
   Json all = Json::array();
-  for (const Scene& one : scenes) {
+  for (const ReportScene& one : scenes) {
     all.push_back(
         {{"index", all.size()},
          {"title", one.title},
@@ -171,12 +171,12 @@ std::string report_page(const Store& store, const Plan& plan, const Records& rec
   using namespace report;
   const Input input{store, plan, records, comparisons, speeds};
   const Json lines = series(input), crossing_gaps = gaps(input);
-  const std::vector<Scene> scenes = report_scenes(store, plan, records);
+  const std::vector<ReportScene> scenes = report_scenes(store, plan, records);
   Json data = page_data(input, lines, crossing_gaps);
   data["scenes"] = scene_list(scenes);
   data["played"] = !scenes.empty();
   Json pages = Json::array();
-  for (const Scene& one : scenes) pages.push_back(one.page);
+  for (const ReportScene& one : scenes) pages.push_back(one.page);
   return rendered_page({kReportPage, kReportStyles, kReportScripts}, data,
                        script_data(input, lines, crossing_gaps),
                        {{"scene_pages", script_json(pages)}});

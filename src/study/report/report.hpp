@@ -14,7 +14,7 @@ std::string report_page(const Store& store, const Plan& plan, const Records& rec
                         const std::vector<FreeSpeed>& speeds);
 
 /// A part of the page that plays: an animation's page, to be put into a frame.
-struct Scene {
+struct ReportScene {
   std::string title;    ///< plain text
   std::string caption;  ///< plain text: what one sees, and by which rule it was chosen
   std::string page;     ///< HTML of view/animation
@@ -24,6 +24,7 @@ struct Scene {
 
 /// The run of the median seed, the reference beside each other model, per scenario; and the most
 /// dangerous encounters of each model. Missing outputs leave theirs out.
-std::vector<Scene> report_scenes(const Store& store, const Plan& plan, const Records& records);
+std::vector<ReportScene> report_scenes(const Store& store, const Plan& plan,
+                                       const Records& records);
 
 }  // namespace pedzone::study

@@ -3,10 +3,11 @@
 
 namespace pedzone::study {
 
-std::vector<Scene> report_scenes(const Store& store, const Plan& plan, const Records& records) {
+std::vector<ReportScene> report_scenes(const Store& store, const Plan& plan,
+                                       const Records& records) {
   RunPlaces places(plan);
-  std::vector<Scene> scenes = median_scenes(store, plan, records, places);
-  for (Scene& scene : encounter_scenes(store, plan, records, places))
+  std::vector<ReportScene> scenes = median_scenes(store, plan, records, places);
+  for (ReportScene& scene : encounter_scenes(store, plan, records, places))
     scenes.push_back(std::move(scene));
   return scenes;
 }

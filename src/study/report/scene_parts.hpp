@@ -10,11 +10,11 @@ namespace pedzone::study {
 
 /// For each scenario and each model but the reference: the pair of runs of the median seed in the
 /// middle condition side by side, in its busiest window.
-std::vector<Scene> median_scenes(const Store& store, const Plan& plan, const Records& records,
-                                 RunPlaces& places);
+std::vector<ReportScene> median_scenes(const Store& store, const Plan& plan, const Records& records,
+                                       RunPlaces& places);
 
 /// For each model its most dangerous encounters in the zones in the whole study.
-std::vector<Scene> encounter_scenes(const Store& store, const Plan& plan, const Records& records,
-                                    RunPlaces& places);
+std::vector<ReportScene> encounter_scenes(const Store& store, const Plan& plan,
+                                          const Records& records, RunPlaces& places);
 
 }  // namespace pedzone::study

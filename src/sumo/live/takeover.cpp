@@ -117,11 +117,11 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
     const int left = sumo_.stages_left(guest.id);
     if (!is_due(guest.watch, time, left)) continue;
     note_look(guest.watch, time, left);
-    const Finding found = what_happened(guest.watch, plan_of(guest.id), guest.position,
-                                        [&] { return sumo_.position(guest.id); });
-    guest.gone = found != Finding::kUnchanged;
-    if (found == Finding::kMoved) moved.push_back(guest.id);
-    if (found == Finding::kReplanned) replanned.emplace_back(guest.id, guest.position);
+    const GuestFinding found = what_happened(guest.watch, plan_of(guest.id), guest.position,
+                                             [&] { return sumo_.position(guest.id); });
+    guest.gone = found != GuestFinding::kUnchanged;
+    if (found == GuestFinding::kMoved) moved.push_back(guest.id);
+    if (found == GuestFinding::kReplanned) replanned.emplace_back(guest.id, guest.position);
   }
   drop_gone();
   for (const std::string& id : moved) let_others_walk(id, false, time);

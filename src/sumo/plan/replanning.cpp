@@ -18,10 +18,11 @@ void note_look(PlanWatch& watch, double time, int stages_left) {
   watch.stages_left = stages_left;
 }
 
-Finding what_happened(const PlanWatch& watch, std::size_t plan, const Vec2& told,
-                      const std::function<Vec2()>& place) {
-  if (plan != watch.plan) return Finding::kReplanned;
-  return (place() - told).norm() > kPlaceTolerance ? Finding::kMoved : Finding::kUnchanged;
+GuestFinding what_happened(const PlanWatch& watch, std::size_t plan, const Vec2& told,
+                           const std::function<Vec2()>& place) {
+  if (plan != watch.plan) return GuestFinding::kReplanned;
+  return (place() - told).norm() > kPlaceTolerance ? GuestFinding::kMoved
+                                                   : GuestFinding::kUnchanged;
 }
 
 bool may_be_given_back(PlanWatch& watch, std::size_t plan) {

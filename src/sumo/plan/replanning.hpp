@@ -24,7 +24,7 @@ bool is_due(const PlanWatch& watch, double time, int stages_left);
 void note_look(PlanWatch& watch, double time, int stages_left);
 
 /// What a look at a person finds.
-enum class Finding {
+enum class GuestFinding {
   kUnchanged,  ///< it walks on
   kMoved,      ///< another program has put it elsewhere: it is left to that program
   kReplanned,  ///< it has another plan: it is taken over anew, if that leads through the zone
@@ -33,8 +33,8 @@ enum class Finding {
 /// SUMO's plan for the person has number `plan` now. `told` [m]: where SUMO was told to have it.
 /// `place` [m]: where SUMO has it; asked only where the plan is the same, since with another plan
 /// SUMO moves the person itself.
-Finding what_happened(const PlanWatch& watch, std::size_t plan, const Vec2& told,
-                      const std::function<Vec2()>& place);
+GuestFinding what_happened(const PlanWatch& watch, std::size_t plan, const Vec2& told,
+                           const std::function<Vec2()>& place);
 
 /// Whether a person that has arrived may be given back. SUMO's plan for it has number `plan` now.
 /// Where that is another one, or nobody has looked at it yet, it is looked at in the next step.

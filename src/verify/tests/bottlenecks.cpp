@@ -41,16 +41,16 @@ std::string key_at(double width) { return fmt::format("flow-{:.1f}", width); }
 Outcome run_width(double length, const RunInput& input, std::size_t index) {
   const Bottleneck place{kWidths[index], length};
   constexpr double kMost = 400.0;  // [s] assumed: a quarter of the flow expected is no flow
-  Scene scene(place.ground(true), input);
+  Trial trial(place.ground(true), input);
   const Destination out = line_at_x(length + kAway, -kHalf + 0.5, kHalf - 0.5);
   const Vec2 low(-place.depth() - 0.5 + kBodyRadius, -kHalf), high(-kBodyRadius, kHalf);
-  for (const Vec2& at : places_in(low, high, place.people(), input.seed)) scene.add(at, out);
+  for (const Vec2& at : places_in(low, high, place.people(), input.seed)) trial.add(at, out);
   const double middle = 0.1;
   FlowLine line({middle, place.width / 2}, {middle, -place.width / 2});
   DensityMap map({-6.0, -kHalf}, {length + 4.0, kHalf}, 0.25);
-  scene.run(kMost, [&] {
-    line.look(scene);
-    map.look(scene);
+  trial.walk(kMost, [&] {
+    line.look(trial);
+    map.look(trial);
   });
   Outcome outcome;
   const double flow = line.flow() / place.width;

@@ -27,10 +27,10 @@ struct CornerRun {
   std::size_t people;
 };
 
-void fill(Scene& scene, const CornerRun& run) {
+void fill(Trial& trial, const CornerRun& run) {
   const Vec2 low(kBodyRadius, 0.0), high(run.start, run.corner.width);
-  for (const Vec2& at : places_in(low, high, run.people, scene.seed())) {
-    scene.add(at, run.corner.end());
+  for (const Vec2& at : places_in(low, high, run.people, trial.seed())) {
+    trial.add(at, run.corner.end());
   }
 }
 
@@ -64,13 +64,13 @@ StandardTest rimea_6() {
   test.drawing = drawing_of(run);
   test.run = [](const RunInput& input, std::size_t) {
     constexpr double kMost = 120.0;
-    Scene scene(corner.ground(), input);
-    fill(scene, run);
-    scene.run(kMost);
+    Trial trial(corner.ground(), input);
+    fill(trial, run);
+    trial.walk(kMost);
     Outcome outcome;
-    outcome.figures["outside"] = static_cast<double>(scene.outside());
-    outcome.figures["arrived"] = static_cast<double>(scene.arrived());
-    outcome.figures["time"] = scene.last_arrival(kMost);
+    outcome.figures["outside"] = static_cast<double>(trial.outside());
+    outcome.figures["arrived"] = static_cast<double>(trial.arrived());
+    outcome.figures["time"] = trial.last_arrival(kMost);
     return outcome;
   };
   return test;
@@ -96,17 +96,17 @@ StandardTest corner_flow() {
   const Vec2 right(corner.outer(), y), left(corner.arm, y);
   test.drawing.lines.push_back({left, right});
   test.run = [=](const RunInput& input, std::size_t) {
-    Scene scene(corner.ground(), input);
-    fill(scene, run);
+    Trial trial(corner.ground(), input);
+    fill(trial, run);
     FlowLine line(left, right);
     DensityMap map({corner.arm - 8.0, 0.0}, {corner.outer(), corner.width + 8.0}, 0.25);
-    scene.run(300.0, [&] {
-      line.look(scene);
-      map.look(scene);
+    trial.walk(300.0, [&] {
+      line.look(trial);
+      map.look(trial);
     });
     Outcome outcome;
     outcome.figures["flow"] = line.flow() / corner.width;
-    outcome.figures["arrived"] = static_cast<double>(scene.arrived());
+    outcome.figures["arrived"] = static_cast<double>(trial.arrived());
     outcome.map = map.grid();
     return outcome;
   };
@@ -124,18 +124,18 @@ Outcome run_rimea_15(const RunInput& input, std::size_t index) {
   const Corner corner{kWide, kArm};
   const double length = index == 0 ? 2.0 * kArm : 2.0 * corner.outer();
   const bool straight = index != 1;
-  Scene scene(straight ? repair(box(0.0, 0.0, length + kOpenEnd, kWide)) : corner.ground(), input);
+  Trial trial(straight ? repair(box(0.0, 0.0, length + kOpenEnd, kWide)) : corner.ground(), input);
   const Destination end = straight ? line_at_x(length, 0.0, kWide) : corner.end();
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kCrowdLong, kWide}, kCrowd, input.seed)) {
-    scene.add(at, end);
+    trial.add(at, end);
   }
   Jolts jolts;
-  scene.run(kMost, [&] { jolts.look(scene); });
+  trial.walk(kMost, [&] { jolts.look(trial); });
   Outcome outcome;
   if (!straight) outcome.figures["jolts"] = jolts.share();
   const char* const keys[] = {"short", "corner", "long"};
-  outcome.figures[keys[index]] = scene.last_arrival(kMost);
-  outcome.figures[std::string("arrived-") + keys[index]] = static_cast<double>(scene.arrived());
+  outcome.figures[keys[index]] = trial.last_arrival(kMost);
+  outcome.figures[std::string("arrived-") + keys[index]] = static_cast<double>(trial.arrived());
   return outcome;
 }
 
@@ -179,7 +179,7 @@ constexpr std::size_t kEach = 90;  // people of a branch
 
 Outcome run_junction(const RunInput& input, std::size_t) {
   const double half = kStreet / 2.0;
-  Scene scene(joined({box(-half - kBranch, 0.0, half + kBranch, kStreet),
+  Trial trial(joined({box(-half - kBranch, 0.0, half + kBranch, kStreet),
                       box(-half, 0.0, half, kStreet + kStem + kOpenEnd)}),
               input);
   const Destination end = line_at_y(kStreet + kStem, -half, half);
@@ -187,14 +187,14 @@ Outcome run_junction(const RunInput& input, std::size_t) {
     const double inner = half + 1.5, outer = half + kBranch - kBodyRadius;
     const double low = stream == 0 ? -outer : inner, high = stream == 0 ? -inner : outer;
     for (const Vec2& at : places_in({low, 0.0}, {high, kStreet}, kEach, 2 * input.seed + stream)) {
-      scene.add(at, end, stream);
+      trial.add(at, end, stream);
     }
   }
   FlowLine line({-half, kStreet + 2.0}, {half, kStreet + 2.0});
   DensityMap map({-half - 8.0, 0.0}, {half + 8.0, kStreet + 8.0}, 0.25);
-  scene.run(300.0, [&] {
-    line.look(scene);
-    map.look(scene);
+  trial.walk(300.0, [&] {
+    line.look(trial);
+    map.look(trial);
   });
   double of_first = 0.0, counted = 0.0;
   const std::vector<double> times = line.times();
@@ -202,12 +202,12 @@ Outcome run_junction(const RunInput& input, std::size_t) {
   for (const auto& [person, time] : line.passages()) {
     if (time > half_time) continue;
     counted += 1.0;
-    of_first += scene.people()[person].stream == 0 ? 1.0 : 0.0;
+    of_first += trial.people()[person].stream == 0 ? 1.0 : 0.0;
   }
   Outcome outcome;
   outcome.figures["flow"] = line.flow() / kStreet;
   outcome.figures["share"] = counted > 0.0 ? of_first / counted : std::nan("");
-  outcome.figures["arrived"] = static_cast<double>(scene.arrived());
+  outcome.figures["arrived"] = static_cast<double>(trial.arrived());
   outcome.map = map.grid();
   return outcome;
 }

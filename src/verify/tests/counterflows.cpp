@@ -25,31 +25,31 @@ Region rooms() {
 
 Outcome run_imo(const RunInput& input, std::size_t index) {
   const std::size_t opposed = kOpposed[index];
-  Scene scene(rooms(), input);
+  Trial trial(rooms(), input);
   const double rim = kBodyRadius;
   for (const Vec2& at : places_in({rim, 0.0}, {kRoom - rim, kRoom}, kHundred, input.seed)) {
-    scene.add(at, line_at_x(kEnd - 2.0, 0.5, kRoom - 0.5), 0);
+    trial.add(at, line_at_x(kEnd - 2.0, 0.5, kRoom - 0.5), 0);
   }
   if (opposed > 0) {
     for (const Vec2& at :
          places_in({kEnd - kRoom + rim, 0.0}, {kEnd - rim, kRoom}, opposed, input.seed + 1000)) {
-      scene.add(at, line_at_x(2.0, 0.5, kRoom - 0.5), 1);
+      trial.add(at, line_at_x(2.0, 0.5, kRoom - 0.5), 1);
     }
   }
   DensityMap map({0.0, 0.0}, {kEnd, kRoom}, 0.5);
   FlowLine line({kEnd - kRoom, kHigh}, {kEnd - kRoom, kLow});
   Jolts jolts;
-  scene.run(kMost, [&] {
-    line.look(scene);
-    jolts.look(scene);
-    map.look(scene);
+  trial.walk(kMost, [&] {
+    line.look(trial);
+    jolts.look(trial);
+    map.look(trial);
   });
   Outcome outcome;
   // Of the first stream: the line is crossed from left to right only by them.
   const double time = line.count() < kHundred ? std::nan("") : line.times().back();
   outcome.figures[fmt::format("time-{}", opposed)] = time;
   outcome.figures[fmt::format("arrived-{}", opposed)] =
-      static_cast<double>(scene.arrived()) / static_cast<double>(scene.people().size());
+      static_cast<double>(trial.arrived()) / static_cast<double>(trial.people().size());
   if (opposed == kHundred) outcome.figures["jolts"] = jolts.share();
   outcome.curves["time"] = {{static_cast<double>(opposed), time}};
   if (opposed == kHundred) outcome.map = map.grid();
@@ -106,9 +106,9 @@ constexpr double kLong = 40.0, kWide = 2.0;  // [m]
 constexpr std::size_t kFaster = 24;          // as NIST
 
 /// Those whose bodies touch the first person's now.
-void add_touching(const Scene& scene, std::set<std::size_t>& touching) {
+void add_touching(const Trial& trial, std::set<std::size_t>& touching) {
   constexpr double kTouch = 0.01;  // [m] numerical: bodies pushed apart lie this near
-  const auto& people = scene.people();
+  const auto& people = trial.people();
   for (std::size_t i = 1; i < people.size() && people[0].here; ++i) {
     const double distance = (people[i].at - people[0].at).norm();
     if (people[i].here && distance < 2.0 * kBodyRadius + kTouch) touching.insert(i);
@@ -119,23 +119,23 @@ Outcome run_overtaking(const RunInput& input, std::size_t) {
   constexpr double kSlow = 0.5, kFast = 1.25;  // [m/s] NIST: 1.25 m/s; assumed: the slow one's
   constexpr double kFirst = 8.0;               // [m] where the slow one starts, ahead of the rest
   constexpr double kUntil = 120.0;             // [s]
-  Scene scene(repair(box(0.0, 0.0, kLong + kOpenEnd, kWide)), input);
+  Trial trial(repair(box(0.0, 0.0, kLong + kOpenEnd, kWide)), input);
   const Destination end = line_at_x(kLong, 0.0, kWide);
-  scene.add({kFirst, kWide / 2.0}, end, 1, kSlow);
+  trial.add({kFirst, kWide / 2.0}, end, 1, kSlow);
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kFirst - 1.0, kWide}, kFaster, input.seed)) {
-    scene.add(at, end, 0, kFast);
+    trial.add(at, end, 0, kFast);
   }
   std::set<std::size_t> touching;
-  scene.run(kUntil, [&] { add_touching(scene, touching); });
+  trial.walk(kUntil, [&] { add_touching(trial, touching); });
   Outcome outcome;
   double before = 0.0;
-  const Walker& slow = scene.people().front();
+  const Participant& slow = trial.people().front();
   const double its = slow.here ? kUntil : slow.arrival;
-  for (const Walker& walker : scene.people()) {
-    if (walker.stream == 0 && !walker.here && walker.arrival < its) before += 1.0;
+  for (const Participant& participant : trial.people()) {
+    if (participant.stream == 0 && !participant.here && participant.arrival < its) before += 1.0;
   }
   outcome.figures["before"] = before;
-  outcome.figures["fast"] = scene.last_arrival(kUntil, 0);
+  outcome.figures["fast"] = trial.last_arrival(kUntil, 0);
   outcome.figures["slow"] = its;
   outcome.figures["touching"] = static_cast<double>(touching.size());
   return outcome;

@@ -27,30 +27,30 @@ struct Crossing {
 };
 
 /// Fills the arm that the stream comes from, up to 1.5 m before the square.
-void fill(Scene& scene, const Crossing& crossing, int stream) {
+void fill(Trial& trial, const Crossing& crossing, int stream) {
   const double angle = stream * kPi / 2.0;
   const Vec2 low(-kArm + kBodyRadius, -kHalf), high(-kHalf - 1.5, kHalf);
-  const std::uint64_t seed = 10 * scene.seed() + static_cast<std::uint64_t>(stream);
+  const std::uint64_t seed = 10 * trial.seed() + static_cast<std::uint64_t>(stream);
   for (const Vec2& at : places_in(low, high, crossing.each, seed)) {
-    scene.add(turned(at, angle),
+    trial.add(turned(at, angle),
               {turned(Vec2(kArm, -kHalf), angle), turned(Vec2(kArm, kHalf), angle)}, stream);
   }
 }
 
 Outcome run_crossing(const Crossing& crossing, const RunInput& input) {
-  Scene scene(cross_ground(kArm + kOpenEnd), input);
-  for (int stream = 0; stream < crossing.streams; ++stream) fill(scene, crossing, stream);
+  Trial trial(cross_ground(kArm + kOpenEnd), input);
+  for (int stream = 0; stream < crossing.streams; ++stream) fill(trial, crossing, stream);
   // Both streams are in the square from about 5 s on; until half of the people are gone.
   AreaMeasure square(box(-kHalf, -kHalf, kHalf, kHalf), 5.0);
   Turns turns(Vec2::Zero());
   Jolts jolts;
   DensityMap map({-kArm / 2, -kArm / 2}, {kArm / 2, kArm / 2}, 0.25);
-  scene.run(kMost, [&] {
-    turns.look(scene);
-    jolts.look(scene);
-    map.look(scene);
-    if (2 * scene.arrived() < scene.people().size() && scene.time() < 60.0) {
-      square.look(scene, [](const Walker& walker) { return way_of(walker.stream); });
+  trial.walk(kMost, [&] {
+    turns.look(trial);
+    jolts.look(trial);
+    map.look(trial);
+    if (2 * trial.arrived() < trial.people().size() && trial.time() < 60.0) {
+      square.look(trial, [](const Participant& participant) { return way_of(participant.stream); });
     }
   });
   const double expected =
@@ -62,8 +62,8 @@ Outcome run_crossing(const Crossing& crossing, const RunInput& input) {
   outcome.figures["turns"] = turns.most();
   outcome.figures["jolts"] = jolts.share();
   outcome.figures["arrived"] =
-      static_cast<double>(scene.arrived()) / static_cast<double>(scene.people().size());
-  outcome.figures["time"] = scene.last_arrival(kMost);
+      static_cast<double>(trial.arrived()) / static_cast<double>(trial.people().size());
+  outcome.figures["time"] = trial.last_arrival(kMost);
   outcome.curves["diagram"] = {{square.density(), square.speed()}};
   outcome.map = map.grid();
   return outcome;

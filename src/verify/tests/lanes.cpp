@@ -18,11 +18,11 @@ struct Lanes {
 
 /// Looked at each second from `from` to `until` [s].
 Lanes lanes_of(const PeriodicCorridor& corridor, const RunInput& input, double from, double until) {
-  CorridorScene scene(corridor, input);
+  CorridorTrial trial(corridor, input);
   const auto places = [&] {
     std::vector<LanePlace> found;
-    for (const Walker& walker : scene.people()) {
-      found.push_back({walker.at.y(), walker.stream == 0 ? 1 : -1});
+    for (const Participant& participant : trial.people()) {
+      found.push_back({participant.at.y(), participant.stream == 0 ? 1 : -1});
     }
     return found;
   };
@@ -31,9 +31,9 @@ Lanes lanes_of(const PeriodicCorridor& corridor, const RunInput& input, double f
   std::vector<LanePlace> gathered;
   int moments = 0;
   AreaMeasure measure(box(0.0, 0.0, corridor.length, corridor.width), from);
-  scene.run(until, [&] {
-    measure.look(scene, corridor_way);
-    if (scene.time() < from || !scene.at_every(1.0)) return;
+  trial.walk(until, [&] {
+    measure.look(trial, corridor_way);
+    if (trial.time() < from || !trial.at_every(1.0)) return;
     const std::vector<LanePlace> now = places();
     lanes.order += band_index(now, 0.0, corridor.width);
     gathered.insert(gathered.end(), now.begin(), now.end());

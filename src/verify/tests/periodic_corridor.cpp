@@ -24,8 +24,8 @@ Drawing PeriodicCorridor::drawing() const {
   return drawing;
 }
 
-CorridorScene::CorridorScene(const PeriodicCorridor& corridor, const RunInput& input)
-    : Scene(corridor.ground(), input) {
+CorridorTrial::CorridorTrial(const PeriodicCorridor& corridor, const RunInput& input)
+    : Trial(corridor.ground(), input) {
   const Period period{0.0, corridor.length};
   set_period(period);
   const std::vector<Vec2> places =
@@ -39,9 +39,9 @@ CorridorScene::CorridorScene(const PeriodicCorridor& corridor, const RunInput& i
 }
 
 Point state_of(const PeriodicCorridor& corridor, const RunInput& input, double from, double until) {
-  CorridorScene scene(corridor, input);
+  CorridorTrial trial(corridor, input);
   AreaMeasure measure(box(0.0, 0.0, corridor.length, corridor.width), from);
-  scene.run(until, [&] { measure.look(scene, corridor_way); });
+  trial.walk(until, [&] { measure.look(trial, corridor_way); });
   return {measure.density(), measure.speed()};
 }
 

@@ -1,4 +1,4 @@
-// A corridor without ends, by carrying people from one to the other (scene.hpp).
+// A corridor without ends, by carrying people from one to the other (trial.hpp).
 #pragma once
 
 #include "verify/measures.hpp"
@@ -17,13 +17,15 @@ struct PeriodicCorridor {
 
 /// The corridor with its people walking; their stream is 0 towards +x, else 1. Places and ways
 /// depend on the seed alone.
-class CorridorScene : public Scene {
+class CorridorTrial : public Trial {
  public:
-  CorridorScene(const PeriodicCorridor& corridor, const RunInput& input);
+  CorridorTrial(const PeriodicCorridor& corridor, const RunInput& input);
 };
 
 /// The direction of a person of that stream.
-inline Vec2 corridor_way(const Walker& walker) { return {walker.stream == 0 ? 1.0 : -1.0, 0.0}; }
+inline Vec2 corridor_way(const Participant& participant) {
+  return {participant.stream == 0 ? 1.0 : -1.0, 0.0};
+}
 
 /// Density [persons/m²] and speed [m/s] of a time span, over the whole corridor.
 Point state_of(const PeriodicCorridor& corridor, const RunInput& input, double from, double until);

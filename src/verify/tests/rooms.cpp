@@ -48,16 +48,16 @@ Destination exit_of(const Vec2& at, bool all) {
 Outcome run_rimea_9(const RunInput& input, std::size_t index) {
   constexpr double kMost = 1500.0;  // [s]
   const bool all = index == 0;
-  Scene scene(big_room(true), input);
+  Trial trial(big_room(true), input);
   for (const Vec2& at :
        places_in({kBodyRadius, 0.0}, {kLong - kBodyRadius, kDeep}, kThousand, input.seed)) {
-    scene.add(at, exit_of(at, all));
+    trial.add(at, exit_of(at, all));
   }
   DensityMap map({0.0, -4.0}, {kLong, kDeep + 4.0}, 0.5);
-  scene.run(kMost, [&] { map.look(scene); });
+  trial.walk(kMost, [&] { map.look(trial); });
   Outcome outcome;
-  outcome.figures[all ? "four" : "two"] = scene.last_arrival(kMost);
-  outcome.figures[all ? "arrived-four" : "arrived-two"] = static_cast<double>(scene.arrived());
+  outcome.figures[all ? "four" : "two"] = trial.last_arrival(kMost);
+  outcome.figures[all ? "arrived-four" : "arrived-two"] = static_cast<double>(trial.arrived());
   if (!all) outcome.map = map.grid();
   return outcome;
 }
@@ -108,24 +108,24 @@ Region two_rooms(bool open) {
 }
 
 Outcome run_rimea_12(const RunInput& input, std::size_t) {
-  Scene scene(two_rooms(true), input);
+  Trial trial(two_rooms(true), input);
   const double low = (kRoom - kNeckWide) / 2.0, high = (kRoom + kNeckWide) / 2.0;
   const Destination end = line_at_x(kExit + kWall + kAway, 0.5, kRoom - 0.5);
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kRoom / 2.0, kRoom}, kCrowd, input.seed)) {
-    scene.add(at, end);
+    trial.add(at, end);
   }
   FlowLine neck({kRoom + 0.1, high}, {kRoom + 0.1, low});
   FlowLine exit({kExit + 0.1, high}, {kExit + 0.1, low});
   AreaMeasure before(box(kRoom - 2.0, 4.0, kRoom, 6.0), 20.0);
   AreaMeasure behind(box(kExit - 2.0, 4.0, kExit, 6.0), 20.0);
   DensityMap map({0.0, 0.0}, {kExit + 2.0, kRoom}, 0.5);
-  scene.run(600.0, [&] {
-    neck.look(scene);
-    exit.look(scene);
-    map.look(scene);
-    if (scene.time() > 80.0) return;  // while the first room is full
-    before.look(scene);
-    behind.look(scene);
+  trial.walk(600.0, [&] {
+    neck.look(trial);
+    exit.look(trial);
+    map.look(trial);
+    if (trial.time() > 80.0) return;  // while the first room is full
+    before.look(trial);
+    behind.look(trial);
   });
   Outcome outcome;
   outcome.figures["neck"] = neck.flow();
@@ -134,7 +134,7 @@ Outcome run_rimea_12(const RunInput& input, std::size_t) {
   outcome.figures["before"] = before.density();
   outcome.figures["behind"] = behind.density();
   outcome.figures["jam"] = before.density() - behind.density();
-  outcome.figures["arrived"] = static_cast<double>(scene.arrived());
+  outcome.figures["arrived"] = static_cast<double>(trial.arrived());
   outcome.map = map.grid();
   return outcome;
 }
@@ -181,28 +181,28 @@ Region hall(bool open) {
 
 Outcome run_rimea_13(const RunInput& input, std::size_t) {
   const double low = (kHall - kPassageWide) / 2.0, high = (kHall + kPassageWide) / 2.0;
-  Scene scene(hall(true), input);
+  Trial trial(hall(true), input);
   for (const Vec2& at :
        places_in({kBodyRadius, 0.0}, {kHall - kBodyRadius, kHall}, kCrowd, input.seed)) {
-    scene.add(at, line_at_x(kHall + kPassage, low, high));
+    trial.add(at, line_at_x(kHall + kPassage, low, high));
   }
   FlowLine line({kHall + 0.1, high}, {kHall + 0.1, low});
   AreaMeasure before(box(kHall - 2.0, low, kHall, high), 10.0);
   AreaMeasure inside(box(kHall + 4.0, low, kHall + 8.0, high), 10.0);
   DensityMap map({0.0, 0.0}, {kHall + kPassage, kHall}, 0.25);
-  scene.run(300.0, [&] {
-    line.look(scene);
-    map.look(scene);
-    if (scene.time() > 35.0) return;  // while the room is full
-    before.look(scene);
-    inside.look(scene);
+  trial.walk(300.0, [&] {
+    line.look(trial);
+    map.look(trial);
+    if (trial.time() > 35.0) return;  // while the room is full
+    before.look(trial);
+    inside.look(trial);
   });
   Outcome outcome;
   outcome.figures["jam"] = before.density() - inside.density();
   outcome.figures["before"] = before.density();
   outcome.figures["inside"] = inside.density();
   outcome.figures["flow"] = line.flow() / kPassageWide;
-  outcome.figures["arrived"] = static_cast<double>(scene.arrived());
+  outcome.figures["arrived"] = static_cast<double>(trial.arrived());
   outcome.map = map.grid();
   return outcome;
 }
@@ -248,16 +248,16 @@ Region small_room(bool open) {
 /// Time [s] of the last passage, and the flow [1/s] from the first to the last. `speed`:
 /// everybody's.
 std::pair<double, double> leave(const RunInput& input, std::optional<double> speed) {
-  Scene scene(small_room(true), input);
+  Trial trial(small_room(true), input);
   const Destination end = line_at_x(kSmallLong + kWall + kAway, 0.5, kSmallDeep - 0.5);
   for (const Vec2& at : places_in({kBodyRadius, 0.0}, {kSmallLong - kBodyRadius, kSmallDeep},
                                   kHundred, input.seed)) {
-    scene.add(at, end, 0, speed);
+    trial.add(at, end, 0, speed);
   }
   const double x = kSmallLong + kWall / 2.0;
   FlowLine line({x, kSmallDeep / 2.0 + 0.5}, {x, kSmallDeep / 2.0 - 0.5});
   constexpr double kMost = 400.0;
-  scene.run(kMost, [&] { line.look(scene); });
+  trial.walk(kMost, [&] { line.look(trial); });
   const double last = line.count() == kHundred ? line.times().back() : std::nan("");
   return {last, line.flow(0.0, 1.0)};
 }

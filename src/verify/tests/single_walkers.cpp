@@ -49,17 +49,18 @@ struct Walk {
 Walk walk(const Corridor& corridor, const RunInput& input, double speed, double start,
           bool varied = true) {
   constexpr double kMost = 100.0;  // [s]
-  Scene scene(corridor.ground(), input, [&](Zone& zone) {
+  Trial trial(corridor.ground(), input, [&](Zone& zone) {
     if (!varied) zone.parameters.heading_noise = 0.0;
   });
-  scene.add(corridor.at(kBodyRadius, 0.0), corridor.end(), 0, speed, start);
+  trial.add(corridor.at(kBodyRadius, 0.0), corridor.end(), 0, speed, start);
   FlowLine line = corridor.line(corridor.length + kBodyRadius);
   Walk result;
   const Vec2 side = turned(Vec2(0.0, 1.0), corridor.angle);
-  scene.run(kMost, [&] {
-    line.look(scene);
-    const Walker& walker = scene.people().front();
-    if (line.count() == 0) result.drift += std::abs((walker.at - walker.before).dot(side));
+  trial.walk(kMost, [&] {
+    line.look(trial);
+    const Participant& participant = trial.people().front();
+    if (line.count() == 0)
+      result.drift += std::abs((participant.at - participant.before).dot(side));
   });
   if (line.count() > 0) result.time = line.times().front();
   return result;
@@ -174,20 +175,20 @@ Outcome walk_profile(const Ages& ages, const RunInput& input) {
   const double high = kApart * static_cast<double>(kOfEach);
   const Profiles profiles;
   const Profile* profile = profiles.find(ages.profile);
-  Scene scene(repair(box(0.0, 0.0, kLong + kOpenEnd, high)), input);
+  Trial trial(repair(box(0.0, 0.0, kLong + kOpenEnd, high)), input);
   std::vector<double> wanted, walked;
   for (std::size_t k = 0; k < kOfEach; ++k) {
     const double chance = random_normal(input.seed, k + 1, 0, Purpose::kDemand);
     const double speed =
         std::clamp(profile->speed + profile->speed_deviation * chance, 0.1, profile->top_speed);
     const double y = kApart * (static_cast<double>(k) + 0.5);
-    scene.add({0.5, y}, line_at_x(kLong, y - 1.0, y + 1.0), 0, speed, 1.0);
+    trial.add({0.5, y}, line_at_x(kLong, y - 1.0, y + 1.0), 0, speed, 1.0);
     wanted.push_back(speed);
   }
   FlowLine first({kFrom, high}, {kFrom, 0.0}), last({kTo, high}, {kTo, 0.0});
-  scene.run(400.0, [&] {
-    first.look(scene);
-    last.look(scene);
+  trial.walk(400.0, [&] {
+    first.look(trial);
+    last.look(trial);
   });
   double off = last.count() == kOfEach ? 0.0 : std::nan("");
   for (const auto& [person, time] : last.passages()) {

@@ -13,12 +13,12 @@ struct Scene {
   explicit Scene(const std::vector<Vec2>& places, double speed = 1.0) {
     trips.persons.resize(places.size());
     for (std::uint32_t i = 0; i < places.size(); ++i) {
-      walkers.push_back({i, &walk, places[i], speed});
+      pedestrians.push_back({i, &walk, places[i], speed});
     }
   }
   WalkStage walk;
   Trips trips;
-  std::vector<Walker> walkers;
+  std::vector<Pedestrian> pedestrians;
 };
 
 std::map<std::string, double> measure(const Scene& scene, int steps, double dt = 1.0) {
@@ -26,9 +26,9 @@ std::map<std::string, double> measure(const Scene& scene, int steps, double dt =
   Crowding crowding;
   for (int i = 0; i < steps; ++i) {
     const RunStep step{static_cast<std::uint64_t>(i), i * dt, i == 0 ? 0.0 : dt};
-    const std::span<const Closeness> closeness = meter.of(step.dt, scene.walkers);
+    const std::span<const Closeness> closeness = meter.of(step.dt, scene.pedestrians);
     for (std::size_t k = 0; k < closeness.size(); ++k) {
-      crowding.add({step, scene.walkers[k], 0, closeness[k]});
+      crowding.add({step, scene.pedestrians[k], 0, closeness[k]});
     }
   }
   std::map<std::string, double> values;
@@ -79,7 +79,7 @@ TEST(Crowding, a_crowd_on_a_grid_has_its_density) {
   }
   Scene scene(places);
   ClosenessMeter meter(scene.trips);
-  EXPECT_DOUBLE_EQ(meter.of(1.0, scene.walkers)[10 * 21 + 10].density, 49.0 / (kPi * 4.0));
+  EXPECT_DOUBLE_EQ(meter.of(1.0, scene.pedestrians)[10 * 21 + 10].density, 49.0 / (kPi * 4.0));
 }
 
 TEST(Crowding, three_who_stand_together_for_five_seconds_are_a_jam) {
@@ -93,7 +93,7 @@ TEST(Crowding, three_who_stand_together_for_five_seconds_are_a_jam) {
   EXPECT_DOUBLE_EQ(measure(Scene({{0, 0}, {1.5, 0}, {3, 0}}, 0.0), 10).at("space.jammed"),
                    5.0 / 27.0);
   Scene waiting_for_a_bus(three, 0.0);
-  for (Walker& walker : waiting_for_a_bus.walkers) walker.walk = nullptr;
+  for (Pedestrian& pedestrian : waiting_for_a_bus.pedestrians) pedestrian.walk = nullptr;
   EXPECT_TRUE(measure(waiting_for_a_bus, 10).empty()) << "nobody walks";
 }
 
@@ -120,8 +120,8 @@ TEST(RunSeries, holds_means_over_ten_seconds) {
   }
   // Where a junction led is known late: what happened there counts in its own window.
   for (int time = 0; time < 10; ++time) {
-    series.add({steps[time], two.walkers[0], 0, {0.25, false}});
-    series.add({steps[time], two.walkers[1], 0, {0.75, false}});
+    series.add({steps[time], two.pedestrians[0], 0, {0.25, false}});
+    series.add({steps[time], two.pedestrians[1], 0, {0.75, false}});
   }
   // In [0, 10) 9 s are known, for 4 of which the vehicle was there.
   EXPECT_EQ(series.csv(),

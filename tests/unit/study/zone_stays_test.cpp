@@ -29,7 +29,7 @@ class ZoneStaysTest : public testing::Test {
       for (const Presence& presence : known) present[presence.step.number] = '1';
     };
     for (std::size_t second = 0; second < edges.size(); ++second) {
-      note(stays.step(at(second), std::vector<Walker>{{.edge = edges[second]}}, one_));
+      note(stays.step(at(second), std::vector<Pedestrian>{{.edge = edges[second]}}, one_));
     }
     note(stays.finish());
     std::string text;
@@ -69,7 +69,7 @@ TEST_F(ZoneStaysTest, are_told_of_a_junction_when_it_is_left) {
   const auto told = [&](std::size_t second, const char* edge) {
     std::vector<std::size_t> steps;
     for (const Presence& presence :
-         stays.step(at(second), std::vector<Walker>{{.edge = edge}}, one_)) {
+         stays.step(at(second), std::vector<Pedestrian>{{.edge = edge}}, one_)) {
       EXPECT_EQ(presence.zone, 0);
       steps.push_back(presence.step.number);
     }
@@ -86,8 +86,8 @@ TEST_F(ZoneStaysTest, are_told_of_a_junction_when_it_is_left) {
 
 TEST_F(ZoneStaysTest, are_of_nobody_unknown_and_not_before_the_first_step) {
   ZoneStays stays(trips_, network_, zones_);
-  const std::vector<Walker> walkers{{.edge = "a1"}};
-  stays.step(at(5), walkers, one_);
+  const std::vector<Pedestrian> pedestrians{{.edge = "a1"}};
+  stays.step(at(5), pedestrians, one_);
   EXPECT_FALSE(stays.cover("p", 4.9));
   EXPECT_TRUE(stays.cover("p", 5.0));
   EXPECT_FALSE(stays.cover("q", 5.0));

@@ -35,14 +35,14 @@ Trips one_walker(double max_speed) {
 /// is where x >= 0.
 std::map<std::string, double> walk(const Trips& trips, const std::vector<Zone>& zones,
                                    const std::vector<Vec2>& places, double free_share = 1.0) {
-  Walkers walkers(trips);
+  Pedestrians pedestrians(trips);
   ZoneWalks walks(trips, zones, free_share);
   RunStep step;
   for (const Vec2& at : places) {
     PersonSample sample{.id = "p", .position = at};
     if (step.number > 0) sample.velocity = (at - places[step.number - 1]) / kStep;
-    const Walker walker = walkers.at(step.time, std::span(&sample, 1)).front();
-    if (at.x() >= 0.0) walks.add({step, walker, 0, {}});
+    const Pedestrian pedestrian = pedestrians.at(step.time, std::span(&sample, 1)).front();
+    if (at.x() >= 0.0) walks.add({step, pedestrian, 0, {}});
     step = {step.number + 1, step.time + kStep, kStep};
   }
   std::map<std::string, double> values;
@@ -104,9 +104,9 @@ TEST(ZoneWalks, planned_stops_and_rides_are_no_walks) {
   EXPECT_DOUBLE_EQ(values["person.walked"], 4.0);
   EXPECT_DOUBLE_EQ(values["person.speed"], 1.0);
 
-  Walkers walkers(trips);
+  Pedestrians pedestrians(trips);
   const PersonSample rider{.id = "p", .position = {1, 5}, .rides_in = "bus"};
-  EXPECT_TRUE(walkers.at(0.0, std::span(&rider, 1)).empty());
+  EXPECT_TRUE(pedestrians.at(0.0, std::span(&rider, 1)).empty());
 }
 
 TEST(ZoneWalks, where_nobody_comes_nothing_is_said) {
@@ -117,9 +117,9 @@ TEST(ZoneWalks, where_nobody_comes_nothing_is_said) {
 
 TEST(ZoneWalks, outputs_of_two_runs_are_refused) {
   const Trips trips = one_walker(1.0);
-  Walkers walkers(trips);
+  Pedestrians pedestrians(trips);
   const PersonSample stranger{.id = "stranger"};
-  EXPECT_THROW(walkers.at(0.0, std::span(&stranger, 1)), InputError);
+  EXPECT_THROW(pedestrians.at(0.0, std::span(&stranger, 1)), InputError);
 }
 
 }  // namespace

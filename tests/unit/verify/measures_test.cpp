@@ -64,31 +64,32 @@ TEST(LaneCount, empty_bands_part_no_lanes) {
 /// Five people one behind the other in a corridor of 20 m that they walk along for ever, by a model
 /// that minds nobody.
 struct Procession {
-  Scene scene{repair(box(-Period::kBeyond, 0, 20 + Period::kBeyond, 2)),
+  Trial trial{repair(box(-Period::kBeyond, 0, 20 + Period::kBeyond, 2)),
               {"constant-velocity", 1},
               [](Zone& zone) { zone.parameters.heading_noise = 0.0; }};
 
   Procession() {
-    scene.set_period({0, 20});
+    trial.set_period({0, 20});
     for (int k = 0; k < 5; ++k) {
-      scene.add({2.0 + 4.0 * k, 1}, line_at_x(20 + Period::kBeyond, 0, 2), 0, 1.0, 1.0);
+      trial.add({2.0 + 4.0 * k, 1}, line_at_x(20 + Period::kBeyond, 0, 2), 0, 1.0, 1.0);
     }
   }
 };
 
 TEST(Period, carries_people_on_with_their_speed) {
   Procession procession;
-  procession.scene.run(60.0);
-  const Walker& walker = procession.scene.people().front();
-  EXPECT_NEAR(walker.moved.x(), 60.0, 1e-6);
-  EXPECT_NEAR(walker.at.x(), 2.0, 1e-6);
+  procession.trial.walk(60.0);
+  const Participant& participant = procession.trial.people().front();
+  EXPECT_NEAR(participant.moved.x(), 60.0, 1e-6);
+  EXPECT_NEAR(participant.at.x(), 2.0, 1e-6);
 }
 
 TEST(AreaMeasure, of_people_in_a_row_is_one_over_their_cell_and_their_speed) {
   Procession procession;
   AreaMeasure measure(box(0, 0, 20, 2), 1.0);
-  procession.scene.run(
-      30.0, [&] { measure.look(procession.scene, [](const Walker&) { return Vec2(1.0, 0.0); }); });
+  procession.trial.walk(30.0, [&] {
+    measure.look(procession.trial, [](const Participant&) { return Vec2(1.0, 0.0); });
+  });
   // Four metres of a corridor 2 m wide, over the period's end, too.
   EXPECT_NEAR(measure.density(), 1.0 / 8.0, 1e-6);
   EXPECT_NEAR(measure.speed(), 1.0, 1e-6);
@@ -97,7 +98,7 @@ TEST(AreaMeasure, of_people_in_a_row_is_one_over_their_cell_and_their_speed) {
 TEST(DensityMap, sums_up_to_the_people) {
   Procession procession;
   DensityMap map({0, 0}, {20, 2}, 0.5);
-  procession.scene.run(20.0, [&] { map.look(procession.scene); });
+  procession.trial.walk(20.0, [&] { map.look(procession.trial); });
   const GridMap grid = map.grid();
   double people = 0.0;
   for (const double density : grid.values) people += density * grid.cell * grid.cell;
@@ -108,19 +109,19 @@ TEST(DensityMap, sums_up_to_the_people) {
 TEST(Jolts, are_of_who_is_stopped_short_by_a_body_and_not_of_who_brakes) {
   // One who minds nobody walks into one who stands; nobody else is there, and then only walls.
   for (const bool there : {true, false}) {
-    Scene scene(repair(box(0.0, 0.0, 20.0, 1.0)), {"constant-velocity", 1});
-    scene.add({1.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 1.34, 1.0);
-    scene.add({there ? 8.0 : 18.0, 0.5}, line_at_x(19.5, 0.0, 1.0), 0, 0.01);
+    Trial trial(repair(box(0.0, 0.0, 20.0, 1.0)), {"constant-velocity", 1});
+    trial.add({1.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 1.34, 1.0);
+    trial.add({there ? 8.0 : 18.0, 0.5}, line_at_x(19.5, 0.0, 1.0), 0, 0.01);
     Jolts jolts;
-    scene.run(8.0, [&] { jolts.look(scene); });
+    trial.walk(8.0, [&] { jolts.look(trial); });
     EXPECT_EQ(jolts.share(), there ? 0.5 : 0.0);
   }
   // The default brakes behind somebody as slow.
-  Scene scene(repair(box(0.0, 0.0, 20.0, 1.0)), {"heuristic", 1});
-  scene.add({1.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 1.34, 1.0);
-  scene.add({8.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 0.5, 1.0);
+  Trial trial(repair(box(0.0, 0.0, 20.0, 1.0)), {"heuristic", 1});
+  trial.add({1.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 1.34, 1.0);
+  trial.add({8.0, 0.5}, line_at_x(19.0, 0.0, 1.0), 0, 0.5, 1.0);
   Jolts jolts;
-  scene.run(8.0, [&] { jolts.look(scene); });
+  trial.walk(8.0, [&] { jolts.look(trial); });
   EXPECT_EQ(jolts.share(), 0.0);
 }
 

@@ -13,7 +13,7 @@ class ReplanningTest : public testing::Test {
   ReplanningTest() { note_look(watch_, 20.0, 3); }
 
   /// SUMO has it so far [m] from where it was told to.
-  Finding find(std::size_t plan, double away) {
+  GuestFinding find(std::size_t plan, double away) {
     return what_happened(watch_, plan, {5.0, 1.0}, [&] {
       ++asked_;
       return Vec2(5.0 + away, 1.0);
@@ -41,17 +41,17 @@ TEST_F(ReplanningTest, looks_at_once_when_the_number_of_stages_has_changed) {
 }
 
 TEST_F(ReplanningTest, finds_nothing_where_plan_and_place_are_as_told) {
-  EXPECT_EQ(find(kPlan, 0.0), Finding::kUnchanged);
-  EXPECT_EQ(find(kPlan, 0.009), Finding::kUnchanged) << "rounding over TraCI";
+  EXPECT_EQ(find(kPlan, 0.0), GuestFinding::kUnchanged);
+  EXPECT_EQ(find(kPlan, 0.009), GuestFinding::kUnchanged) << "rounding over TraCI";
 }
 
 TEST_F(ReplanningTest, who_is_elsewhere_with_the_same_plan_was_moved_by_another_program) {
-  EXPECT_EQ(find(kPlan, 0.011), Finding::kMoved);
+  EXPECT_EQ(find(kPlan, 0.011), GuestFinding::kMoved);
 }
 
 TEST_F(ReplanningTest, who_has_another_plan_is_replanned_wherever_it_is) {
-  EXPECT_EQ(find(kOther, 0.0), Finding::kReplanned);
-  EXPECT_EQ(find(kOther, 4.0), Finding::kReplanned) << "SUMO has moved it itself";
+  EXPECT_EQ(find(kOther, 0.0), GuestFinding::kReplanned);
+  EXPECT_EQ(find(kOther, 4.0), GuestFinding::kReplanned) << "SUMO has moved it itself";
   EXPECT_EQ(asked_, 0) << "that costs a message";
 }
 

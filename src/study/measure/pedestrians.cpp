@@ -1,15 +1,15 @@
-#include "study/measure/walkers.hpp"
+#include "study/measure/pedestrians.hpp"
 
 #include "core/error.hpp"
 
 namespace pedzone::study {
 
-Walkers::Walkers(const Trips& trips) : trips_(trips), stage_(trips.persons.size(), 0) {
+Pedestrians::Pedestrians(const Trips& trips) : trips_(trips), stage_(trips.persons.size(), 0) {
   for (std::uint32_t i = 0; i < trips.persons.size(); ++i) index_[trips.persons[i].id] = i;
 }
 
-std::span<const Walker> Walkers::at(double time, std::span<const PersonSample> persons) {
-  walkers_.clear();
+std::span<const Pedestrian> Pedestrians::at(double time, std::span<const PersonSample> persons) {
+  pedestrians_.clear();
   for (const PersonSample& sample : persons) {
     if (!sample.rides_in.empty()) continue;
     const auto found = index_.find(sample.id);
@@ -20,13 +20,13 @@ std::span<const Walker> Walkers::at(double time, std::span<const PersonSample> p
                         .allowed = "outputs of one run, with tripinfo-output.write-unfinished"});
     }
     const std::uint32_t person = found->second;
-    walkers_.push_back(
+    pedestrians_.push_back(
         {person, walk_of(person, time), sample.position, sample.velocity.norm(), sample.edge});
   }
-  return walkers_;
+  return pedestrians_;
 }
 
-const WalkStage* Walkers::walk_of(std::uint32_t person, double time) {
+const WalkStage* Pedestrians::walk_of(std::uint32_t person, double time) {
   const std::vector<WalkStage>& walks = trips_.persons[person].walks;
   std::uint32_t& stage = stage_[person];
   while (stage < walks.size() && walks[stage].arrival && *walks[stage].arrival < time) ++stage;

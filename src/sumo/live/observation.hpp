@@ -10,7 +10,7 @@
 namespace pedzone {
 
 /// Valid while it is observed.
-struct Scene {
+struct Observation {
   double time = 0.0;  ///< [s] by which SUMO's own outputs name the step
   /// Those whom pedzone walks, then those near a zone whom SUMO walks, riders included.
   std::span<const PersonSample> persons;
@@ -18,14 +18,14 @@ struct Scene {
   AwareOf aware;                            ///< not known of those whom SUMO walks
 };
 
-class SceneReader {
+class ObservationReader {
  public:
-  SceneReader(const Fleet& fleet, Takeover& takeover,
-              const std::vector<std::unique_ptr<Crowd>>& crowds, const SumoPersons& sumo)
+  ObservationReader(const Fleet& fleet, Takeover& takeover,
+                    const std::vector<std::unique_ptr<Crowd>>& crowds, const SumoPersons& sumo)
       : fleet_(fleet), takeover_(takeover), crowds_(crowds), sumo_(sumo) {}
 
   /// After fleet and takeover have read SUMO's state of the step named `time` [s].
-  Scene read(double time);
+  Observation read(double time);
 
  private:
   void add_bystanders();

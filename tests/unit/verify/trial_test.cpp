@@ -1,4 +1,4 @@
-#include "verify/scene.hpp"
+#include "verify/trial.hpp"
 
 #include <gtest/gtest.h>
 

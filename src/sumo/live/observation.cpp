@@ -1,4 +1,4 @@
-#include "sumo/live/scene.hpp"
+#include "sumo/live/observation.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace pedzone {
 
-Scene SceneReader::read(double time) {
+Observation ObservationReader::read(double time) {
   persons_.clear();
   vehicles_.clear();
   for (const FleetVehicle& vehicle : fleet_.vehicles()) {
@@ -25,7 +25,7 @@ Scene SceneReader::read(double time) {
 
 /// Reading people from SUMO is dear: what is known of them has to do, and only who is exactly at a
 /// vehicle's front, as SUMO places those who ride, is asked for.
-void SceneReader::add_bystanders() {
+void ObservationReader::add_bystanders() {
   fronts_.clear();
   for (const FleetVehicle& vehicle : fleet_.vehicles()) {
     fronts_.emplace_back(vehicle.front.x(), vehicle.front.y());
@@ -51,7 +51,7 @@ void SceneReader::add_bystanders() {
   }
 }
 
-std::optional<bool> SceneReader::aware(std::size_t person, std::size_t vehicle) const {
+std::optional<bool> ObservationReader::aware(std::size_t person, std::size_t vehicle) const {
   if (person >= takeover_.guests().size()) return std::nullopt;
   const Guest& guest = takeover_.guests()[person];
   const VehicleSample& sample = vehicles_[vehicle];

@@ -21,7 +21,7 @@ constexpr double kStep = 0.1;          ///< [s] the crowd's substep
 constexpr double kOpenEnd = 12.0;
 
 /// Where the next person stands, is headed, and to which stream it belongs.
-struct Walker {
+struct Participant {
   NewPerson given;
   int stream = 0;  ///< of those that the test tells apart, such as the two ways of a corridor
   Crowd::Handle handle = 0;
@@ -45,12 +45,12 @@ struct RunInput {
   std::uint64_t seed = 1;
 };
 
-class Scene {
+class Trial {
  public:
-  Scene(const Region& walkable, const RunInput& input,
+  Trial(const Region& walkable, const RunInput& input,
         const std::function<void(Zone&)>& change = {});
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
 
   void set_period(const Period& period) { period_ = period; }
 
@@ -62,13 +62,13 @@ class Scene {
 
   void step();
   /// Steps until nobody is left or the clock shows `until` [s]; after each step calls `look`.
-  void run(double until, const std::function<void()>& look = {});
+  void walk(double until, const std::function<void()>& look = {});
 
   const std::optional<Period>& period() const { return period_; }
   double time() const { return time_; }
   /// Whether a whole multiple of `every` [s] has just been reached.
   bool at_every(double every) const;
-  const std::vector<Walker>& people() const { return people_; }
+  const std::vector<Participant>& people() const { return people_; }
   const Zone& zone() const { return zone_; }
   std::uint64_t seed() const { return seed_; }
   /// Those who are not here any more, of all streams.
@@ -80,13 +80,13 @@ class Scene {
 
  private:
   void see_beyond_ends();
-  void carry_over(Walker& walker);
-  NewPerson again(const Walker& walker, const PersonView& view) const;
+  void carry_over(Participant& participant);
+  NewPerson again(const Participant& participant, const PersonView& view) const;
 
   Zone zone_;
   Crowd crowd_;
   std::uint64_t seed_;
-  std::vector<Walker> people_;
+  std::vector<Participant> people_;
   std::vector<SeenPerson> beyond_;
   std::optional<Period> period_;
   double time_ = 0.0;

@@ -13,7 +13,7 @@
 
 namespace pedzone::study {
 
-struct Walker {
+struct Pedestrian {
   std::uint32_t person = 0;         ///< index into Trips::persons
   const WalkStage* walk = nullptr;  ///< under way; null: waits for a ride or stops as planned
   Vec2 at = Vec2::Zero();           ///< [m]
@@ -21,13 +21,13 @@ struct Walker {
   std::string_view edge = {};       ///< that SUMO has it on; valid in this step
 };
 
-class Walkers {
+class Pedestrians {
  public:
   /// Must outlive it.
-  explicit Walkers(const Trips& trips);
+  explicit Pedestrians(const Trips& trips);
 
   /// Who is on foot at `time` [s]. Throws InputError for somebody without a trip.
-  std::span<const Walker> at(double time, std::span<const PersonSample> persons);
+  std::span<const Pedestrian> at(double time, std::span<const PersonSample> persons);
 
  private:
   const WalkStage* walk_of(std::uint32_t person, double time);
@@ -35,7 +35,7 @@ class Walkers {
   const Trips& trips_;
   std::unordered_map<std::string_view, std::uint32_t> index_;
   std::vector<std::uint32_t> stage_;  ///< by person: the walk that may be under way
-  std::vector<Walker> walkers_;
+  std::vector<Pedestrian> pedestrians_;
 };
 
 }  // namespace pedzone::study

@@ -1,4 +1,4 @@
-#include "verify/scene.hpp"
+#include "verify/trial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,13 @@ Zone changed(Zone zone, const std::function<void(Zone&)>& change) {
 
 }  // namespace
 
-Scene::Scene(const Region& walkable, const RunInput& input,
+Trial::Trial(const Region& walkable, const RunInput& input,
              const std::function<void(Zone&)>& change)
     : zone_(changed(zone_of(walkable, input.model), change)),
       crowd_(zone_, input.seed),
       seed_(input.seed) {}
 
-std::size_t Scene::add(const Vec2& at, const Destination& to, int stream,
+std::size_t Trial::add(const Vec2& at, const Destination& to, int stream,
                        std::optional<double> speed, double start) {
   NewPerson person;
   person.position = at;
@@ -34,88 +34,88 @@ std::size_t Scene::add(const Vec2& at, const Destination& to, int stream,
   return add(person, stream);
 }
 
-std::size_t Scene::add(NewPerson person, int stream) {
+std::size_t Trial::add(NewPerson person, int stream) {
   person.key = people_.size() + 1;
   person.radius = kBodyRadius;
-  Walker walker;
-  walker.given = person;
-  walker.stream = stream;
-  walker.handle = crowd_.add(person);
-  walker.at = walker.before = crowd_.view(walker.handle).position;
-  people_.push_back(walker);
+  Participant participant;
+  participant.given = person;
+  participant.stream = stream;
+  participant.handle = crowd_.add(person);
+  participant.at = participant.before = crowd_.view(participant.handle).position;
+  people_.push_back(participant);
   return people_.size() - 1;
 }
 
-void Scene::step() {
+void Trial::step() {
   if (period_) see_beyond_ends();
   crowd_.step(kStep, {});
   time_ = static_cast<double>(++steps_) * kStep;
-  for (Walker& walker : people_) {
-    if (!walker.here) continue;
-    const PersonView view = crowd_.view(walker.handle);
-    walker.before = walker.at;
-    walker.at = view.position;
-    walker.moved += walker.at - walker.before;
-    if (!zone_.walls.inside(walker.at)) ++outside_;
+  for (Participant& participant : people_) {
+    if (!participant.here) continue;
+    const PersonView view = crowd_.view(participant.handle);
+    participant.before = participant.at;
+    participant.at = view.position;
+    participant.moved += participant.at - participant.before;
+    if (!zone_.walls.inside(participant.at)) ++outside_;
     if (period_) {
-      carry_over(walker);
+      carry_over(participant);
     } else if (view.gave_up) {
-      crowd_.set_destination(walker.handle, walker.given.destination);
+      crowd_.set_destination(participant.handle, participant.given.destination);
     } else if (view.arrived) {
-      crowd_.remove(walker.handle);
-      walker.here = false;
-      walker.arrival = time_;
+      crowd_.remove(participant.handle);
+      participant.here = false;
+      participant.arrival = time_;
       ++arrived_;
     }
   }
 }
 
-void Scene::see_beyond_ends() {
+void Trial::see_beyond_ends() {
   beyond_.clear();
-  for (const Walker& walker : people_) {
-    const Vec2 velocity = crowd_.view(walker.handle).velocity;
+  for (const Participant& participant : people_) {
+    const Vec2 velocity = crowd_.view(participant.handle).velocity;
     const Vec2 shift(period_->length(), 0.0);
-    if (walker.at.x() < period_->low + Period::kBeyond) {
-      beyond_.push_back({walker.at + shift, velocity, kBodyRadius});
+    if (participant.at.x() < period_->low + Period::kBeyond) {
+      beyond_.push_back({participant.at + shift, velocity, kBodyRadius});
     }
-    if (walker.at.x() > period_->high - Period::kBeyond) {
-      beyond_.push_back({walker.at - shift, velocity, kBodyRadius});
+    if (participant.at.x() > period_->high - Period::kBeyond) {
+      beyond_.push_back({participant.at - shift, velocity, kBodyRadius});
     }
   }
   crowd_.see(beyond_);
 }
 
-void Scene::carry_over(Walker& walker) {
-  const bool over = walker.at.x() >= period_->high, under = walker.at.x() < period_->low;
+void Trial::carry_over(Participant& participant) {
+  const bool over = participant.at.x() >= period_->high, under = participant.at.x() < period_->low;
   if (!over && !under) return;
-  const PersonView view = crowd_.view(walker.handle);
+  const PersonView view = crowd_.view(participant.handle);
   const Vec2 shift((over ? -1.0 : 1.0) * period_->length(), 0.0);
-  NewPerson person = walker.given;
+  NewPerson person = participant.given;
   person.position = view.position + shift;
   person.velocity = view.velocity;
   person.heading = view.heading;
-  crowd_.remove(walker.handle);
-  walker.handle = crowd_.add(person);
-  walker.at = crowd_.view(walker.handle).position;
-  walker.before += shift;
+  crowd_.remove(participant.handle);
+  participant.handle = crowd_.add(person);
+  participant.at = crowd_.view(participant.handle).position;
+  participant.before += shift;
 }
 
-void Scene::run(double until, const std::function<void()>& look) {
+void Trial::walk(double until, const std::function<void()>& look) {
   while (time_ < until - kStep / 2.0 && (people_.empty() || arrived_ < people_.size())) {
     step();
     if (look) look();
   }
 }
 
-bool Scene::at_every(double every) const {
+bool Trial::at_every(double every) const {
   return steps_ % static_cast<std::uint64_t>(std::lround(every / kStep)) == 0;
 }
 
-double Scene::last_arrival(double until, int stream) const {
+double Trial::last_arrival(double until, int stream) const {
   double last = 0.0;
-  for (const Walker& walker : people_) {
-    if (stream >= 0 && walker.stream != stream) continue;
-    last = std::max(last, walker.here ? until : walker.arrival);
+  for (const Participant& participant : people_) {
+    if (stream >= 0 && participant.stream != stream) continue;
+    last = std::max(last, participant.here ? until : participant.arrival);
   }
   return last;
 }
