@@ -46,10 +46,12 @@ int supervise(const std::function<int()>& work, const std::vector<std::string>& 
     print_error(fmt::format("the run was killed (signal {}); no output was written.", signal));
     return 128 + signal;
   }
-  print_error(
-      fmt::format("SUMO died in the middle of the run (signal {}: {}); no output was written. "
-                  "What it printed before is above.",
-                  signal, strsignal(signal)));
+  print_error(fmt::format(
+      "SUMO died in the middle of the run (signal {}: {}); no output was written. "
+      "What it printed before is above. (Where that names ignore-route-errors, somebody "
+      "came to an edge shorter than a step: SUMO goes on with "
+      "`-- --ignore-route-errors true`.)",
+      signal, strsignal(signal)));
   return kExitSumo;
 }
 

@@ -16,9 +16,9 @@
 
 namespace pedzone {
 
-/// Edges shorter than this are never the place of a takeover or release: persons put on them
-/// make SUMO 1.15 abort in MSPModel_Striping::moveToNextLane (measured: 7 of 36 runs with them,
-/// 0 of 60 without).
+/// Edges shorter than this are never the place of a takeover or release: persons put on them or
+/// taken from them make SUMO 1.15 abort in MSPModel_Striping::moveToNextLane (measured: 7 of 36
+/// runs with them, 0 of 60 without).
 constexpr double kShortEdge = 2.0;  // [m]
 
 /// How far before the end of the last edge a person goes back to SUMO. [m] numerical: leaves

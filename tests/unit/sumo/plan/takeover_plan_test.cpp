@@ -70,6 +70,15 @@ TEST_F(TakeoverPlanTest, person_whose_plan_has_changed_goes_on_however_short_the
   EXPECT_TRUE(plan(e2, true));
 }
 
+TEST_F(TakeoverPlanTest, nobody_is_taken_from_an_edge_so_short_that_sumo_walks_beyond_its_end) {
+  network.lanes[walking_lane(network, e1)].length = kShortEdge - 0.01;
+  EXPECT_FALSE(plan(e1));
+  EXPECT_EQ(past_.refused_edge, e1) << "not asked again on this edge";
+  EXPECT_TRUE(plan(e1, true)) << "the crowd has it already";
+  walker_.position = {101.0, 0.0};
+  EXPECT_TRUE(plan(e2)) << "the next edge is long enough";
+}
+
 TEST_F(TakeoverPlanTest, person_arriving_in_the_zone_counts_the_way_to_its_arrival) {
   walker_.edges = {"e0", "e1"};
   walker_.arrival_position = 20.0;
