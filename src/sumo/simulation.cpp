@@ -14,6 +14,7 @@
 #include "sumo/live/zone_marks.hpp"
 #include "sumo/panel_people.hpp"
 #include "sumo/plan/insertions.hpp"
+#include "sumo/plan/lane_keeping.hpp"
 #include "sumo/plan/stand_off.hpp"
 #include "sumo/plan/steering.hpp"
 #include "sumo/plan/yielding.hpp"
@@ -86,6 +87,7 @@ struct Simulation::Parts {
         vehicles(network, session->vehicles()),
         fleet(network, zones),
         yielding(zones),
+        lane_keeping(zones),
         insertions(network, read_departures(panel_people.scenario(), network, zone_edges())),
         stand_offs(zones),
         attached(options.attach.has_value()),
@@ -146,6 +148,7 @@ struct Simulation::Parts {
   SafeSpeeds safe_speeds = session->vehicles().safe_speeds();
   OutsideDrivers drivers;
   Yielding yielding;
+  LaneKeeping lane_keeping;
   Insertions insertions;
   StandOffs stand_offs;
   bool attached;              ///< SUMO runs on without us
@@ -215,6 +218,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   takeover.people(people);
   takeover.add_outsiders(people);
   send(yielding.plan(fleet.vehicles(), people, safe_speeds, session->time(), dt));
+  send(lane_keeping.plan(fleet, people, dt));
   takeover.add_bystanders(people);
   send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);

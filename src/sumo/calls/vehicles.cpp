@@ -1,6 +1,7 @@
 #include "sumo/calls/vehicles.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "sumo/calls/api.hpp"
 #include "sumo/calls/both.hpp"
@@ -13,6 +14,7 @@ using api::Vehicle;
 
 constexpr double kPersonDecel = 5.0;  // [m/s²] assumed: a walker stops within half a metre
 constexpr int kExactPlace = 2;        // SUMO's keepRoute: anywhere, on a lane or not
+constexpr int kNoLaneChange = 512;    // SUMO's lane change mode: none that is not asked for
 constexpr double kLaneReach = 100.0;  // [m] SUMO's default: so near it looks for a lane
 
 class VehicleCalls final : public SumoVehicles {
@@ -85,6 +87,8 @@ class VehicleCalls final : public SumoVehicles {
     for (const SpeedOrder& order : orders) {
       if (const auto* mode = std::get_if<SpeedMode>(&order.what)) {
         Vehicle::setSpeedMode(order.vehicle, static_cast<int>(*mode));
+      } else if (const auto* changes = std::get_if<LaneChanges>(&order.what)) {
+        set_lane_changes(order.vehicle, *changes);
       } else {
         Vehicle::setSpeed(order.vehicle, std::get<double>(order.what));
       }
@@ -102,6 +106,21 @@ class VehicleCalls final : public SumoVehicles {
       }
     }
   }
+
+ private:
+  void set_lane_changes(const std::string& id, LaneChanges changes) {
+    if (changes == LaneChanges::kNone) {
+      own_lane_changes_.try_emplace(id, Vehicle::getLaneChangeMode(id));
+      Vehicle::setLaneChangeMode(id, kNoLaneChange);
+    } else if (const auto own = own_lane_changes_.extract(id)) {
+      try {
+        Vehicle::setLaneChangeMode(id, own.mapped());
+      } catch (const libsumo::TraCIException&) {  // it has left the simulation
+      }
+    }
+  }
+
+  std::unordered_map<std::string, int> own_lane_changes_;  ///< modes before they were told none
 };
 
 }  // namespace

@@ -30,6 +30,12 @@ class Fleet {
   /// The same as the crowd sees them, moving as they will in the next `dt` [s].
   void states(double dt, std::vector<VehicleState>& out) const;
 
+  /// As WayAhead::beside.
+  std::vector<Polyline> ways_beside(const FleetVehicle& vehicle, double soon,
+                                    double distance) const {
+    return ways_.beside(vehicle, soon, distance);
+  }
+
   /// Whether a body of `radius` [m] at a point overlaps a vehicle.
   bool touches(const Vec2& point, double radius) const;
   /// Whether a moving vehicle will sweep within `margin` [m] of a point in the next `horizon` [s].

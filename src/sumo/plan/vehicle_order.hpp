@@ -17,10 +17,16 @@ enum class SpeedMode {
   kPass = 63,       ///< all but who is inside the junction already
 };
 
+/// Whether a vehicle may change lanes.
+enum class LaneChanges {
+  kNone,
+  kOwn,  ///< as before it was told not to
+};
+
 /// One call: a speed [m/s] for the next step (negative: the vehicle is SUMO's again), or a mode.
 struct SpeedOrder {
   std::string vehicle;
-  std::variant<double, SpeedMode> what;
+  std::variant<double, SpeedMode, LaneChanges> what;
 
   bool operator==(const SpeedOrder&) const = default;
 };

@@ -10,6 +10,7 @@ constexpr std::size_t kMostLanes = 8;  // numerical: that one vehicle stands on 
 constexpr double kFits = 0.1;          // [rad] numerical: SUMO's heading is that of the chord from
                                        // rear to front, but for a change of lanes
 constexpr double kChord = 0.1;         // [m] numerical
+constexpr double kSoon = 0.1;          // [m] numerical: one that stands may change lanes, too
 
 /// Adds the part of a lane's line from `offset` [m] on, `lateral` [m] to its left and at most
 /// `left` [m] long, which it then shortens.
@@ -144,6 +145,55 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
     lane = next_lane(lane, vehicle.route, index);
   }
   vehicle.zone = std::max(0, zone);
+}
+
+/// Lanes for vehicles on both sides of one on a street.
+std::vector<int> WayAhead::neighbours(int lane) const {
+  const Edge& edge = network_.edges[network_.lanes[lane].edge];
+  std::vector<int> found;
+  if (edge.function != EdgeFunction::kNormal) return found;
+  const auto at = std::ranges::find(edge.lanes, lane);
+  if (at != edge.lanes.begin()) found.push_back(*std::prev(at));
+  if (at != edge.lanes.end() && std::next(at) != edge.lanes.end()) found.push_back(*std::next(at));
+  std::erase_if(found, [&](int other) { return !network_.lanes[other].vehicles; });
+  return found;
+}
+
+/// Adds `left` [m] of the way from `offset` [m] on the lane on, where route[index] was reached.
+void WayAhead::go_on(int lane, std::span<const int> route, int index, double offset, double lateral,
+                     double left, Polyline& way) const {
+  for (; lane >= 0 && left > 0.0; lane = next_lane(lane, route, index)) {
+    append_from(network_.lanes[lane].shape, offset, lateral, left, way);
+    offset = 0.0;
+  }
+}
+
+std::vector<Polyline> WayAhead::beside(const FleetVehicle& vehicle, double soon,
+                                       double distance) const {
+  std::vector<Polyline> ways;
+  if (vehicle.lane < 0) return ways;
+  Polyline own = {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
+  double offset = project_on(network_.lanes[vehicle.lane].shape, vehicle.front).offset;
+  int lane = vehicle.lane, index = vehicle.route_index;
+  for (double left = std::max(soon, kSoon); lane >= 0 && left > 0.0;) {
+    const double gone = std::max(soon, kSoon) - left;
+    for (const int other : neighbours(lane)) {
+      const Polyline& shape = network_.lanes[other].shape;
+      const double from = gone > 0.0 ? 0.0 : project_on(shape, vehicle.front).offset;
+      const LinePoint begin = point_on(shape, from);
+      Polyline way = {begin.point - begin.direction * vehicle.traits.length, begin.point};
+      if (gone > 0.0) {  // put over sideways on its way there
+        way = own;
+        for (Vec2& point : way) point += begin.point - own.back();
+      }
+      go_on(other, vehicle.route, index, from, vehicle.lateral, distance - gone, way);
+      ways.push_back(std::move(way));
+    }
+    append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, own);
+    offset = 0.0;
+    lane = next_lane(lane, vehicle.route, index);
+  }
+  return ways;
 }
 
 /// The junction before the edge that a route comes to after route[index]; -1: none.

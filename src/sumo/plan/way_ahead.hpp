@@ -22,7 +22,15 @@ class WayAhead {
   /// goes straight on. The zone is the first one on the way; if there is none, the first of all.
   void look(FleetVehicle& vehicle, double distance) const;
 
+  /// The ways that it would take from the lanes beside it, if it changed to one of them within the
+  /// next `soon` [m] of its way: SUMO puts it there from one step to the next. As its own way, from
+  /// the rear to `distance` [m] beyond the front.
+  std::vector<Polyline> beside(const FleetVehicle& vehicle, double soon, double distance) const;
+
  private:
+  std::vector<int> neighbours(int lane) const;
+  void go_on(int lane, std::span<const int> route, int index, double offset, double lateral,
+             double left, Polyline& way) const;
   int junction_after(std::span<const int> route, int index) const;
   Polyline way_behind(const FleetVehicle& vehicle, double offset) const;
   int next_lane(int lane, std::span<const int> route, int& index) const;

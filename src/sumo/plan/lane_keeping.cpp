@@ -1,0 +1,63 @@
+#include "sumo/plan/lane_keeping.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pedzone {
+namespace {
+
+constexpr double kAside = 10.0;  // [m] numerical: more than two lanes are wide
+
+/// Whether its body would touch anybody on the way in this step, or before it can stop.
+bool is_barred(const FleetVehicle& vehicle, Polyline way, std::span<const PersonAhead> people,
+               double margin, double distance, double dt) {
+  FleetVehicle moved;
+  moved.traits = vehicle.traits;
+  moved.front = point_on(way, vehicle.traits.length).point;
+  moved.heading = vehicle.heading;
+  moved.way = std::move(way);
+  const Rectangle body = body_of(moved);
+  const auto touches = [&](const PersonAhead& person) {
+    const double reach = person.radius + margin;
+    return body.signed_distance(person.position) < reach ||
+           body.signed_distance(person.position + person.velocity * dt) < reach;
+  };
+  return std::ranges::any_of(people, touches) ||
+         first_in_way(moved, people, margin, distance).has_value();
+}
+
+}  // namespace
+
+bool LaneKeeping::is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehicle,
+                                    std::span<const PersonAhead> people, double dt) const {
+  const double soon = (vehicle.speed + vehicle.traits.accel * dt) * dt;
+  const double distance = soon + braking_distance(vehicle);
+  const double reach = distance + vehicle.traits.length + kAside;
+  const auto near = [&](const PersonAhead& person) {
+    return (person.position - vehicle.front).squaredNorm() < reach * reach;
+  };
+  if (std::ranges::none_of(people, near)) return false;
+  const double margin = zones_[vehicle.zone].parameters.yield_margin;
+  std::vector<Polyline> ways = fleet.ways_beside(vehicle, soon, distance);
+  return std::ranges::any_of(ways, [&](Polyline& way) {
+    return is_barred(vehicle, std::move(way), people, margin, distance, dt);
+  });
+}
+
+std::vector<SpeedOrder> LaneKeeping::plan(const Fleet& fleet, std::span<const PersonAhead> people,
+                                          double dt) {
+  std::vector<SpeedOrder> orders;
+  std::unordered_set<std::string> kept = std::exchange(keep_, {});
+  for (const FleetVehicle& vehicle : fleet.vehicles()) {
+    const bool ours = vehicle.traits.yields && !vehicle.traits.external && !vehicle.stopped;
+    if (!ours || !is_anybody_beside(fleet, vehicle, people, dt)) continue;
+    if (kept.erase(vehicle.id) == 0) orders.push_back({vehicle.id, LaneChanges::kNone});
+    keep_.insert(vehicle.id);
+  }
+  std::vector<std::string> free(kept.begin(), kept.end());
+  std::ranges::sort(free);  // the same calls in each run
+  for (std::string& id : free) orders.push_back({std::move(id), LaneChanges::kOwn});
+  return orders;
+}
+
+}  // namespace pedzone

@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+"""People on a street with two lanes for one direction and no sidewalk, where cars keep right and overtake.
+
+usage: lane_changes.py PEDZONE [--seeds N,N] [--steps S,S] [--keep FOLDER]
+
+SUMO puts a car from one lane onto the other within a step and does not see people whom pedzone
+walks: where nothing holds it back, ten cars and more are put onto people in each of these runs.
+Everything is read from SUMO's own messages and outputs, beside plain SUMO:
+- of people and vehicles, at most one pair a run touches (but where SUMO inserts a vehicle)
+- all cars and people arrive, and cars take at most 1.5 times as long as in plain SUMO
+- no vehicle is teleported or collides with another, emergency brakings as in plain SUMO. In steps of
+  1 s this is told only: one that stops for people there may be too hard for the one behind it.
+"""
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+from junction import Run, call, contacts
+
+CARS, PEOPLE = 57, 78
+END = 700  # [s]
+SLOWER = 1.5
+
+
+def make_scene(folder, seed, step):
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "n.nod.xml").write_text(
+        '<nodes><node id="a" x="0" y="0"/><node id="b" x="200" y="0"/><node id="c" x="400" y="0"/></nodes>')
+    (folder / "e.edg.xml").write_text(
+        '<edges><edge id="ab" from="a" to="b" numLanes="2" speed="8.33"/>'
+        '<edge id="bc" from="b" to="c" numLanes="2" speed="8.33"/></edges>')
+    call("netconvert", "-n", "n.nod.xml", "-e", "e.edg.xml", "-o", "net.net.xml", folder=folder)
+    (folder / "r.rou.xml").write_text("""<routes>
+    <vType id="slow" maxSpeed="4"/>
+    <personFlow id="there" begin="0" end="250" period="5"><walk from="ab" to="bc"/></personFlow>
+    <personFlow id="back" begin="0" end="250" period="9" departPos="190">
+        <walk from="bc" to="ab" arrivalPos="5"/>
+    </personFlow>
+    <flow id="car" begin="5" end="300" period="7" departLane="1" departSpeed="max" from="ab" to="bc"/>
+    <flow id="cart" type="slow" begin="8" end="300" period="21" departLane="1" from="ab" to="bc"/>
+</routes>""")
+    (folder / "all.zone.xml").write_text('<zones><zone id="all" edges="ab bc"/></zones>')
+    (folder / "s.sumocfg").write_text(
+        f'<configuration><net-file value="net.net.xml"/><route-files value="r.rou.xml"/>'
+        f'<end value="{END}"/><step-length value="{step}"/><seed value="{seed}"/></configuration>')
+
+
+def mean(numbers):
+    return sum(numbers) / max(1, len(numbers))
+
+
+def check(pedzone, folder, seed, step):
+    """What is wrong."""
+    make_scene(folder, seed, step)
+    config = folder / "s.sumocfg"
+    plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
+    ours = Run(folder / "ours", [
+        pedzone, "run", config, "--zone", folder / "all.zone.xml",
+        "--trajectories", folder / "ours" / "trajectories.csv", "--"])
+    inserted, touched = contacts(folder)
+    drives = [mean(run.driven) for run in (plain, ours)]
+    walks = [mean(run.walks.values()) for run in (plain, ours)]
+    print(f"seed {seed}, step {step} s: contacts {touched} and {inserted} at insertions, emergency "
+          f"brakings {plain.brakings} -> {ours.brakings}, collisions {len(ours.collisions)}, drives {drives[0]:.0f} -> {drives[1]:.0f} s, "
+          f"walks {walks[0]:.0f} -> {walks[1]:.0f} s", flush=True)
+    wrong = {
+        "touch": touched > 1,
+        "are not there": len(ours.driven) != CARS or len(ours.walks) != PEOPLE,
+        "do not arrive": walks[1] == float("inf"),
+        "drive too slowly": drives[1] > SLOWER * drives[0],
+        "are teleported": step < 1 and ours.teleports - plain.teleports,
+        "collide": step < 1 and ours.collisions,
+        "brake too hard": step < 1 and ours.brakings > plain.brakings}
+    return [f"seed {seed}, step {step} s: some {what}" for what, found in wrong.items() if found]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pedzone", type=Path)
+    parser.add_argument("--seeds", default="1")
+    parser.add_argument("--steps", default="0.1,1")
+    parser.add_argument("--keep", type=Path, help="folder for networks and outputs")
+    options = parser.parse_args()
+    wrong = []
+    with tempfile.TemporaryDirectory() as temporary:
+        for step in options.steps.split(","):
+            for seed in options.seeds.split(","):
+                folder = (options.keep or Path(temporary)).resolve() / f"{step}-{seed}"
+                wrong += check(options.pedzone.resolve(), folder, int(seed), float(step))
+    print("\n".join(wrong or ["all as it should be"]))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
