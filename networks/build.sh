@@ -27,10 +27,12 @@ build() {
 
 # What netconvert 1.18 writes otherwise than 1.15 (measured; all the rest is the same): the version of
 # the format, types that no edge has, walking areas and crossings (1.18 rounds their corners and
-# allows 2.78 m/s instead of 1), and junctions' shapes by 1 cm.
+# allows 2.78 m/s instead of 1), junctions' shapes by 1 cm, and the right of way where two lanes of the
+# high street become one.
 streets_and_links() {
   sed -E -e 's/^<net version="[^"]*"//' -e '/^    <type id=/d' \
-    -e '/<lane id=":[^"]*_[wc][0-9]+_0"/d' -e '/<junction /s/ shape="[^"]*"//' "$1"
+    -e '/<lane id=":[^"]*_[wc][0-9]+_0"/d' -e '/<junction /s/ shape="[^"]*"//' \
+    -e '/<request /d' -e '/<connection /s/ state="[^"]*"//' "$1"
 }
 
 # differs BUILT KEPT

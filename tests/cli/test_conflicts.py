@@ -169,8 +169,8 @@ class Conflicts(RefusalChecks, unittest.TestCase):
         # Places are the same; directions are estimated from the way gone, so that some pairs fall on
         # another side of what counts as the same way, or have their extreme at another moment.
         # A time to collision hangs on a direction, and people turn often since they take Eq. 1 among
-        # people.
-        for name, tolerance in (("minClearance", 0.02), ("PET", 0.1), ("minTTC", 0.35),
+        # people (its 80th percentile is 0.23 s with SUMO 1.15 and 0.38 s with 1.18).
+        for name, tolerance in (("minClearance", 0.02), ("PET", 0.1), ("minTTC", 0.45),
                                 ("maxDRAC", 0.2)):
             differences = []
             for pair in pairs:
