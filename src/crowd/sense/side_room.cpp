@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "crowd/sense/vehicle_motion.hpp"
 #include "geometry/polyline.hpp"
@@ -27,12 +28,19 @@ constexpr int kDirections = 16;     // numerical
 constexpr double kLook = 0.25;      // [m] numerical: sampling of the swept area
 constexpr double kPassedBy = 1.0;   // [m] numerical: swept area beyond and behind the point
 
+/// Whether it is farther than `reach` [m] from the point, told by its centre alone: a town has
+/// hundreds of vehicles, a place a few.
+bool is_far(const VehicleState& vehicle, const Vec2& point, double reach) {
+  const double away = 0.5 * (vehicle.length + vehicle.width) + reach;
+  return (vehicle.centre - point).squaredNorm() > away * away;
+}
+
 /// Whether a turned body at `to` has room between the walls and the other vehicles.
 bool has_room(const SideRoom& room, const VehicleState& vehicle, const Vec2& to, double turned) {
   const double reach = turned + kTouch;
   if (!room.walls.inside(to) || room.walls.room(to, reach) < reach) return false;
   return std::ranges::none_of(room.vehicles, [&](const VehicleState& other) {
-    return &other != &vehicle && distance_to(other, to) < reach;
+    return &other != &vehicle && !is_far(other, to, reach) && distance_to(other, to) < reach;
   });
 }
 
@@ -42,16 +50,26 @@ bool fits(const SideRoom& room, const VehicleState& vehicle, const Vec2& from, c
   return room.walls.sees(from, to) && has_room(room, vehicle, to, turned);
 }
 
-/// Whether a straight line keeps so far from the walls and the other vehicles.
-bool free_line(const SideRoom& room, const VehicleState& vehicle, const Vec2& from, const Vec2& to,
-               double reach) {
-  if (!room.walls.inside(from) || !room.walls.free_line(from, to, reach)) return false;
-  return std::ranges::none_of(room.vehicles, [&](const VehicleState& other) {
-    if (&other == &vehicle) return false;
-    Rectangle frame = rectangle_of(other);
-    frame.half += Vec2::Constant(reach);
-    return runs_through(frame, from, to);
-  });
+/// The other vehicles within `reach` [m] of a vehicle's centre, each grown by `grown` [m]. Valid
+/// until the thread's next call: the list is kept for its memory.
+std::span<const Rectangle> others_near(const SideRoom& room, const VehicleState& vehicle,
+                                       double reach, double grown) {
+  thread_local std::vector<Rectangle> others;
+  others.clear();
+  for (const VehicleState& other : room.vehicles) {
+    if (&other == &vehicle || is_far(other, vehicle.centre, reach + grown)) continue;
+    others.push_back(rectangle_of(other));
+    others.back().half += Vec2::Constant(grown);
+  }
+  return others;
+}
+
+/// Whether a straight line keeps so far from the walls, and out of the rectangles.
+bool free_line(const WallIndex& walls, std::span<const Rectangle> others, const Vec2& from,
+               const Vec2& to, double reach) {
+  if (!walls.inside(from) || !walls.free_line(from, to, reach)) return false;
+  return std::ranges::none_of(
+      others, [&](const Rectangle& other) { return runs_through(other, from, to); });
 }
 
 /// The place beside the way at `offset` [m], on the one side, with most room up to `wanted`.
@@ -130,13 +148,14 @@ std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicl
 std::optional<SideWay> way_beside(const SideRoom& room, const VehicleState& vehicle, double side,
                                   const BodyBeside& body) {
   const Rectangle frame = rectangle_of(vehicle);
+  const double least = body.turned + kTouch, most = 2.0 * body.radius + kStraight;
+  const auto others = others_near(room, vehicle, frame.half.sum() + most, least);
   const auto free_at = [&](double beyond) {
     const double lateral = side * (frame.half.y() + beyond);
     const Vec2 ahead = frame.out_of_frame({frame.half.x(), lateral});
     const Vec2 behind = frame.out_of_frame({-frame.half.x(), lateral});
-    return free_line(room, vehicle, ahead, behind, body.turned + kTouch);
+    return free_line(room.walls, others, ahead, behind, least);
   };
-  const double least = body.turned + kTouch, most = 2.0 * body.radius + kStraight;
   double first = -1.0, last = -1.0;
   for (double beyond = least; beyond <= most; beyond += 0.2 * kSideStep) {
     if (free_at(beyond)) {
