@@ -33,7 +33,7 @@ packages=(
   chromium chromium-driver          # tests of pages; frames of videos
   ffmpeg                            # tests of videos
   poppler-utils                     # tests of pages on paper
-  xvfb netpbm                       # tests of sumo-gui, and their pictures
+  xvfb xauth netpbm                 # tests of sumo-gui, and their pictures
   slurmctld slurmd slurm-client munge  # tests of studies on a cluster, which they start themselves
 )
 # Fetches the libraries that draw in a study's report; any npm will do.
