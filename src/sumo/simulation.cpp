@@ -17,6 +17,7 @@
 #include "sumo/plan/lane_keeping.hpp"
 #include "sumo/plan/stand_off.hpp"
 #include "sumo/plan/steering.hpp"
+#include "sumo/plan/told.hpp"
 #include "sumo/plan/yielding.hpp"
 #include "zone/any_zones.hpp"
 #include "zone/shapes.hpp"
@@ -147,6 +148,7 @@ struct Simulation::Parts {
   Fleet fleet;
   SafeSpeeds safe_speeds = session->vehicles().safe_speeds();
   OutsideDrivers drivers;
+  Told told;
   Yielding yielding;
   LaneKeeping lane_keeping;
   Insertions insertions;
@@ -184,6 +186,8 @@ void Simulation::Parts::join() {
 }
 
 void Simulation::Parts::leave() {
+  SumoVehicles& sumo = session->vehicles();
+  sumo.send(told.take_back(sumo.ids()));
   stranded = takeover.let_go();
   unmark_zones(*session, network, zones);
 }
@@ -208,6 +212,7 @@ void Simulation::Parts::read(double dt) {
 
 void Simulation::Parts::send(const std::vector<SpeedOrder>& orders) {
   drivers.note(orders);
+  told.note(orders);
   session->vehicles().send(orders);
 }
 

@@ -29,8 +29,9 @@ WALKERS = """<routes>
 class Outside(AttachedCase):
     routes = WALKERS.format(type="car")
 
-    def together(self, program, end=120, order=1, routes=None):
-        """pedzone beside a client that runs `program` before each of its steps (t: time)."""
+    def together(self, program, end=120, order=1, routes=None, leaves=None):
+        """pedzone, until it leaves, beside a client that runs `program` before each of its steps (t:
+        time)."""
         if routes is not None:
             self.tiny.write("tiny.rou.xml", routes)
         script = self.folder / "other.py"
@@ -51,7 +52,7 @@ class Outside(AttachedCase):
         sumo = self.start_sumo(2, "--fcd-output", "fcd.xml", "--tripinfo-output", "trips.xml",
                                "--collision.check-junctions")
         client = self.start(sys.executable, script)
-        pedzone = self.attach("--order", 3 - order, "--end", end, "--trajectories", "t.csv",
+        pedzone = self.attach("--order", 3 - order, "--end", leaves or end, "--trajectories", "t.csv",
                               "--summary", "s.json")
         output, errors = pedzone.communicate(timeout=LONG)
         _, complaint = client.communicate(timeout=LONG)
@@ -141,6 +142,20 @@ class Outside(AttachedCase):
         far = [speed for speed, x in self.speeds().values() if x > 600]
         self.assertGreater(len(far), 20, "it stood before the visitor and was put there")
         self.assertGreater(far[20], 5.0)
+
+    def test_a_vehicle_that_it_holds_drives_on_when_pedzone_leaves(self):
+        self.together("""
+            if "visitor" in persons:
+                traci.person.moveToXY("visitor", "", 100.0, -4.0, 90, 2, -1)
+            """, leaves=90, routes="""<routes>
+              <vType id="own" vClass="pedestrian"><param key="pedzone.external" value="true"/></vType>
+              <person id="visitor" type="own" depart="1">
+                <walk edges="shared east" departPos="20"/></person>
+              <vehicle id="v" depart="60"><route edges="west shared east"/></vehicle>
+            </routes>""")
+        speeds = self.speeds()
+        self.assertLess(speeds[89.0][0], 0.1, "it stands before the visitor")
+        self.assertGreater(max(speed for time, (speed, _) in speeds.items() if time > 90), 5.0)
 
     def places(self, person="visitor"):
         return {float(row["time"]): (float(row["x"]), float(row["y"]))
