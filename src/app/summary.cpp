@@ -33,9 +33,10 @@ std::string run_into_text(const std::vector<RunIntoRecord>& events) {
   std::string text;
   for (std::size_t k = 0; k < std::min(events.size(), kNamed); ++k) {
     const RunIntoRecord& event = events[k];
-    text += fmt::format("    '{}' by '{}' at {:.1f} s, ({:.1f}, {:.1f}) in zone '{}': {:.1f} m/s\n",
-                        event.person, event.vehicle, event.time, event.position.x(),
-                        event.position.y(), event.zone, event.speed);
+    text +=
+        fmt::format("    '{}' by '{}' at {:.1f} s, ({:.1f}, {:.1f}) in zone '{}': {:.1f} m/s{}\n",
+                    event.person, event.vehicle, event.time, event.position.x(), event.position.y(),
+                    event.zone, event.speed, event.just_inserted ? ", just inserted by SUMO" : "");
   }
   if (events.size() > kNamed) text += fmt::format("    and {} more\n", events.size() - kNamed);
   return text;
@@ -171,7 +172,8 @@ nlohmann::ordered_json run_into_json(const RunSummary& summary) {
                     {"zone", event.zone},
                     {"x", event.position.x()},
                     {"y", event.position.y()},
-                    {"speed_mps", event.speed}});
+                    {"speed_mps", event.speed},
+                    {"just_inserted", event.just_inserted}});
   }
   return json;
 }

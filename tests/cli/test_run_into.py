@@ -16,6 +16,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 from pathlib import Path
+from unittest import mock
 
 from tiny_scenario import EDGES, TinyScenario
 
@@ -151,6 +152,16 @@ class RunInto(unittest.TestCase):
         for time, (x, _, _, _) in self.car.items():
             if 5.0 <= time <= 15.0:
                 self.assertAlmostEqual(x, 62.0 + 5.0 * (time - 5.0), delta=ROUNDING)
+
+    def test_one_that_sumo_puts_onto_somebody_is_told_apart(self):
+        for route, inserted in (("west shared east", False), ("shared east", True)):
+            with self.subTest(route=route):
+                with mock.patch(f"{__name__}.ROUTES", ROUTES.replace("west shared east", route)
+                                .replace('departSpeed="max"', 'departSpeed="9"')):
+                    printed = self.run_street("2.6", start="8" if inserted else "50", depart="4")
+                event = told(self.folder)["run_into"][0]
+                self.assertEqual(event["just_inserted"], inserted)
+                self.assertEqual("just inserted by SUMO" in printed, inserted)
 
     def test_a_slow_one_pushes_and_runs_into_nobody(self):
         (self.folder / "av.csv").write_text("t,x,y\n5,62,-4.2\n45,102,-4.2\n")

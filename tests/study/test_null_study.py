@@ -20,8 +20,10 @@ STUDY = """<study id="null" seeds="1-100" models="striping">
 </study>
 """
 LEAST, MOST = 0.02, 0.09  # of repetitions called different at the 5 % level
-# The same of a single measure: all but 1 in 400 of binomial counts with 200 repetitions.
+# The same of a single measure: all but 1 in 400 of binomial counts with 200 repetitions. What hardly
+# happens in a run is called different more seldom: Welch's test is cautious with few counts.
 LEAST_OF_ONE, MOST_OF_ONE = 0.01, 0.1
+SELDOM = 3.0  # a run
 SLOWER = 0.9  # of the walking speed
 
 
@@ -44,7 +46,8 @@ def check_null(found):
           ", ".join(f"{key} {value:.1%}" for key, value in share.items()))
     assert LEAST <= overall <= MOST, overall
     for key, value in share.items():
-        assert LEAST_OF_ONE <= value <= MOST_OF_ONE, (key, value)
+        seldom = key.startswith("conflict.") and found["null"][key]["reference"] < SELDOM
+        assert (seldom or LEAST_OF_ONE <= value) and value <= MOST_OF_ONE, (key, value)
     family = found["anyOfFamily"] / found["repetitions"]
     print(f"any of the family, corrected: {family:.1%}")
     assert family <= MOST, family

@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "check"))
 from fcd import read_fcd  # noqa: E402
 from scenario import read_scenario  # noqa: E402
 from trips import read_trips  # noqa: E402
-from visits import walk_measures  # noqa: E402
+from visits import STANDING, walk_measures  # noqa: E402
 from zone_area import ZoneRule, read_network  # noqa: E402
 
 
@@ -78,9 +78,13 @@ def check_conflicts(folder, fcd, in_zone):
 
 def check_walks(measured, fcd, persons, inside):
     print(f"rows of people in the zone: {inside.sum()} of {len(inside)}")
+    found_all = walk_measures(fcd, persons, inside, None, 1.0)
+    # Who walks at exactly that speed stands or does not by the last bit of a number.
+    doubtful = (inside & (abs(fcd.persons.speed - STANDING) < 1e-9)).sum()
+    spare = {"person.waiting": doubtful * numpy.diff(fcd.times).max() / found_all["person.visitors"]}
     good = True
-    for key, found in walk_measures(fcd, persons, inside, None, 1.0).items():
-        same = abs(measured[key] - found) <= 1e-6 * found
+    for key, found in found_all.items():
+        same = abs(measured[key] - found) <= 1e-6 * found + spare.get(key, 0.0)
         print(f"{key}: {measured[key]:.6g}, recomputed {found:.6g}" + ("" if same else "  FAILED"))
         good &= same
     return good

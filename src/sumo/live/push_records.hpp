@@ -16,6 +16,8 @@ struct RunIntoRecord {
   std::string person, vehicle, zone;
   double speed = 0.0;            ///< [m/s] of the vehicle
   Vec2 position = Vec2::Zero();  ///< [m] of the person
+  bool just_inserted = false;  ///< SUMO had put the vehicle there at most 3 s before: it departed,
+                               ///< or its teleport ended
 };
 
 class PushRecords {
@@ -34,7 +36,7 @@ class PushRecords {
 
  private:
   std::string person(std::uint64_t key) const;
-  std::string vehicle(std::uint64_t key) const;
+  const FleetVehicle* vehicle(std::uint64_t key) const;  ///< null: it is not near a zone any more
 
   const std::vector<Zone>& zones_;
   const std::vector<std::unique_ptr<Crowd>>& crowds_;

@@ -20,6 +20,7 @@ constexpr double kWaitingSpeed = 0.5;   // [m/s] numerical: slower vehicles wait
 
 /// What is carried over from a vehicle's last step, of `dt` [s].
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
+  vehicle.seen_for = old.seen_for + dt;
   vehicle.blocked_time = old.blocked_time;
   vehicle.creeping = old.creeping;
   vehicle.slowed = old.slowed;

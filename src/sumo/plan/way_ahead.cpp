@@ -147,11 +147,10 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   vehicle.zone = std::max(0, zone);
 }
 
-/// Lanes for vehicles on both sides of one on a street.
+/// Lanes for vehicles on both sides: SUMO's vehicles change lanes inside junctions, too.
 std::vector<int> WayAhead::neighbours(int lane) const {
   const Edge& edge = network_.edges[network_.lanes[lane].edge];
   std::vector<int> found;
-  if (edge.function != EdgeFunction::kNormal) return found;
   const auto at = std::ranges::find(edge.lanes, lane);
   if (at != edge.lanes.begin()) found.push_back(*std::prev(at));
   if (at != edge.lanes.end() && std::next(at) != edge.lanes.end()) found.push_back(*std::next(at));

@@ -10,7 +10,7 @@ than in plain SUMO + 10 %. Everything is read from SUMO's own outputs and messag
 A zone's end is judged over many seeds together: there people and vehicles of plain SUMO wait for each other
 until a teleport, in 15 of 100 seeds and not in the same ones. Nobody is left, vehicles are teleported at most half
 as often as in plain SUMO, at most half as many people walk long (3 times the median of plain SUMO's walks + 20 s),
-and there are no more emergency brakings + 10 %, nor vehicles that meet (one more is allowed: in plain SUMO 3 in
+and there are no more emergency brakings + 10 % (two are chance), nor vehicles that meet (one more is allowed: in plain SUMO 3 in
 100 seeds).
 """
 
@@ -30,6 +30,7 @@ import outputs  # noqa: E402
 
 LONGER, MORE = 3.0, 20.0  # a walk may take so many times plain SUMO's time, and so many [s] more
 MORE_BRAKINGS = 1.1
+FEW_BRAKINGS = 2  # of few runs: plain SUMO has 25 in 200 zones' ends
 
 
 @dataclass
@@ -104,7 +105,7 @@ def compare_together(runs: list, plain_runs: list) -> list:
             ("teleports", total(runs, "teleports"), total(plain_runs, "teleports") / 2),
             ("collisions", total(runs, "collisions"), total(plain_runs, "collisions") + 1),
             ("emergency brakings", total(runs, "brakings"),
-             MORE_BRAKINGS * total(plain_runs, "brakings"))):
+             max(FEW_BRAKINGS, MORE_BRAKINGS * total(plain_runs, "brakings")))):
         print(f"zones' ends: {ours} {what} (at most {most:g})")
         if ours > most:
             wrong.append(f"{ours} {what}, allowed {most:g}")

@@ -9,8 +9,8 @@ traffic lights are wrong there, so that plain SUMO jams, too. In each, all edges
 zone, or those within 200 m of where most people walk. Everything is read from SUMO's own outputs,
 summed over the seeds:
 - SUMO lives on, and at least 98 % of plain SUMO's people and cars arrive
-- no more vehicles are teleported and no more people jam than in plain SUMO, + 20 %: of two cars that meet
-  in a jam in 1 s steps one is teleported
+- no more vehicles are teleported and no more people jam than in plain SUMO, + 20 % and three: of two
+  cars that meet in steps of 1 s one is teleported
 """
 import argparse
 import math
@@ -31,7 +31,7 @@ TOWNS = {  # the network, what netconvert does to it; cars and people an hour
     "koenigs-wusterhausen": ("A10KW/osm.net.xml", GUESSED, 1500, 2500),
 }
 SECONDS, END, RADIUS = 900, 1500, 200.0  # [s], [s], [m]
-ARRIVE, MORE = 0.98, 1.2
+ARRIVE, MORE, FEW = 0.98, 1.2, 3  # of few one or two are chance
 
 
 def make_trips(folder, name, per_hour, seed, *options):
@@ -117,7 +117,7 @@ def compare(pedzone, folder, town, zones, seeds):
                                               for name in plain), flush=True)
         for name in plain:
             enough = found[name] >= ARRIVE * plain[name] if "arrive" in name else \
-                found[name] <= MORE * plain[name] + 1
+                found[name] <= MORE * plain[name] + FEW
             if not enough:
                 wrong.append(f"{town}, {zone}: {name}: {plain[name]} -> {found[name]}")
     return wrong

@@ -79,6 +79,11 @@ TEST_F(LaneKeepingTest, looks_at_the_lanes_that_it_comes_to_within_the_step) {
   EXPECT_THAT(step({seen}, {at(53, 4)}, 0.1), ElementsAre(free_)) << "0.5 m in the step";
 }
 
+TEST_F(LaneKeepingTest, looks_at_lanes_inside_junctions_too) {
+  network.edges[wide_].function = EdgeFunction::kInternal;
+  EXPECT_THAT(step({car(left_, {60, 4}, 5.0)}, {at(66, 0)}), ElementsAre(keeps_));
+}
+
 TEST_F(LaneKeepingTest, does_not_count_lanes_that_no_vehicle_may_use) {
   network.lanes[right_].vehicles = false;
   EXPECT_THAT(step({car(left_, {60, 4}, 5.0)}, {at(66, 0)}), IsEmpty());
