@@ -125,7 +125,7 @@ Region grow(const Region& region, double distance, Corners corners) {
   if (!std::isfinite(distance) || distance == 0.0) return valid;
   const double side = distance > 0.0 ? 1.0 : -1.0;
   Cover inside, pieces;
-  inside.add(valid);
+  inside.add_clean(valid);
   Band band(pieces, std::abs(distance), corners);
   for (const Polygon& polygon : valid) {
     band.add(distinct(polygon.outer, true), true, side);

@@ -281,9 +281,13 @@ void Cover::add_simple(const Ring& ring) {
   if (!points.empty()) parts_.push_back({{std::move(points)}, false});
 }
 
-void Cover::add(const Region& region) {
+void Cover::add(const Region& region) { add(region, true); }
+
+void Cover::add_clean(const Region& region) { add(region, false); }
+
+void Cover::add(const Region& region, bool may_cross) {
   for (const Polygon& polygon : region) {
-    Part part{{grid_ring(polygon.outer)}, true};
+    Part part{{grid_ring(polygon.outer)}, may_cross};
     if (part.rings[0].empty()) continue;
     for (const Ring& hole : polygon.holes) {
       GridRing points = grid_ring(hole);

@@ -33,10 +33,14 @@ class Cover {
   void add_simple(const Ring& ring);
   /// Any region: rings may cross themselves, holes may overlap or lie outside.
   void add(const Region& region);
+  /// One that combine() has made: no ring crosses itself, which takes long to find out in a town.
+  void add_clean(const Region& region);
 
   const std::vector<Part>& parts() const { return parts_; }
 
  private:
+  void add(const Region& region, bool may_cross);
+
   std::vector<Part> parts_;
 };
 

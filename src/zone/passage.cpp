@@ -1,6 +1,7 @@
 #include "zone/passage.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace pedzone {
 namespace {
@@ -19,6 +20,34 @@ double distance_to(const Polygon& polygon, const Vec2& point) {
   double least = distance_to(polygon.outer, point);
   for (const Ring& hole : polygon.holes) least = std::min(least, distance_to(hole, point));
   return least;
+}
+
+constexpr double kAround = 1.0;  // [m] numerical: where a ring is cut nothing is decided
+
+/// What is left of a ring on one side of a line along an axis (Sutherland and Hodgman 1974): its
+/// pieces hang together by edges to and fro along that line.
+Ring cut(const Ring& ring, int axis, double at, double side) {
+  Ring kept;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const double a = side * (ring[j][axis] - at), b = side * (ring[i][axis] - at);
+    if ((a < 0.0) != (b < 0.0)) kept.push_back(ring[j] + (ring[i] - ring[j]) * (a / (a - b)));
+    if (b >= 0.0) kept.push_back(ring[i]);
+  }
+  return kept;
+}
+
+/// What is left of a ring in a box; empty: nothing.
+Ring cut(const Ring& ring, const Box& box) {
+  const Box own = box_of(ring);
+  if (!box.intersects(own)) return {};
+  if (box.contains(own)) return ring;
+  Ring left = ring;
+  for (const int axis : {0, 1}) {
+    left = cut(left, axis, box.min()[axis], 1.0);
+    if (!left.empty()) left = cut(left, axis, box.max()[axis], -1.0);
+    if (left.empty()) break;
+  }
+  return left;
 }
 
 }  // namespace
@@ -48,9 +77,18 @@ bool Passages::joins(const Vec2& a, const Vec2& b) const {
 }
 
 Region clip(const Region& area, const Box& box) {
+  // A town is one polygon with hundreds of holes: what is far is left out before the overlay.
+  const Box around = grown(box, kAround);
   Region near;
   for (const Polygon& polygon : area) {
-    if (box.intersects(box_of(polygon.outer))) near.push_back(polygon);
+    Polygon part{cut(polygon.outer, around), {}};
+    if (part.outer.empty()) continue;
+    for (const Ring& hole : polygon.holes) {
+      if (Ring in_part = cut(hole, around); !in_part.empty()) {
+        part.holes.push_back(std::move(in_part));
+      }
+    }
+    near.push_back(std::move(part));
   }
   const Vec2 low = box.min(), high = box.max();
   return intersect(near, {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}}});
