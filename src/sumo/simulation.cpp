@@ -147,8 +147,8 @@ struct Simulation::Parts {
   VehicleReader vehicles;
   Fleet fleet;
   SafeSpeeds safe_speeds = session->vehicles().safe_speeds();
-  OutsideDrivers drivers;
   Told told;
+  OutsideDrivers drivers{told};
   Yielding yielding;
   LaneKeeping lane_keeping;
   Insertions insertions;
@@ -199,7 +199,7 @@ std::size_t Simulation::Parts::people_in_sumo() {
 
 /// Takes in SUMO's present state and shows it.
 void Simulation::Parts::read(double dt) {
-  std::vector<VehicleSeen> seen = vehicles.read(fleet, drivers);
+  std::vector<VehicleSeen> seen = vehicles.read(fleet, told);
   drivers.mark(seen, steering.steered(), session->time(), dt);
   fleet.update(std::move(seen), dt);
   steering.foresee(fleet, session->time(), dt);
@@ -211,7 +211,6 @@ void Simulation::Parts::read(double dt) {
 }
 
 void Simulation::Parts::send(const std::vector<SpeedOrder>& orders) {
-  drivers.note(orders);
   told.note(orders);
   session->vehicles().send(orders);
 }

@@ -28,11 +28,11 @@ const std::vector<int>& VehicleReader::route(const std::string& id) {
   return entry->second;
 }
 
-std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const OutsideDrivers& told) {
+std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& told) {
   std::vector<VehicleSeen> seen;
   for (const std::string& id : sumo_.ids()) {
     const auto front = sumo_.front(id);
-    if (!front || !(fleet.near_zone(*front) || told.is_told(id))) continue;
+    if (!front || !(fleet.near_zone(*front) || told.speed(id))) continue;
     VehicleSeen vehicle;
     vehicle.id = id;
     vehicle.traits = traits(id, fleet.grip());

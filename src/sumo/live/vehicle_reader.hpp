@@ -7,7 +7,7 @@
 
 #include "sumo/calls/vehicles.hpp"
 #include "sumo/plan/fleet.hpp"
-#include "sumo/plan/outside_drivers.hpp"
+#include "sumo/plan/told.hpp"
 
 namespace pedzone {
 
@@ -19,7 +19,7 @@ class VehicleReader {
   /// Those that belong to the fleet, in SUMO's order, and those far away that pedzone has told a
   /// speed (they were moved there): they are to be given back. Where the weather leaves them less
   /// grip, one that is new is told to brake less, whatever it brakes for.
-  std::vector<VehicleSeen> read(const Fleet& fleet, const OutsideDrivers& told);
+  std::vector<VehicleSeen> read(const Fleet& fleet, const Told& told);
 
  private:
   const VehicleTraits& traits(const std::string& id, double grip);

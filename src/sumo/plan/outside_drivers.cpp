@@ -14,28 +14,16 @@ constexpr double kLetGo = 2.0;  // [s] assumed: a controller is not equal to SUM
 
 }  // namespace
 
-void OutsideDrivers::note(std::span<const SpeedOrder> orders) {
-  for (const SpeedOrder& order : orders) {
-    const double* speed = std::get_if<double>(&order.what);
-    if (speed == nullptr) continue;
-    if (*speed < 0.0) {
-      told_.erase(order.vehicle);
-    } else {
-      told_[order.vehicle] = *speed;
-    }
-  }
-}
-
 /// One that pedzone has told a speed drives no faster, but for what it cannot brake. Once another
 /// program drives it, what it was told may count no more: then it may drive as SUMO lets it, too.
 bool OutsideDrivers::is_odd(const VehicleSeen& vehicle, const Suspect& suspect, double dt) const {
-  const auto told = told_.find(vehicle.id);
+  const std::optional<double> told = told_.speed(vehicle.id);
   const bool as_sumo = std::abs(vehicle.speed - vehicle.own_speed) <= kSame;
-  if (told == told_.end()) return !as_sumo;
+  if (!told) return !as_sumo;
   if (suspect.driven && as_sumo) return false;
   if (suspect.last_speed < 0.0) return false;
   const double slowest = suspect.last_speed - vehicle.traits.decel * dt;
-  return vehicle.speed > std::max(told->second, slowest) + kSame;
+  return vehicle.speed > std::max(*told, slowest) + kSame;
 }
 
 void OutsideDrivers::mark(std::vector<VehicleSeen>& seen,

@@ -1,14 +1,13 @@
 // Which vehicles another program drives although nobody has declared it (pedzone.external).
 #pragma once
 
-#include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include "sumo/plan/told.hpp"
 #include "sumo/plan/vehicle.hpp"
-#include "sumo/plan/vehicle_order.hpp"
 
 namespace pedzone {
 
@@ -23,16 +22,13 @@ struct OutsideRecord {
 /// moved (moveToXY): measured with 1.15.
 class OutsideDrivers {
  public:
-  /// What pedzone has told vehicles for SUMO's next step.
-  void note(std::span<const SpeedOrder> orders);
+  /// `told`: by pedzone; must outlive it.
+  explicit OutsideDrivers(const Told& told) : told_(told) {}
 
   /// Marks as external those of `seen`, after a step of `dt` [s], whom somebody else drives, until
   /// they have driven as SUMO lets them for two seconds. `steered`: by pedzone itself.
   void mark(std::vector<VehicleSeen>& seen, const std::unordered_set<std::string>& steered,
             double time, double dt);
-
-  /// Whether pedzone has told a vehicle a speed and not given its own back yet.
-  bool is_told(const std::string& vehicle) const { return told_.contains(vehicle); }
 
   /// Whoever was found, each once, in time.
   const std::vector<OutsideRecord>& found() const { return found_; }
@@ -46,7 +42,7 @@ class OutsideDrivers {
   };
   bool is_odd(const VehicleSeen& vehicle, const Suspect& suspect, double dt) const;
 
-  std::unordered_map<std::string, double> told_;  ///< [m/s] by pedzone, for the last step
+  const Told& told_;
   std::unordered_map<std::string, Suspect> suspects_;
   std::vector<OutsideRecord> found_;
 };

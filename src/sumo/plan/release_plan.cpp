@@ -71,12 +71,9 @@ std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector
   int best = -1;
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= std::min(last, static_cast<int>(route.size()) - 1); ++i) {
-    const int lane = route[i] < 0 ? -1 : walking_lane(network, route[i]);
-    if (lane < 0 || network.lanes[lane].length < kShortEdge || !is_first_occurrence(route, i)) {
-      continue;
-    }
-    const LinePoint at =
-        point_on_lane(network.lanes[lane], project_on_lane(network.lanes[lane], position).offset);
+    if (route[i] < 0 || is_too_short(network, route[i]) || !is_first_occurrence(route, i)) continue;
+    const Lane& lane = network.lanes[walking_lane(network, route[i])];
+    const LinePoint at = point_on_lane(lane, project_on_lane(lane, position).offset);
     const double distance = (at.point - position).norm();
     if (distance < nearest) {
       nearest = distance;

@@ -31,14 +31,6 @@ double left_on_last(const Network& network, const ZoneStretch& stretch, const Ve
   return stretch.forward ? stretch.position - at : at - stretch.position;
 }
 
-/// In the step after a takeover SUMO still walks the person, but does not pass it on to its next
-/// lane. Beyond the end of a short edge it hides that end from those who come after it: they walk
-/// too far, and SUMO aborts.
-bool is_too_short(const Network& network, int edge) {
-  const int lane = walking_lane(network, edge);
-  return lane < 0 || network.lanes[lane].length < kShortEdge;
-}
-
 bool worth_while(const Network& network, const ZoneStretch& stretch, int index,
                  const Vec2& position) {
   return stretch.last != index || left_on_last(network, stretch, position) >= kWorthWhile;
@@ -131,6 +123,9 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
     past.last = -1;
   }
   past.refused_edge = edge;  // unless all goes well below
+  // In the step after a takeover SUMO still walks the person, but does not pass it on to its next
+  // lane. Beyond the end of a short edge it hides that end from those who come after it: they walk
+  // too far, and SUMO aborts.
   if (!walked_until_now && is_too_short(network, edge)) return std::nullopt;
   const std::vector<int> route = edge_indices(network, walker.edges);
   const int index = only_index(route, edge, past.last);

@@ -18,6 +18,12 @@ void Told::note(std::span<const SpeedOrder> orders) {
   }
 }
 
+std::optional<double> Told::speed(const std::string& vehicle) const {
+  const auto found = last_.find(vehicle);
+  if (found == last_.end() || found->second.speed < 0.0) return std::nullopt;
+  return found->second.speed;
+}
+
 std::vector<SpeedOrder> Told::take_back(const std::vector<std::string>& present) const {
   std::vector<std::string> vehicles;
   for (const std::string& id : present) {

@@ -1,7 +1,8 @@
-// What vehicles have been told and still go by: all of it is taken back when pedzone leaves a SUMO
-// that runs on.
+// What pedzone has told vehicles and they still go by. All of it is taken back when pedzone leaves
+// a SUMO that runs on.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -13,7 +14,11 @@ namespace pedzone {
 
 class Told {
  public:
+  /// What SUMO is told for its next step.
   void note(std::span<const SpeedOrder> orders);
+
+  /// [m/s] that a vehicle was told last; nothing: it has its own.
+  std::optional<double> speed(const std::string& vehicle) const;
 
   /// The orders that give each of the vehicles back to SUMO, in the order of their ids; those of
   /// which SUMO has none any more are left out.

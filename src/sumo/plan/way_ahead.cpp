@@ -39,6 +39,11 @@ void append_before(const Polyline& line, double offset, double lateral, double& 
   append_from(backwards, std::max(0.0, length_of(line) - offset), -lateral, left, out);
 }
 
+/// From its rear to its front by its heading.
+Polyline straight_behind(const FleetVehicle& vehicle) {
+  return {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
+}
+
 }  // namespace
 
 WayAhead::WayAhead(const Network& network, const std::vector<Zone>& zones)
@@ -97,8 +102,7 @@ void WayAhead::remember(const FleetVehicle& before, FleetVehicle& vehicle) const
 /// From its rear to its front, which is at `offset` [m] of its lane.
 Polyline WayAhead::way_behind(const FleetVehicle& vehicle, double offset) const {
   const double length = vehicle.traits.length;
-  const Vec2 along = unit(vehicle.heading);
-  const Polyline straight{vehicle.front - along * length, vehicle.front};
+  const Polyline straight = straight_behind(vehicle);
   Polyline back{vehicle.front};
   double left = length;
   append_before(network_.lanes[vehicle.lane].shape, offset, vehicle.lateral, left, back);
@@ -116,7 +120,7 @@ Polyline WayAhead::way_behind(const FleetVehicle& vehicle, double offset) const 
 
 void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   Polyline& way = vehicle.way;
-  way = {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
+  way = straight_behind(vehicle);
   if (vehicle.lane < 0) {
     way.push_back(vehicle.front + unit(vehicle.heading) * distance);
     return;
@@ -159,8 +163,8 @@ std::vector<int> WayAhead::neighbours(int lane) const {
 }
 
 /// Adds `left` [m] of the way from `offset` [m] on the lane on, where route[index] was reached.
-void WayAhead::go_on(int lane, std::span<const int> route, int index, double offset, double lateral,
-                     double left, Polyline& way) const {
+void WayAhead::append_way(int lane, std::span<const int> route, int index, double offset,
+                          double lateral, double left, Polyline& way) const {
   for (; lane >= 0 && left > 0.0; lane = next_lane(lane, route, index)) {
     append_from(network_.lanes[lane].shape, offset, lateral, left, way);
     offset = 0.0;
@@ -171,11 +175,12 @@ std::vector<Polyline> WayAhead::beside(const FleetVehicle& vehicle, double soon,
                                        double distance) const {
   std::vector<Polyline> ways;
   if (vehicle.lane < 0) return ways;
-  Polyline own = {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
+  Polyline own = straight_behind(vehicle);
   double offset = project_on(network_.lanes[vehicle.lane].shape, vehicle.front).offset;
   int lane = vehicle.lane, index = vehicle.route_index;
-  for (double left = std::max(soon, kSoon); lane >= 0 && left > 0.0;) {
-    const double gone = std::max(soon, kSoon) - left;
+  const double reach = std::max(soon, kSoon);
+  for (double left = reach; lane >= 0 && left > 0.0;) {
+    const double gone = reach - left;
     for (const int other : neighbours(lane)) {
       const Polyline& shape = network_.lanes[other].shape;
       const double from = gone > 0.0 ? 0.0 : project_on(shape, vehicle.front).offset;
@@ -185,7 +190,7 @@ std::vector<Polyline> WayAhead::beside(const FleetVehicle& vehicle, double soon,
         way = own;
         for (Vec2& point : way) point += begin.point - own.back();
       }
-      go_on(other, vehicle.route, index, from, vehicle.lateral, distance - gone, way);
+      append_way(other, vehicle.route, index, from, vehicle.lateral, distance - gone, way);
       ways.push_back(std::move(way));
     }
     append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, own);

@@ -29,8 +29,8 @@ class WayAhead {
 
  private:
   std::vector<int> neighbours(int lane) const;
-  void go_on(int lane, std::span<const int> route, int index, double offset, double lateral,
-             double left, Polyline& way) const;
+  void append_way(int lane, std::span<const int> route, int index, double offset, double lateral,
+                  double left, Polyline& way) const;
   int junction_after(std::span<const int> route, int index) const;
   Polyline way_behind(const FleetVehicle& vehicle, double offset) const;
   int next_lane(int lane, std::span<const int> route, int& index) const;

@@ -126,9 +126,8 @@ std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
   const double length = network.lanes[lane].length;
   stretch.position = *forward ? kPortalInset : length - kPortalInset;
   for (int i = first; i < last && stretch.hop_lane < 0; ++i) {
-    const int hop = walking_lane(network, route[i]);
-    if (hop >= 0 && network.lanes[hop].length >= kShortEdge && is_first_occurrence(route, i)) {
-      stretch.hop_lane = hop;
+    if (!is_too_short(network, route[i]) && is_first_occurrence(route, i)) {
+      stretch.hop_lane = walking_lane(network, route[i]);
     }
   }
   const Vec2 entry = point_on_lane(network.lanes[lane], *forward ? 0.0 : length).point;
@@ -139,6 +138,11 @@ std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
 }
 
 }  // namespace
+
+bool is_too_short(const Network& network, int edge) {
+  const int lane = walking_lane(network, edge);
+  return lane < 0 || network.lanes[lane].length < kShortEdge;
+}
 
 bool is_first_occurrence(const std::vector<int>& route, int index) {
   return std::find(route.begin(), route.begin() + index, route[index]) == route.begin() + index;
@@ -161,14 +165,12 @@ std::optional<ZoneStretch> plan_stretch(const Network& network, const Zone& zone
   const int end = static_cast<int>(route.size());
   while (last + 1 < end && linked(zone, route[last], route[last + 1])) ++last;
   if (last + 1 < end) {
-    const int lane = walking_lane(network, route[last]);
-    if (lane < 0 || network.lanes[lane].length < kShortEdge) {
+    if (is_too_short(network, route[last])) {
       if (const auto stretch = step_over(network, zone, route, first, last)) return stretch;
     }
   }
   for (; last >= first; --last) {
-    const int lane = walking_lane(network, route[last]);
-    if (lane < 0 || network.lanes[lane].length < kShortEdge) continue;
+    if (is_too_short(network, route[last])) continue;
     if (!is_first_occurrence(route, last)) continue;
     const auto stretch = last + 1 < end ? leave_at(network, route, last)
                                         : arrive_at(network, route, last, arrival_position);

@@ -21,6 +21,9 @@ namespace pedzone {
 /// runs with them, 0 of 60 without).
 constexpr double kShortEdge = 2.0;  // [m]
 
+/// Whether the edge is so short, or has no lane for people at all.
+bool is_too_short(const Network& network, int edge);
+
 /// How far before the end of the last edge a person goes back to SUMO. [m] numerical: leaves
 /// SUMO's model a lane to be on before the junction.
 constexpr double kPortalInset = 1.0;

@@ -62,8 +62,8 @@ def check(pedzone, folder, seed, step):
     drives = [mean(run.driven) for run in (plain, ours)]
     walks = [mean(run.walks.values()) for run in (plain, ours)]
     print(f"seed {seed}, step {step} s: contacts {touched} and {inserted} at insertions, emergency "
-          f"brakings {plain.brakings} -> {ours.brakings}, collisions {len(ours.collisions)}, drives {drives[0]:.0f} -> {drives[1]:.0f} s, "
-          f"walks {walks[0]:.0f} -> {walks[1]:.0f} s", flush=True)
+          f"brakings {plain.brakings} -> {ours.brakings}, collisions {len(ours.collisions)}, "
+          f"drives {drives[0]:.0f} -> {drives[1]:.0f} s, walks {walks[0]:.0f} -> {walks[1]:.0f} s", flush=True)
     wrong = {
         "touch": touched > 1,
         "are not there": len(ours.driven) != CARS or len(ours.walks) != PEOPLE,

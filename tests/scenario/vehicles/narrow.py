@@ -10,8 +10,8 @@ than in plain SUMO + 10 %. Everything is read from SUMO's own outputs and messag
 A zone's end is judged over many seeds together: there people and vehicles of plain SUMO wait for each other
 until a teleport, in 15 of 100 seeds and not in the same ones. Nobody is left, vehicles are teleported at most half
 as often as in plain SUMO, at most half as many people walk long (3 times the median of plain SUMO's walks + 20 s),
-and there are no more emergency brakings + 10 % (two are chance), nor vehicles that meet (one more is allowed: in plain SUMO 3 in
-100 seeds).
+and there are no more emergency brakings + 10 % (two are chance), nor vehicles that meet (one more is allowed: in
+plain SUMO 3 in 100 seeds).
 """
 
 import argparse

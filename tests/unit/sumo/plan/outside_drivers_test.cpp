@@ -21,9 +21,10 @@ class OutsideDriversTest : public testing::Test {
     drivers_.mark(seen, steered_, time_, kStep);
     return seen.front().traits.external;
   }
-  void tell(double speed) { drivers_.note(std::vector<SpeedOrder>{{"car", speed}}); }
+  void tell(double speed) { told_.note(std::vector<SpeedOrder>{{"car", speed}}); }
 
-  OutsideDrivers drivers_;
+  Told told_;
+  OutsideDrivers drivers_{told_};
   std::unordered_set<std::string> steered_;
   double time_ = 0.0;
 };
@@ -101,13 +102,13 @@ TEST_F(OutsideDriversTest, it_is_sumos_again_too_where_it_drives_as_pedzone_told
 }
 
 TEST_F(OutsideDriversTest, knows_whom_pedzone_has_told_a_speed) {
-  EXPECT_FALSE(drivers_.is_told("car"));
+  EXPECT_FALSE(told_.speed("car"));
   tell(0.0);
-  EXPECT_TRUE(drivers_.is_told("car"));
-  drivers_.note(std::vector<SpeedOrder>{{"car", SpeedMode::kDefault}});
-  EXPECT_TRUE(drivers_.is_told("car"));
+  EXPECT_TRUE(told_.speed("car"));
+  told_.note(std::vector<SpeedOrder>{{"car", SpeedMode::kDefault}});
+  EXPECT_TRUE(told_.speed("car"));
   tell(-1.0);
-  EXPECT_FALSE(drivers_.is_told("car"));
+  EXPECT_FALSE(told_.speed("car"));
 }
 
 TEST_F(OutsideDriversTest, neither_who_is_at_a_stop_nor_whom_pedzone_steers_itself) {
