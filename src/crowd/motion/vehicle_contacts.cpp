@@ -52,16 +52,14 @@ Rectangle around(const VehicleState& vehicle) {
   return frame;
 }
 
-/// Where a body of `radius` at `here` gets out of the vehicle's way: towards the nearest exit that
-/// no wall bars, or where there is room for `least` [m] at least; where all are barred, to the
-/// place with most room that it can get to.
-Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& here, double radius,
+/// Where a body at `here` gets out of the frame's way, to have `reach` [m] to it: towards the
+/// nearest exit that no wall bars, or where there is room for `least` [m] at least; where all are
+/// barred, to the place with most room that it can get to.
+Vec2 moved_out(const WallIndex& walls, const Rectangle& frame, const Vec2& here, double reach,
                double least, double longest) {
-  const Rectangle frame = around(vehicle);
   const Vec2 local = frame.into_frame(here);
   Vec2 best = here;
   double best_room = frame.local_distance(local);
-  const double reach = radius + gap_to(vehicle);
   if (best_room >= reach) return here;
   if (longest <= 0.0) return here;
   for (const Vec2& exit : exits(frame, local, reach)) {
@@ -79,6 +77,11 @@ Vec2 moved_out(const WallIndex& walls, const VehicleState& vehicle, const Vec2& 
   return best;
 }
 
+/// [m] how far from where it is expected the vehicle may be, in `dt` [s].
+double unsure(const VehicleState& vehicle, double dt) {
+  return std::max({vehicle.lag + vehicle.slower * dt, vehicle.lead, vehicle.starts});
+}
+
 /// Lists who may be reached by which vehicle, ordered by person.
 void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits) {
   const Persons& persons = crowd.persons;
@@ -87,7 +90,8 @@ void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits
   for (std::size_t v = 0; v < crowd.vehicles.size(); ++v) {
     const VehicleState& vehicle = crowd.vehicles[v];
     const double reach = around(vehicle).half.norm() + widest + gap_to(vehicle) +
-                         vehicle.velocity.norm() * dt + 2.0 * crowd.moves.reach + kSlack;
+                         unsure(vehicle, dt) + vehicle.velocity.norm() * dt +
+                         2.0 * crowd.moves.reach + kSlack;
     const Vec2 box = Vec2::Constant(reach);
     const Vec2 low = vehicle.centre - box, high = vehicle.centre + box;
     if (!crowd.grid.maybe_anybody(low, high)) continue;
@@ -132,7 +136,8 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   const double speed = vehicle.velocity.norm();
   const double radius = speed < kStaticSpeed ? turned : straight;
   const double least = lets_squeeze_past(speed) ? turned : straight;
-  const Vec2 at = moved_out(crowd.walls_of(hit.person), later, here, radius, least, longest);
+  const Vec2 at = moved_out(crowd.walls_of(hit.person), around(later), here, radius + gap_to(later),
+                            least, longest);
   moves.x[hit.person] = at.x();
   moves.y[hit.person] = at.y();
   VehiclePush push{persons.key[hit.person], vehicle.key};
@@ -144,6 +149,42 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   return push;
 }
 
+/// The person gets no nearer to a body than `reach` [m], or than it is. Returns how far [m] that
+/// moves it, at most `longest`.
+double keep_from(const CrowdState& crowd, const Rectangle& body, std::uint32_t person, double reach,
+                 double longest, Moves& moves) {
+  const Vec2 here(moves.x[person], moves.y[person]);
+  const double least = std::min(reach, body.distance(crowd.position(person)));
+  const Vec2 at = moved_out(crowd.walls_of(person), body, here, least, least, longest);
+  moves.x[person] = at.x();
+  moves.y[person] = at.y();
+  return (at - here).norm();
+}
+
+/// A vehicle took its speed for the step before people walk, and SUMO may brake it or let it drive
+/// off. Nobody walks to where it may get until the step ends, nor to where it may still be. Returns
+/// how far [m] the person is held back, at most `longest`.
+double hold_back(const CrowdState& crowd, const VehicleHit& hit, double dt, double longest,
+                 Moves& moves) {
+  const VehicleState later = moved_on(crowd.vehicles[hit.vehicle], dt);
+  const double straight = crowd.persons.radius[hit.person];
+  const double beside = crowd.persons.present_radius[hit.person] + kGap;
+  double way = 0.0;
+  const auto keep = [&](const Rectangle& body, double reach) {
+    way += keep_from(crowd, body, hit.person, reach, std::max(0.0, longest - way), moves);
+  };
+  if (later.lag > kNoGap) keep(body_shifted(later, -later.lag), straight);
+  for (double ahead = later.lead; ahead > kNoGap; ahead -= later.length) {
+    keep(body_shifted(later, ahead), straight);
+  }
+  if (later.starts > kNoGap) {
+    for (const double share : {0.5, 1.0}) {
+      keep(flanks_if_started(later, share * later.starts), beside);
+    }
+  }
+  return way;
+}
+
 }  // namespace
 
 bool keep_out_of_vehicles(const CrowdState& crowd, double dt, Moves& moves,
@@ -153,10 +194,12 @@ bool keep_out_of_vehicles(const CrowdState& crowd, double dt, Moves& moves,
   bool moved = false;
   for (const VehicleHit& hit : moves.hits) {
     double& way = moves.by_vehicles[hit.person];
-    const double left = std::max(0.0, kSteppingSpeed * dt - way);
-    const VehiclePush push = push_out(crowd, hit, dt, left, moves);
+    const auto left = [&] { return std::max(0.0, kSteppingSpeed * dt - way); };
+    const double held = hold_back(crowd, hit, dt, left(), moves);
+    way += held;
+    const VehiclePush push = push_out(crowd, hit, dt, left(), moves);
     way += push.way;
-    moved = moved || push.way > 0.0;
+    moved = moved || held + push.way > 0.0;
     const bool drives = crowd.vehicles[hit.vehicle].velocity.norm() >= kHaltingSpeed;
     if (drives && (push.way > 0.0 || push.run_into)) tell(push, pushes);
   }

@@ -1,5 +1,6 @@
 #include "crowd/sense/vehicle_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -17,15 +18,19 @@ Vec2 turned(const Vec2& v, double angle) {
   return {v.x() * e.x() - v.y() * e.y(), v.x() * e.y() + v.y() * e.x()};
 }
 
-/// [m] that the rear has gone along the way; nothing where the vehicle is not on it, or reverses.
-std::optional<double> place_on_way(const VehicleState& vehicle) {
+/// [m] that the rear has gone along the way; nothing where the vehicle is not on it.
+std::optional<double> rear_on_way(const VehicleState& vehicle) {
   if (vehicle.way.size() < 3) return std::nullopt;
-  const Vec2 axis = unit(vehicle.heading);
-  if (vehicle.velocity.dot(axis) < kStanding) return std::nullopt;
-  const LineProjection front =
-      project_on(vehicle.way, vehicle.centre + axis * (0.5 * vehicle.length));
-  if (std::abs(front.lateral) > kOnWay) return std::nullopt;
-  return front.offset - vehicle.length;
+  const Vec2 front = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
+  const Vec2 expected = point_on(vehicle.way, vehicle.gone + vehicle.length).point;
+  if ((front - expected).norm() > kOnWay) return std::nullopt;
+  return vehicle.gone;
+}
+
+/// The same of one that drives forwards.
+std::optional<double> place_on_way(const VehicleState& vehicle) {
+  const bool forwards = vehicle.velocity.dot(unit(vehicle.heading)) >= kStanding;
+  return forwards ? rear_on_way(vehicle) : std::nullopt;
 }
 
 }  // namespace
@@ -43,10 +48,13 @@ Rectangle body_on_way(const VehicleState& vehicle, double travelled) {
 
 VehicleState moved_on(const VehicleState& vehicle, double dt) {
   VehicleState later = vehicle;
+  later.lag += vehicle.slower * dt;
+  later.lead = std::max(0.0, vehicle.lead - vehicle.velocity.norm() * dt);
   if (const auto rear = place_on_way(vehicle)) {
     const double travelled = *rear + vehicle.velocity.norm() * dt;
     if (travelled + vehicle.length <= length_of(vehicle.way)) {
       const Rectangle body = body_on_way(vehicle, travelled);
+      later.gone = travelled;
       later.centre = body.centre;
       later.heading = angle_of(body.axis);
       later.velocity = turned(vehicle.velocity, later.heading - vehicle.heading);
@@ -58,6 +66,28 @@ VehicleState moved_on(const VehicleState& vehicle, double dt) {
   later.velocity = turned(vehicle.velocity, angle);
   later.heading = wrap_angle(vehicle.heading + angle);
   return later;
+}
+
+Rectangle body_shifted(const VehicleState& vehicle, double ahead) {
+  const auto rear = place_on_way(vehicle);
+  if (rear && *rear + ahead + vehicle.length <= length_of(vehicle.way)) {
+    return body_on_way(vehicle, std::max(0.0, *rear + ahead));
+  }
+  Rectangle body = rectangle_of(vehicle);
+  const double speed = vehicle.velocity.norm();
+  if (speed > kStanding) body.centre += vehicle.velocity * (ahead / speed);
+  return body;
+}
+
+Rectangle flanks_if_started(const VehicleState& vehicle, double ahead) {
+  const auto rear = rear_on_way(vehicle);
+  const double most = rear ? length_of(vehicle.way) - *rear - vehicle.length : 0.0;
+  const double way = std::min({ahead, most, vehicle.length});
+  if (way <= 0.0) return rectangle_of(vehicle);
+  Rectangle body = body_on_way(vehicle, *rear + way);
+  body.centre -= body.axis * (0.5 * way);
+  body.half.x() -= 0.5 * way;
+  return body;
 }
 
 }  // namespace pedzone

@@ -16,6 +16,13 @@ Rectangle body_on_way(const VehicleState& vehicle, double travelled);
 /// turned angle otherwise).
 VehicleState moved_on(const VehicleState& vehicle, double dt);
 
+/// Its body `ahead` [m] farther along its way than it is; < 0: behind.
+Rectangle body_shifted(const VehicleState& vehicle, double ahead);
+
+/// The part of a standing vehicle's body beside which people stand now, once it has driven off by
+/// `ahead` [m]: on a bend it cuts the corner.
+Rectangle flanks_if_started(const VehicleState& vehicle, double ahead);
+
 inline Rectangle rectangle_of(const VehicleState& vehicle) {
   return {vehicle.centre, unit(vehicle.heading), {0.5 * vehicle.length, 0.5 * vehicle.width}};
 }

@@ -58,14 +58,21 @@ std::optional<double> gap_before(const FleetVehicle& vehicle, const FleetVehicle
   return gap && *gap <= distance ? gap : std::nullopt;
 }
 
-/// [m/s] it will drive at most in the next step of `dt` [s], as far as it can be foreseen. In steps
-/// of 1 s that is metres: taken too fast, people behind it walk into its rear.
-double next_speed(const FleetVehicle& vehicle, double dt) {
-  double next = std::min(vehicle.speed + vehicle.traits.accel * dt,
-                         std::max(vehicle.allowed_speed, vehicle.speed));
-  next = std::min(next, vehicle.follows_at);
-  if (vehicle.stopped || vehicle.waits) next = 0.0;  // as long as it does not drive off
-  if (vehicle.commanded >= 0.0) next = std::min(next, vehicle.commanded);
+/// [m/s] it will drive in the next step of `dt` [s], as far as it can be foreseen.
+struct NextSpeed {
+  double least = 0.0, expected = 0.0, most = 0.0;
+};
+
+/// Expected is as fast as it may: taken too fast, people behind it walk into its rear (in steps of
+/// 1 s by metres), so that behind another it is expected to keep its distance.
+NextSpeed next_speed(const FleetVehicle& vehicle, double dt) {
+  NextSpeed next;
+  next.most = std::min(vehicle.speed + vehicle.traits.accel * dt,
+                       std::max(vehicle.allowed_speed, vehicle.speed));
+  if (vehicle.commanded >= 0.0) next.most = std::min(next.most, vehicle.commanded);
+  next.expected = std::min(next.most, vehicle.follows_at);
+  if (vehicle.stopped || vehicle.waits) next.expected = 0.0;  // as long as it does not drive off
+  next.least = std::clamp(vehicle.speed - vehicle.traits.decel * dt, 0.0, next.expected);
   return next;
 }
 
@@ -82,11 +89,15 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
     state.velocity = vehicle.velocity;
     state.yaw_rate = vehicle.yaw_rate;
   } else {
-    const double speed = next_speed(vehicle, dt);
-    const Rectangle body = body_after(vehicle, speed * dt);
+    const NextSpeed next = next_speed(vehicle, dt);
+    const Rectangle body = body_after(vehicle, next.expected * dt);
     const Vec2 moved = body.centre - state.centre;
-    state.velocity = moved.norm() > 0.0 ? Vec2(moved.normalized() * speed) : Vec2(Vec2::Zero());
+    state.velocity =
+        moved.norm() > 0.0 ? Vec2(moved.normalized() * next.expected) : Vec2(Vec2::Zero());
     state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
+    state.slower = next.expected - next.least;
+    if (vehicle.waits && !vehicle.stopped) state.starts = next.most * dt;
+    if (!vehicle.waits && !vehicle.stopped) state.lead = next.most * dt;
   }
   state.key = person_key(vehicle.id);
   state.electric = vehicle.traits.electric;

@@ -158,17 +158,5 @@ TEST(SideRoom, nobody_beside_a_vehicle_steps_aside_through_it) {
   EXPECT_GT(place->x(), 0.0) << "round the front";
 }
 
-TEST(VehicleMotion, goes_along_its_way_and_not_along_a_chord_of_it) {
-  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 2.0, 4.0, 2.0);
-  const Polyline corner{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 30.0}};
-  vehicle.way = corner;
-  VehicleState later = vehicle;
-  for (int k = 0; k < 5; ++k) later = moved_on(later, 0.1);
-  EXPECT_TRUE(later.centre.isApprox(Vec2(-1.0, 0.0), 1e-9)) << "straight on to the corner first";
-  for (int k = 0; k < 5; ++k) later = moved_on(later, 0.1);
-  const Vec2 front = later.centre + unit(later.heading) * 2.0;
-  EXPECT_TRUE(front.isApprox(Vec2(1.0, 1.0), 1e-6)) << front.transpose();
-}
-
 }  // namespace
 }  // namespace pedzone::test

@@ -268,6 +268,30 @@ TEST_F(FleetTest, follows_among_many_as_the_slowest_of_each_pair_alone_lets_it) 
   EXPECT_GT(followers, 10);
 }
 
+TEST_F(FleetTest, shows_people_how_sure_it_is_where_a_vehicle_gets_to) {
+  VehicleSeen seen = car(70.0, 6.0);
+  seen.allowed_speed = 14.0;
+  FleetVehicle vehicle = one(seen);
+  vehicle.follows_at = 5.0;
+  const VehicleState free = state(vehicle, 1.0);
+  EXPECT_NEAR(free.velocity.norm(), 5.0, 1e-9);
+  EXPECT_NEAR(free.slower, 5.0 - (6.0 - 4.5), 1e-9) << "SUMO may brake it as it likes to brake";
+  EXPECT_NEAR(free.lead, 6.0 + 2.6, 1e-9) << "or not mind the one ahead";
+  EXPECT_EQ(free.starts, 0.0);
+  vehicle.commanded = 4.0;
+  EXPECT_NEAR(state(vehicle, 1.0).lead, 4.0, 1e-9) << "it obeys";
+  EXPECT_NEAR(state(vehicle, 0.1).lag, 0.0, 0.0) << "counted by the crowd";
+  vehicle.commanded = -1.0;
+  vehicle.speed = 0.0;
+  vehicle.waits = true;
+  const VehicleState waiting = state(vehicle, 1.0);
+  EXPECT_EQ(waiting.velocity.norm(), 0.0);
+  EXPECT_EQ(waiting.lead, 0.0) << "people cross before one that waits";
+  EXPECT_NEAR(waiting.starts, 2.6, 1e-9);
+  vehicle.stopped = true;
+  EXPECT_EQ(state(vehicle, 1.0).starts, 0.0) << "at its own stop";
+}
+
 TEST_F(FleetTest, shows_people_where_a_vehicle_turns) {
   FleetVehicle vehicle = one(car(60.0, 5.0));
   vehicle.way = {{56.0, 0.0}, {60.0, 0.0}, {60.0, 30.0}};

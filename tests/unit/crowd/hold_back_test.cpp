@@ -1,0 +1,69 @@
+// In steps of 1 s SUMO moves vehicles by metres, and not always as far as was expected: people keep
+// out of wherever one may be when the step ends, but nobody is moved out of there.
+#include <gtest/gtest.h>
+
+#include "scene.hpp"
+
+namespace pedzone::test {
+namespace {
+
+constexpr double kRadius = 0.24, kRounding = 1e-6;
+constexpr double kHalfWidth = 0.9, kFront = 2.5;  // [m] of a vehicle, from its centre
+
+class HoldBack : public ::testing::Test {
+ protected:
+  /// y [m] of somebody who goes north from (x, 8.0) at 1.5 m/s for a step of 1 s, past a vehicle
+  /// with its centre at (30, 10).
+  double walked_to(double x, const VehicleState& vehicle, double from = 8.0) const {
+    Scene scene(zone_, 1, fixed_model({kPi / 2.0, 1.5, 10.0, false}));
+    scene.add({x, from}, line_at_y(19.0, x - 9.0, x + 9.0), 1.5);
+    scene.vehicles = {vehicle};
+    scene.step(1.0);
+    EXPECT_TRUE(scene.crowd.pushes().empty()) << "nobody is pushed";
+    return scene.people[0].view.position.y();
+  }
+
+  const Zone zone_ = zone_of(box(0, 0, 80, 20));
+};
+
+TEST_F(HoldBack, from_where_a_vehicle_still_is_if_it_was_braked) {
+  VehicleState vehicle = vehicle_at({30, 10}, 0.0, 6.0);
+  const double behind = 29.0;  // passed by its rear after 0.25 s
+  EXPECT_NEAR(walked_to(behind, vehicle), 9.5, 0.05) << "as if it were sure to be gone";
+  vehicle.slower = 6.0;  // it may stand all the step
+  EXPECT_NEAR(walked_to(behind, vehicle), 10.0 - kHalfWidth - kRadius, kRounding);
+  vehicle.slower = 1.0;  // it has left there in any case
+  EXPECT_NEAR(walked_to(behind, vehicle), 9.5, 0.05);
+}
+
+TEST_F(HoldBack, from_where_a_vehicle_may_get_until_the_step_ends) {
+  VehicleState vehicle = vehicle_at({30, 10}, 0.0, 1.0);
+  const double ahead = 30.0 + kFront + 3.0;
+  EXPECT_NEAR(walked_to(ahead, vehicle), 9.5, 0.05) << "as if it were sure to be that slow";
+  vehicle.lead = 4.0;
+  EXPECT_NEAR(walked_to(ahead, vehicle), 10.0 - kHalfWidth - kRadius, kRounding);
+  vehicle.lead = 2.0;
+  EXPECT_NEAR(walked_to(ahead, vehicle), 9.5, 0.05);
+  vehicle.lead = 14.0;  // longer than its body
+  EXPECT_NEAR(walked_to(ahead + 5.0, vehicle), 10.0 - kHalfWidth - kRadius, kRounding);
+}
+
+TEST_F(HoldBack, not_who_is_there_already) {
+  VehicleState vehicle = vehicle_at({30, 10}, 0.0, 1.0);
+  vehicle.lead = 4.0;
+  EXPECT_NEAR(walked_to(30.0 + kFront + 3.0, vehicle, 9.8), 11.3, 0.05) << "and walks on";
+}
+
+TEST_F(HoldBack, from_the_flank_of_one_that_may_drive_off_on_a_bend) {
+  const Polyline bend{{27.5, 10.0}, {32.5, 10.0}, {34.0, 8.5}, {34.0, -30.0}};
+  VehicleState vehicle = vehicle_at({30, 10}, 0.0, 0.0);
+  vehicle.way = bend;
+  const double beside = 30.0;
+  const double standing = walked_to(beside, vehicle);
+  EXPECT_GT(standing, 10.0 - kHalfWidth - kRadius - 0.06) << "close to one that stands";
+  vehicle.starts = 2.0;
+  EXPECT_LT(walked_to(beside, vehicle), standing - 0.05) << "it would cut the corner";
+}
+
+}  // namespace
+}  // namespace pedzone::test

@@ -1,0 +1,63 @@
+// Where a vehicle is within a step: on its way, and where it may be if SUMO has it drive otherwise.
+#include "crowd/sense/vehicle_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/polyline.hpp"
+#include "scene.hpp"
+
+namespace pedzone::test {
+namespace {
+
+TEST(VehicleMotion, goes_along_its_way_and_not_along_a_chord_of_it) {
+  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 2.0, 4.0, 2.0);
+  const Polyline corner{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 30.0}};
+  vehicle.way = corner;
+  VehicleState later = vehicle;
+  for (int k = 0; k < 5; ++k) later = moved_on(later, 0.1);
+  EXPECT_TRUE(later.centre.isApprox(Vec2(-1.0, 0.0), 1e-9)) << "straight on to the corner first";
+  for (int k = 0; k < 5; ++k) later = moved_on(later, 0.1);
+  const Vec2 front = later.centre + unit(later.heading) * 2.0;
+  EXPECT_TRUE(front.isApprox(Vec2(1.0, 1.0), 1e-6)) << front.transpose();
+}
+
+TEST(VehicleMotion, knows_its_place_on_a_way_that_comes_back_beside_itself) {
+  // The way back is 1 m beside the way there: nearest to a front is now one, now the other.
+  const Polyline hairpin{{0.0, 0.0}, {10.0, 0.0}, {10.0, 1.0}, {0.0, 1.0}};
+  VehicleState vehicle = vehicle_at({2.0, 0.0}, 0.0, 2.0, 4.0, 2.0);
+  vehicle.way = hairpin;
+  for (int k = 0; k < 40; ++k) vehicle = moved_on(vehicle, 0.1);
+  EXPECT_NEAR(vehicle.gone, 8.0, 1e-9);
+  const Vec2 front = vehicle.centre + unit(vehicle.heading) * 2.0;
+  EXPECT_TRUE(front.isApprox(Vec2(9.0, 1.0), 1e-6)) << front.transpose();
+  EXPECT_TRUE(body_shifted(vehicle, -8.0).centre.isApprox(Vec2(2.0, 0.0), 1e-9));
+}
+
+TEST(VehicleMotion, counts_how_far_behind_or_ahead_it_may_be) {
+  VehicleState vehicle = vehicle_at({0.0, 0.0}, 0.0, 3.0);
+  vehicle.slower = 2.0;
+  vehicle.lead = 1.0;
+  const VehicleState later = moved_on(moved_on(vehicle, 0.1), 0.1);
+  EXPECT_NEAR(later.lag, 0.4, 1e-12);
+  EXPECT_NEAR(later.lead, 0.4, 1e-12) << "1 m ahead of where it was";
+  EXPECT_EQ(moved_on(later, 1.0).lead, 0.0);
+  EXPECT_NEAR(body_shifted(later, -later.lag).centre.x(), 0.2, 1e-12);
+}
+
+TEST(VehicleMotion, that_begins_on_a_bend_cuts_the_corner) {
+  const Polyline bend{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 1.0}, {1.0, 9.0}};
+  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
+  vehicle.way = bend;
+  const Rectangle flanks = flanks_if_started(vehicle, std::sqrt(2.0));
+  EXPECT_NEAR(2.0 * flanks.half.x(), 4.0 - std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(angle_of(flanks.axis), std::atan2(1.0, 1.0 + 4.0 - std::sqrt(2.0)), 0.05);
+  const Vec2 inside(-1.0, 1.2), outside(-1.0, -1.2), ahead(1.0, 1.0);
+  EXPECT_LT(flanks.distance(inside), rectangle_of(vehicle).distance(inside) - 0.05);
+  EXPECT_GT(flanks.distance(outside), rectangle_of(vehicle).distance(outside));
+  EXPECT_GT(flanks.distance(ahead), 1.0) << "who is ahead may go on";
+}
+
+}  // namespace
+}  // namespace pedzone::test
