@@ -25,6 +25,7 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.creeping = old.creeping;
   vehicle.slowed = old.slowed;
   vehicle.commanded = old.commanded;
+  vehicle.left_alone = old.commanded >= 0.0 ? 0.0 : old.left_alone + dt;
   vehicle.pull = old.pull;
   const bool told = old.commanded >= 0.0 && old.commanded < kHaltingSpeed;
   vehicle.waits = !told && std::max(old.speed, vehicle.speed) < kHaltingSpeed;

@@ -58,8 +58,9 @@ struct FleetVehicle : VehicleSeen {
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
   JunctionAhead junction;
   double follows_at = std::numeric_limits<double>::infinity();  ///< [m/s] for the one before it
-  double seen_for = 0.0;      ///< [s] since it is near a zone: SUMO put it there, or it drove there
-  int zone = 0;               ///< index of the zone it is in or comes to first
+  double seen_for = 0.0;  ///< [s] since it is near a zone: SUMO put it there, or it drove there
+  int zone = 0;           ///< index of the zone it is in or comes to first
+  double left_alone = std::numeric_limits<double>::infinity();  ///< [s] since it was told a speed
   double commanded = -1.0;    ///< [m/s] speed set by us for the next step; -1: SUMO's own
   double pull = 0.0;          ///< [m/s²] that this speed asks for; of use while it is commanded
   double blocked_time = 0.0;  ///< [s] ≥ 0 for which people have made it stand

@@ -85,18 +85,6 @@ double look_ahead(const FleetVehicle& vehicle, const Parameters& parameters) {
   return std::max(usual, room_behind(vehicle, parameters.yield_gap));
 }
 
-/// Towards the speed that people allow: down no faster than it likes to brake, up the more gently
-/// the harder it braked before.
-YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt) {
-  const VehicleTraits& traits = vehicle.traits;
-  const double eased = vehicle.commanded < 0.0 ? traits.accel : vehicle.pull + kEase * dt;
-  const double most = vehicle.speed + std::min(eased, traits.accel) * dt;
-  const double least = std::max(0.0, vehicle.speed - traits.decel * dt);
-  const double speed = std::max(least, std::min(safe, most));
-  vehicle.pull = dt > 0.0 ? (speed - vehicle.speed) / dt : 0.0;
-  return {speed, false};
-}
-
 /// After people have held it: it is let go step by step.
 std::optional<YieldOrder> let_go(FleetVehicle& vehicle, double dt) {
   vehicle.slowed = 0.0;
@@ -143,6 +131,16 @@ bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> 
 }
 
 }  // namespace
+
+YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt) {
+  const VehicleTraits& traits = vehicle.traits;
+  const double eased = vehicle.commanded < 0.0 ? traits.accel : vehicle.pull + kEase * dt;
+  const double most = vehicle.speed + std::min(eased, traits.accel) * dt;
+  const double least = std::max(0.0, vehicle.speed - traits.decel * dt);
+  const double speed = std::max(least, std::min(safe, most));
+  vehicle.pull = dt > 0.0 ? (speed - vehicle.speed) / dt : 0.0;
+  return {speed, false};
+}
 
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,

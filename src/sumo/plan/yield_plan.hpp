@@ -45,6 +45,10 @@ struct YieldOrder {
   bool emergency = false;  ///< it has to brake harder than it likes to
 };
 
+/// Towards a speed that is `safe` [m/s]: down no faster than the vehicle likes to brake, up the
+/// more gently the harder it braked before.
+YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt);
+
 /// Looks for people as far ahead as the vehicle needs to stop from its speed v, braking as it likes
 /// to, and v·1 s + yieldHorizon farther. Lets those on zebra crossings go first. Counts for how
 /// long people hold it up: from creepAfter on it creeps. No order: nothing but its own traffic

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "sumo/plan/junction_clearance.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
 
 constexpr double kStandsAfter = 5.0;  // [s] assumed: a driver looks after whom it has run into
+constexpr double kBetween = 0.5;      // [m] assumed: left between two vehicles in a junction
 constexpr double kOnce = 1.0;         // [s] numerical: braking again so soon is the same braking
 
 }  // namespace
@@ -25,6 +27,26 @@ std::optional<YieldOrder> Yielding::plan_stop(FleetVehicle& vehicle, double dt) 
   }
   const double next = std::max(0.0, vehicle.speed - vehicle.traits.emergency_decel * dt);
   return YieldOrder{next, true};
+}
+
+/// Slows those that would run into another in a junction, since one of them was held by people.
+void Yielding::keep_junctions_clear(std::span<FleetVehicle> vehicles, const SafeSpeeds& safe_speeds,
+                                    double dt, std::vector<std::optional<YieldOrder>>& planned) {
+  const std::vector<const FleetVehicle*> inside = in_junctions(vehicles);
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    FleetVehicle& vehicle = vehicles[i];
+    if (vehicle.traits.external || vehicle.stopped || !vehicle.traits.yields) continue;
+    if (planned[i] && planned[i]->emergency) continue;
+    const auto ahead = first_in_junction(vehicle, inside);
+    if (!ahead) continue;
+    const double gap = std::max(0.0, ahead->distance - kBetween);
+    const double safe = ahead->speed > kHaltingSpeed
+                            ? safe_speeds.follow(vehicle, gap, ahead->speed)
+                            : safe_speeds.stop(vehicle, gap);
+    if (safe < (planned[i] ? planned[i]->speed : vehicle.speed + vehicle.traits.accel * dt)) {
+      planned[i] = comfortable_order(vehicle, safe, dt);
+    }
+  }
 }
 
 void Yielding::command(FleetVehicle& vehicle, const YieldOrder& order,
@@ -54,28 +76,33 @@ void Yielding::note(const FleetVehicle& vehicle, double time) {
   last->second = time;
 }
 
+/// For the people in its way; nothing: none of them holds it.
+std::optional<YieldOrder> Yielding::plan_for_people(FleetVehicle& vehicle,
+                                                    std::span<const PersonAhead> people,
+                                                    const SafeSpeeds& safe_speeds, double time,
+                                                    double dt) {
+  if (!vehicle.traits.yields || vehicle.traits.external || vehicle.stopped) return std::nullopt;
+  const auto order = plan_yield(vehicle, people, zones_[vehicle.zone].parameters, safe_speeds, dt);
+  if (order && order->emergency) note(vehicle, time);
+  if (order) yielded_.insert(vehicle.id);
+  return order;
+}
+
 std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
                                        std::span<const PersonAhead> people,
                                        const SafeSpeeds& safe_speeds, double time, double dt) {
+  std::vector<std::optional<YieldOrder>> planned(vehicles.size());
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    FleetVehicle& vehicle = vehicles[i];
+    planned[i] = plan_stop(vehicle, dt);
+    if (planned[i] && !vehicle.traits.external) continue;
+    planned[i] = plan_for_people(vehicle, people, safe_speeds, time, dt);
+  }
+  keep_junctions_clear(vehicles, safe_speeds, dt, planned);
   std::vector<SpeedOrder> orders;
-  for (FleetVehicle& vehicle : vehicles) {
-    if (const auto stop = plan_stop(vehicle, dt); stop && !vehicle.traits.external) {
-      command(vehicle, *stop, orders);
-      continue;
-    }
-    if (!vehicle.traits.yields || vehicle.traits.external || vehicle.stopped) {
-      if (!vehicle.traits.external) give_back(vehicle, orders);
-      continue;
-    }
-    const auto order =
-        plan_yield(vehicle, people, zones_[vehicle.zone].parameters, safe_speeds, dt);
-    if (order && order->emergency) note(vehicle, time);
-    if (order) {
-      command(vehicle, *order, orders);
-      yielded_.insert(vehicle.id);
-    } else {
-      give_back(vehicle, orders);
-    }
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    if (planned[i]) command(vehicles[i], *planned[i], orders);
+    if (!planned[i] && !vehicles[i].traits.external) give_back(vehicles[i], orders);
   }
   return orders;
 }

@@ -42,6 +42,11 @@ class Yielding {
   const std::vector<LateBraking>& late_brakings() const { return late_brakings_; }
 
  private:
+  std::optional<YieldOrder> plan_for_people(FleetVehicle& vehicle,
+                                            std::span<const PersonAhead> people,
+                                            const SafeSpeeds& safe_speeds, double time, double dt);
+  static void keep_junctions_clear(std::span<FleetVehicle> vehicles, const SafeSpeeds& safe_speeds,
+                                   double dt, std::vector<std::optional<YieldOrder>>& planned);
   void command(FleetVehicle& vehicle, const YieldOrder& order, std::vector<SpeedOrder>& out);
   std::optional<YieldOrder> plan_stop(FleetVehicle& vehicle, double dt);
   void give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out);

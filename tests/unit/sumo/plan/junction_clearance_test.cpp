@@ -1,0 +1,101 @@
+// Who keeps a junction clear for whom, where people have held one of them.
+#include "sumo/plan/junction_clearance.hpp"
+
+#include <gmock/gmock.h>
+
+#include "sumo/plan/yielding.hpp"
+
+namespace pedzone {
+namespace {
+
+/// One from the south, 6 m before a junction round the origin, and one inside it that goes east.
+class JunctionClearance : public testing::Test {
+ protected:
+  JunctionClearance() {
+    FleetVehicle& comes = vehicles_[0];
+    comes.id = "comes";
+    comes.front = {0.0, -6.0};
+    comes.heading = kPi / 2.0;
+    comes.way = {{0.0, -11.0}, {0.0, -6.0}, {0.0, 60.0}};
+    comes.lane = 1;
+    comes.junction = {.junction = 7, .begin = 2.0, .end = 10.0};
+    comes.speed = 4.0;
+    comes.velocity = {0.0, 4.0};
+    comes.commanded = 4.0;
+    FleetVehicle& inside = vehicles_[1];
+    inside.id = "inside";
+    inside.front = {1.0, 0.0};
+    inside.way = {{-4.0, 0.0}, {1.0, 0.0}, {60.0, 0.0}};
+    inside.lane = 2;
+    inside.junction = {.junction = 7, .begin = 0.0, .end = 3.0};
+    inside.speed = 2.0;
+    inside.velocity = {2.0, 0.0};
+    for (FleetVehicle& vehicle : vehicles_) vehicle.allowed_speed = 10.0;
+  }
+
+  std::optional<Obstruction> first() const {
+    return first_in_junction(vehicles_[0], in_junctions(vehicles_));
+  }
+
+  std::vector<FleetVehicle> vehicles_{2};
+};
+
+TEST_F(JunctionClearance, is_kept_for_one_that_drives_through) {
+  const auto ahead = first();
+  ASSERT_TRUE(ahead);
+  EXPECT_NEAR(ahead->distance, 6.0 - 0.9, 0.3) << "to its flank";
+  EXPECT_NEAR(ahead->speed, 0.0, 1e-9) << "it goes across";
+}
+
+TEST_F(JunctionClearance, is_not_kept_for_one_elsewhere) {
+  const std::vector<FleetVehicle> before = vehicles_;
+  vehicles_[1].junction.junction = 8;
+  EXPECT_FALSE(first()) << "another junction";
+  vehicles_ = before;
+  vehicles_[1].junction.begin = 1.0;
+  EXPECT_FALSE(first()) << "it has not come in";
+  vehicles_ = before;
+  vehicles_[1].speed = 0.0;
+  EXPECT_FALSE(first()) << "it stands: SUMO's matter";
+  vehicles_ = before;
+  vehicles_[1].lane = vehicles_[0].lane;
+  EXPECT_FALSE(first()) << "before it on its lane: SUMO's matter";
+  vehicles_ = before;
+  vehicles_[1].front.x() = 30.0;
+  EXPECT_FALSE(first()) << "past its way";
+}
+
+TEST_F(JunctionClearance, is_sumos_matter_where_people_held_nobody) {
+  vehicles_[0].commanded = -1.0;
+  EXPECT_FALSE(first());
+  vehicles_[0].left_alone = 4.9;
+  EXPECT_TRUE(first()) << "let go a moment ago";
+  vehicles_[0].left_alone = 5.1;
+  EXPECT_FALSE(first());
+  vehicles_[1].commanded = 2.0;
+  EXPECT_TRUE(first()) << "the other is held";
+}
+
+TEST_F(JunctionClearance, is_kept_by_one_of_two_inside) {
+  vehicles_[0].front.y() = -3.0;
+  vehicles_[0].way = {{0.0, -8.0}, {0.0, -3.0}, {0.0, 60.0}};
+  vehicles_[0].junction = {.junction = 7, .begin = 0.0, .end = 7.0};
+  EXPECT_TRUE(first()) << "it has farther to go";
+  vehicles_[0].junction.end = 1.0;
+  EXPECT_FALSE(first());
+}
+
+TEST_F(JunctionClearance, slows_a_vehicle_as_it_likes_to_brake) {
+  const std::vector<Zone> zones(1);
+  Yielding yielding(zones);
+  const SafeSpeeds safe{[](const FleetVehicle&, double gap) { return gap < 5.0 ? 1.0 : 9.0; },
+                        [](const FleetVehicle&, double, double) { return 9.0; }};
+  vehicles_[0].commanded = -1.0;
+  vehicles_[0].left_alone = 1.0;
+  const auto orders = yielding.plan(vehicles_, {}, safe, 0.0, 0.1);
+  EXPECT_THAT(orders, testing::ElementsAre(SpeedOrder{"comes", 4.0 - 4.5 * 0.1}));
+  EXPECT_TRUE(yielding.yielded().empty()) << "it does not give way to people";
+}
+
+}  // namespace
+}  // namespace pedzone
