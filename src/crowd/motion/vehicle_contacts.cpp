@@ -122,13 +122,20 @@ void tell(const VehiclePush& push, std::vector<VehiclePush>& pushes) {
   same->position = push.position;
 }
 
-/// Moves the person out of the way of where the vehicle gets to, by at most `longest` [m]; what
-/// came of it.
-VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, double longest,
-                     Moves& moves) {
+/// Puts the person there; how far [m] that is from where it meant to be.
+double put(std::uint32_t person, const Vec2& at, Moves& moves) {
+  const double way = (at - Vec2(moves.x[person], moves.y[person])).norm();
+  moves.x[person] = at.x();
+  moves.y[person] = at.y();
+  return way;
+}
+
+/// Moves the person out of the way of where the vehicle gets to (`later`), by at most `longest`
+/// [m]; what came of it.
+VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, const VehicleState& later,
+                     double dt, double longest, Moves& moves) {
   const Persons& persons = crowd.persons;
   const VehicleState& vehicle = crowd.vehicles[hit.vehicle];
-  const VehicleState later = moved_on(vehicle, dt);
   const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
   // Past one that stands people go with turned shoulders. One that drives gets all the room that
   // there is; where that is too little a slow one still passes who has turned.
@@ -138,10 +145,8 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   const double least = lets_squeeze_past(speed) ? turned : straight;
   const Vec2 at = moved_out(crowd.walls_of(hit.person), around(later), here, radius + gap_to(later),
                             least, longest);
-  moves.x[hit.person] = at.x();
-  moves.y[hit.person] = at.y();
   VehiclePush push{persons.key[hit.person], vehicle.key};
-  push.way = (at - here).norm();
+  push.way = put(hit.person, at, moves);
   push.speed = push.way / dt;
   push.run_into = distance_to(later, at) < least - kContact;
   push.contact_speed = push.run_into ? vehicle.velocity.norm() : 0.0;
@@ -155,23 +160,19 @@ double keep_from(const CrowdState& crowd, const Rectangle& body, std::uint32_t p
                  double longest, Moves& moves) {
   const Vec2 here(moves.x[person], moves.y[person]);
   const double least = std::min(reach, body.distance(crowd.position(person)));
-  const Vec2 at = moved_out(crowd.walls_of(person), body, here, least, least, longest);
-  moves.x[person] = at.x();
-  moves.y[person] = at.y();
-  return (at - here).norm();
+  return put(person, moved_out(crowd.walls_of(person), body, here, least, least, longest), moves);
 }
 
 /// A vehicle took its speed for the step before people walk, and SUMO may brake it or let it drive
 /// off. Nobody walks to where it may get until the step ends, nor to where it may still be. Returns
 /// how far [m] the person is held back, at most `longest`.
-double hold_back(const CrowdState& crowd, const VehicleHit& hit, double dt, double longest,
-                 Moves& moves) {
-  const VehicleState later = moved_on(crowd.vehicles[hit.vehicle], dt);
-  const double straight = crowd.persons.radius[hit.person];
-  const double beside = crowd.persons.present_radius[hit.person] + kGap;
+double hold_back(const CrowdState& crowd, std::uint32_t person, const VehicleState& later,
+                 double longest, Moves& moves) {
+  const double straight = crowd.persons.radius[person];
+  const double beside = crowd.persons.present_radius[person] + kGap;
   double way = 0.0;
   const auto keep = [&](const Rectangle& body, double reach) {
-    way += keep_from(crowd, body, hit.person, reach, std::max(0.0, longest - way), moves);
+    way += keep_from(crowd, body, person, reach, std::max(0.0, longest - way), moves);
   };
   if (later.lag > kNoGap) keep(body_shifted(later, -later.lag), straight);
   for (double ahead = later.lead; ahead > kNoGap; ahead -= later.length) {
@@ -193,11 +194,12 @@ bool keep_out_of_vehicles(const CrowdState& crowd, double dt, Moves& moves,
   find_hits(crowd, dt, moves.hits);
   bool moved = false;
   for (const VehicleHit& hit : moves.hits) {
+    const VehicleState later = moved_on(crowd.vehicles[hit.vehicle], dt);
     double& way = moves.by_vehicles[hit.person];
     const auto left = [&] { return std::max(0.0, kSteppingSpeed * dt - way); };
-    const double held = hold_back(crowd, hit, dt, left(), moves);
+    const double held = hold_back(crowd, hit.person, later, left(), moves);
     way += held;
-    const VehiclePush push = push_out(crowd, hit, dt, left(), moves);
+    const VehiclePush push = push_out(crowd, hit, later, dt, left(), moves);
     way += push.way;
     moved = moved || held + push.way > 0.0;
     const bool drives = crowd.vehicles[hit.vehicle].velocity.norm() >= kHaltingSpeed;

@@ -97,8 +97,7 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
         moved.norm() > 0.0 ? Vec2(moved.normalized() * next.expected) : Vec2(Vec2::Zero());
     state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
     state.slower = next.expected - next.least;
-    if (vehicle.waits && !vehicle.stopped) state.starts = next.most * dt;
-    if (!vehicle.waits && !vehicle.stopped) state.lead = next.most * dt;
+    if (!vehicle.stopped) (vehicle.waits ? state.starts : state.lead) = next.most * dt;
   }
   state.key = person_key(vehicle.id);
   state.electric = vehicle.traits.electric;

@@ -49,8 +49,7 @@ std::vector<SpeedOrder> LaneKeeping::plan(const Fleet& fleet, std::span<const Pe
   std::vector<SpeedOrder> orders;
   std::unordered_set<std::string> kept = std::exchange(keep_, {});
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
-    const bool ours = vehicle.traits.yields && !vehicle.traits.external && !vehicle.stopped;
-    if (!ours || !is_anybody_beside(fleet, vehicle, people, dt)) continue;
+    if (!gives_way(vehicle) || !is_anybody_beside(fleet, vehicle, people, dt)) continue;
     if (kept.erase(vehicle.id) == 0) orders.push_back({vehicle.id, LaneChanges::kNone});
     keep_.insert(vehicle.id);
   }

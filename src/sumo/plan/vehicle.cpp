@@ -10,6 +10,10 @@ constexpr double kRounding = 1e-3;  // [m] numerical
 
 }  // namespace
 
+bool gives_way(const FleetVehicle& vehicle) {
+  return vehicle.traits.yields && !vehicle.traits.external && !vehicle.stopped;
+}
+
 double braking_distance(const FleetVehicle& vehicle) {
   return vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
 }

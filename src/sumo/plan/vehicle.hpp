@@ -74,6 +74,9 @@ struct FleetVehicle : VehicleSeen {
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };
 
+/// Whether it is told anything for people: neither another program's, nor at a stop of its own.
+bool gives_way(const FleetVehicle& vehicle);
+
 /// [m] in which it stops as it likes to brake.
 double braking_distance(const FleetVehicle& vehicle);
 

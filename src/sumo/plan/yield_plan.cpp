@@ -64,8 +64,7 @@ double safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
                   const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
   const double keep = vehicle.creeping ? parameters.creep_gap : parameters.yield_gap;
   const double gap = std::max(0.0, ahead.distance - keep);
-  double safe = ahead.speed > kHaltingSpeed ? safe_speeds.follow(vehicle, gap, ahead.speed)
-                                            : safe_speeds.stop(vehicle, gap);
+  double safe = safe_speeds.before(vehicle, ahead, gap);
   if (waits_before_junction(vehicle, ahead, keep)) {
     safe = std::min(safe, safe_speeds.stop(vehicle, vehicle.junction.begin));
   }
@@ -131,6 +130,10 @@ bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> 
 }
 
 }  // namespace
+
+double SafeSpeeds::before(const FleetVehicle& vehicle, const Obstruction& ahead, double gap) const {
+  return ahead.speed > kHaltingSpeed ? follow(vehicle, gap, ahead.speed) : stop(vehicle, gap);
+}
 
 YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt) {
   const VehicleTraits& traits = vehicle.traits;

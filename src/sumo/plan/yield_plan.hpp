@@ -37,6 +37,9 @@ struct SafeSpeeds {
   std::function<double(const FleetVehicle& vehicle, double gap)> stop;
   /// Behind somebody `gap` [m] ahead who goes on at `speed` [m/s].
   std::function<double(const FleetVehicle& vehicle, double gap, double speed)> follow;
+
+  /// Before or behind that one, with `gap` [m] left to it.
+  double before(const FleetVehicle& vehicle, const Obstruction& ahead, double gap) const;
 };
 
 /// The speed that a vehicle is told for the next step.

@@ -35,14 +35,11 @@ void Yielding::keep_junctions_clear(std::span<FleetVehicle> vehicles, const Safe
   const std::vector<const FleetVehicle*> inside = in_junctions(vehicles);
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     FleetVehicle& vehicle = vehicles[i];
-    if (vehicle.traits.external || vehicle.stopped || !vehicle.traits.yields) continue;
-    if (planned[i] && planned[i]->emergency) continue;
+    if (!gives_way(vehicle) || (planned[i] && planned[i]->emergency)) continue;
     const auto ahead = first_in_junction(vehicle, inside);
     if (!ahead) continue;
     const double gap = std::max(0.0, ahead->distance - kBetween);
-    const double safe = ahead->speed > kHaltingSpeed
-                            ? safe_speeds.follow(vehicle, gap, ahead->speed)
-                            : safe_speeds.stop(vehicle, gap);
+    const double safe = safe_speeds.before(vehicle, *ahead, gap);
     if (safe < (planned[i] ? planned[i]->speed : vehicle.speed + vehicle.traits.accel * dt)) {
       planned[i] = comfortable_order(vehicle, safe, dt);
     }
@@ -81,7 +78,7 @@ std::optional<YieldOrder> Yielding::plan_for_people(FleetVehicle& vehicle,
                                                     std::span<const PersonAhead> people,
                                                     const SafeSpeeds& safe_speeds, double time,
                                                     double dt) {
-  if (!vehicle.traits.yields || vehicle.traits.external || vehicle.stopped) return std::nullopt;
+  if (!gives_way(vehicle)) return std::nullopt;
   const auto order = plan_yield(vehicle, people, zones_[vehicle.zone].parameters, safe_speeds, dt);
   if (order && order->emergency) note(vehicle, time);
   if (order) yielded_.insert(vehicle.id);
@@ -94,9 +91,10 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
   std::vector<std::optional<YieldOrder>> planned(vehicles.size());
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     FleetVehicle& vehicle = vehicles[i];
-    planned[i] = plan_stop(vehicle, dt);
-    if (planned[i] && !vehicle.traits.external) continue;
-    planned[i] = plan_for_people(vehicle, people, safe_speeds, time, dt);
+    const auto stop = plan_stop(vehicle, dt);
+    planned[i] = stop && !vehicle.traits.external
+                     ? stop
+                     : plan_for_people(vehicle, people, safe_speeds, time, dt);
   }
   keep_junctions_clear(vehicles, safe_speeds, dt, planned);
   std::vector<SpeedOrder> orders;

@@ -1,0 +1,105 @@
+// A vehicle's way: from its rear along the lanes that it came by and those it comes to.
+#include "sumo/plan/way_ahead.hpp"
+
+#include "fleet_fixture.hpp"
+
+namespace pedzone {
+namespace {
+
+class WayAheadTest : public test::FleetTest {};
+
+TEST_F(WayAheadTest, is_as_long_as_braking_takes_and_30_m) {
+  for (const double speed : {0.0, 3.0, 9.0}) {
+    const FleetVehicle vehicle = one(car(60.0, speed));
+    EXPECT_TRUE(vehicle.way.front().isApprox(Vec2(56.0, 0.0))) << "from its rear";
+    // 4.5 m/s² is how it likes to brake.
+    EXPECT_NEAR(vehicle.way.back().x(), 60.0 + speed * speed / (2.0 * 4.5) + 30.0, 1e-9);
+  }
+}
+
+TEST_F(WayAheadTest, ends_with_the_route) {
+  route_ = {e0, e1};
+  EXPECT_NEAR(one(car(90.0, 0.0)).way.back().x(), 100.0, 1e-9);
+}
+
+TEST_F(WayAheadTest, keeps_to_the_side_on_which_the_vehicle_drives) {
+  VehicleSeen left = car(60.0, 0.0);
+  left.lateral = 0.5;
+  EXPECT_NEAR(one(left).way.back().y(), 0.5, 1e-12);
+}
+
+TEST_F(WayAheadTest, follows_the_route_round_a_corner) {
+  const int north = add_edge("north", "C", "N", 100, 150);
+  network.lanes[lane_of(north)].shape = {{100.0, 0.0}, {100.0, 50.0}};
+  connect(lane_of(e1), lane_of(north));
+  route_ = {e1, north};
+  VehicleSeen turning = car(90.0, 0.0);
+  turning.route_index = 0;
+  EXPECT_TRUE(one(turning).way.back().isApprox(Vec2(100.0, 20.0)));
+}
+
+TEST_F(WayAheadTest, of_a_lane_that_does_not_lead_on_is_its_neighbours) {
+  const int wide = add_edge("wide", "X", "D", 60, 100, 2);
+  connect(network.edges[wide].lanes[0], lane_of(e2));
+  route_ = {wide, e2};
+  VehicleSeen changing = car(90.0, 0.0);
+  changing.lane = network.edges[wide].lanes[1];
+  changing.route_index = 0;
+  changing.front.y() = 4.0;
+  EXPECT_TRUE(one(changing).way.back().isApprox(Vec2(120.0, 0.0)));
+}
+
+TEST_F(WayAheadTest, of_one_that_is_on_no_lane_goes_straight_on) {
+  VehicleSeen lost = car(60.0, 0.0);
+  lost.lane = -1;
+  lost.heading = 0.5 * kPi;
+  EXPECT_TRUE(one(lost).way.back().isApprox(Vec2(60.0, 30.0)));
+}
+
+/// Round a corner: from the street's end at x = 200 straight to the left.
+class RearTest : public test::FleetTest {
+ protected:
+  RearTest() {
+    e4_ = add_edge("e4", "E", "F", 0, 50);
+    network.lanes[lane_of(e4_)].shape = {{200.0, 0.0}, {200.0, 50.0}};
+    connect(lane_of(e3), lane_of(e4_));
+    zone.walkable = Region{Polygon{{{50, -2}, {250, -2}, {250, 50}, {50, 50}}, {}}};
+  }
+
+  /// A car of 4 m with its front so far [m] along e3 and e4, and as SUMO turns it.
+  VehicleSeen car(double along, double rear) const {
+    const auto at = [](double x) { return x < 200.0 ? Vec2(x, 0.0) : Vec2(200.0, x - 200.0); };
+    VehicleSeen seen = test::seen_vehicle("car", at(along), 2.0);
+    seen.heading = angle_of(at(along) - at(rear));
+    seen.lane = lane_of(along < 200.0 ? e3 : e4_);
+    seen.route = route_;
+    seen.route_index = along < 200.0 ? 0 : 1;
+    return seen;
+  }
+
+  int e4_ = 0;
+  std::vector<int> route_;
+};
+
+TEST_F(RearTest, follows_the_lanes_that_the_vehicle_came_by) {
+  route_ = {e3, e4_};
+  const FleetVehicle turning = moved(car(199.0, 195.0), car(202.0, 198.0), 1.0);
+  // 2 m farther on the whole of it is round the corner, and no longer aslant.
+  const Rectangle later = body_after(turning, 2.0);
+  EXPECT_TRUE(later.centre.isApprox(Vec2(200.0, 2.0), 1e-6)) << later.centre.transpose();
+  EXPECT_NEAR(later.axis.x(), 0.0, 1e-9);
+  EXPECT_TRUE(turning.way.front().isApprox(Vec2(198.0, 0.0), 1e-6));
+}
+
+TEST_F(RearTest, is_straight_behind_one_that_has_not_come_by_its_lanes) {
+  route_ = {e3, e4_};
+  const FleetVehicle put = one(car(202.0, 198.0));
+  EXPECT_TRUE(put.way.front().isApprox(Vec2(put.front - unit(put.heading) * 4.0), 1e-9));
+  VehicleSeen changes = car(190.0, 186.0);
+  changes.heading += 0.3;  // a change of lanes
+  const FleetVehicle changing = moved(car(188.0, 184.0), changes, 1.0);
+  EXPECT_TRUE(changing.way.front().isApprox(Vec2(changing.front - unit(changing.heading) * 4.0)));
+}
+
+}  // namespace
+}  // namespace pedzone
