@@ -133,6 +133,7 @@ struct Simulation::Parts {
   void with_time_of_errors(const Work& work);
   std::size_t people_in_sumo();
   void read(double dt);
+  void forget(const std::string& vehicle);
   void send(const std::vector<SpeedOrder>& orders);
   void walk_and_yield(double dt);
 
@@ -197,9 +198,20 @@ std::size_t Simulation::Parts::people_in_sumo() {
   return lost ? takeover.bystanders().all().size() : session->persons().ids().size();
 }
 
+/// What was known of that vehicle does not hold for the next one of its id.
+void Simulation::Parts::forget(const std::string& vehicle) {
+  session->vehicles().forget(vehicle);
+  vehicles.forget(vehicle);
+  told.forget(vehicle);
+  drivers.forget(vehicle);
+  yielding.forget(vehicle);
+  stand_offs.forget(vehicle);
+}
+
 /// Takes in SUMO's present state and shows it.
 void Simulation::Parts::read(double dt) {
-  std::vector<VehicleSeen> seen = vehicles.read(fleet, told);
+  for (const std::string& id : session->vehicles().new_or_gone()) forget(id);
+  std::vector<VehicleSeen> seen = vehicles.read(fleet, told, session->time());
   drivers.mark(seen, steering.steered(), session->time(), dt);
   fleet.update(std::move(seen), dt);
   steering.foresee(fleet, session->time(), dt);
@@ -233,8 +245,8 @@ void Simulation::Parts::walk_and_yield(double dt) {
   takeover.write(session->time(), dt, fleet);
   gui.update();
   if (steering.over()) return;
-  sumo.send(steering.plan(session->time(), sumo.ids(),
-                          [&](const std::string& id) { return sumo.length(id); }));
+  const auto length = [&](const std::string& id) { return sumo.length(id); };
+  sumo.send(steering.plan(session->time(), sumo.ids(), length));
 }
 
 Simulation::Simulation(const SimulationOptions& options)
@@ -297,7 +309,6 @@ void Simulation::close() {
 }
 
 const std::vector<std::string>& Simulation::stranded() const { return parts_->stranded; }
-
 double Simulation::time() const { return parts_->session->time(); }
 double Simulation::step_length() const { return parts_->session->step_length(); }
 double Simulation::end_time() const { return parts_->end.value_or(parts_->session->end_time()); }
@@ -305,7 +316,6 @@ const std::vector<Zone>& Simulation::zones() const { return parts_->zones; }
 const Network& Simulation::network() const { return parts_->network; }
 const std::vector<WaypointPath>& Simulation::paths() const { return parts_->paths; }
 const std::vector<Guest>& Simulation::guests() const { return parts_->takeover.guests(); }
-
 const std::vector<JamRecord>& Simulation::jams() const { return parts_->takeover.jams(); }
 const std::vector<OutsideRecord>& Simulation::outside_vehicles() const {
   return parts_->drivers.found();
@@ -315,7 +325,6 @@ const std::vector<OutsideRecord>& Simulation::outside_persons() const {
 }
 const std::vector<StreetCrossed>& Simulation::crossings() const { return parts_->crossings.all(); }
 const std::vector<RunIntoRecord>& Simulation::run_into() const { return parts_->pushes.run_into(); }
-
 PersonView Simulation::view(const Guest& guest) const {
   return parts_->crowds[guest.zone]->view(guest.handle);
 }

@@ -6,8 +6,10 @@ import socket
 import subprocess
 import sys
 import tempfile
+import textwrap
 import threading
 import unittest
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -82,6 +84,49 @@ class AttachedCase(unittest.TestCase):
 
     def client(self, *words):
         return self.start("/usr/bin/python3", HERE / "client.py", "--port", self.port, *words)
+
+    def together(self, program, end=120, order=1, routes=None, leaves=None):
+        """pedzone, until it leaves, beside a client that runs `program` before each of its steps (t:
+        time)."""
+        if routes is not None:
+            self.tiny.write("tiny.rou.xml", routes)
+        script = self.folder / "other.py"
+        script.write_text(textwrap.dedent(f"""
+            import sys
+            sys.path.append("/usr/share/sumo/tools")
+            import traci
+            traci.init({self.port}, numRetries=300)
+            traci.setOrder({order})
+            t, seen = 0.0, []
+            while t < {end}:
+                vehicles, persons = traci.vehicle.getIDList(), traci.person.getIDList()
+            """) + textwrap.indent(textwrap.dedent(program), "    ") + textwrap.dedent("""
+                traci.simulationStep()
+                t = traci.simulation.getTime()
+            traci.close()
+            """))
+        sumo = self.start_sumo(2, "--fcd-output", "fcd.xml", "--tripinfo-output", "trips.xml",
+                               "--collision.check-junctions")
+        client = self.start(sys.executable, script)
+        pedzone = self.attach("--order", 3 - order, "--end", leaves or end, "--trajectories", "t.csv",
+                              "--summary", "s.json")
+        output, errors = pedzone.communicate(timeout=LONG)
+        _, complaint = client.communicate(timeout=LONG)
+        self.assertEqual(client.returncode, 0, complaint)
+        self.assertEqual(pedzone.returncode, 0, errors)
+        sumo.communicate(timeout=LONG)
+        self.assertEqual(sumo.returncode, 0)
+        return errors
+
+    def speeds(self, vehicle="v"):
+        """{time [s]: (speed [m/s], x [m])}"""
+        found = {}
+        for step in ElementTree.parse(self.folder / "fcd.xml").iter("timestep"):
+            for one in step.iter("vehicle"):
+                if one.get("id") == vehicle:
+                    found[float(step.get("time"))] = (float(one.get("speed")),
+                                                      float(one.get("x")))
+        return found
 
 
 def main(module_doc):

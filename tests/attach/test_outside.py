@@ -7,11 +7,9 @@ usage: test_outside.py PEDZONE_PROGRAM
 
 import math
 import subprocess
-import sys
-import textwrap
 
 import attached
-from attached import LONG, AttachedCase, rows, sumo_environment
+from attached import AttachedCase, rows, sumo_environment
 
 WALKERS = """<routes>
   <vType id="car"/>
@@ -28,49 +26,6 @@ WALKERS = """<routes>
 
 class Outside(AttachedCase):
     routes = WALKERS.format(type="car")
-
-    def together(self, program, end=120, order=1, routes=None, leaves=None):
-        """pedzone, until it leaves, beside a client that runs `program` before each of its steps (t:
-        time)."""
-        if routes is not None:
-            self.tiny.write("tiny.rou.xml", routes)
-        script = self.folder / "other.py"
-        script.write_text(textwrap.dedent(f"""
-            import sys
-            sys.path.append("/usr/share/sumo/tools")
-            import traci
-            traci.init({self.port}, numRetries=300)
-            traci.setOrder({order})
-            t, seen = 0.0, []
-            while t < {end}:
-                vehicles, persons = traci.vehicle.getIDList(), traci.person.getIDList()
-            """) + textwrap.indent(textwrap.dedent(program), "    ") + textwrap.dedent("""
-                traci.simulationStep()
-                t = traci.simulation.getTime()
-            traci.close()
-            """))
-        sumo = self.start_sumo(2, "--fcd-output", "fcd.xml", "--tripinfo-output", "trips.xml",
-                               "--collision.check-junctions")
-        client = self.start(sys.executable, script)
-        pedzone = self.attach("--order", 3 - order, "--end", leaves or end, "--trajectories", "t.csv",
-                              "--summary", "s.json")
-        output, errors = pedzone.communicate(timeout=LONG)
-        _, complaint = client.communicate(timeout=LONG)
-        self.assertEqual(client.returncode, 0, complaint)
-        self.assertEqual(pedzone.returncode, 0, errors)
-        sumo.communicate(timeout=LONG)
-        self.assertEqual(sumo.returncode, 0)
-        return errors
-
-    def speeds(self, vehicle="v"):
-        import xml.etree.ElementTree as ElementTree
-        found = {}
-        for step in ElementTree.parse(self.folder / "fcd.xml").iter("timestep"):
-            for one in step.iter("vehicle"):
-                if one.get("id") == vehicle:
-                    found[float(step.get("time"))] = (float(one.get("speed")),
-                                                      float(one.get("x")))
-        return found
 
     def test_a_vehicle_of_a_set_speed_is_never_slowed(self):
         errors = self.together("""
@@ -142,6 +97,32 @@ class Outside(AttachedCase):
         far = [speed for speed, x in self.speeds().values() if x > 600]
         self.assertGreater(len(far), 20, "it stood before the visitor and was put there")
         self.assertGreater(far[20], 5.0)
+
+    def test_beside_the_lanes_middle_in_left_hand_traffic(self):
+        """SUMO counts to the other side there. The car stops before who stands in its way."""
+        edges = self.folder / "tiny.edg.xml"
+        edges.write_text(edges.read_text().replace('speed="2.78"', 'speed="13.89"'))
+        subprocess.run(["netconvert", "-n", "tiny.nod.xml", "-e", "tiny.edg.xml", "-t", "tiny.typ.xml",
+                        "-o", "tiny.net.xml", "--lefthand", "true"],
+                       cwd=self.folder, check=True, capture_output=True, env=sumo_environment())
+        self.tiny.config(more='<processing><lateral-resolution value="0.5"/></processing>')
+        self.together("""
+            if "v" in vehicles and traci.vehicle.getRoadID("v") == "shared":
+                if not seen:
+                    seen.append(traci.vehicle.getPosition("v")[1])
+                    assert abs(traci.vehicle.getLateralLanePosition("v")) > 1.5
+                traci.person.moveToXY("visitor", "", 110.0, seen[0], 90, 2, -1)
+            """, routes="""<routes>
+              <vType id="own" vClass="pedestrian"><param key="pedzone.external" value="true"/></vType>
+              <vType id="aside" latAlignment="-2.5"/>
+              <person id="visitor" type="own" depart="1">
+                <walk edges="shared east" departPos="20"/></person>
+              <vehicle id="v" type="aside" depart="20" departPosLat="-2.5"><route edges="shared east"/>
+              </vehicle></routes>""")
+        speeds = [speed for _, (speed, _) in sorted(self.speeds().items())]
+        self.assertGreater(max(speeds), 5.0)
+        self.assertLess(max(x for _, x in self.speeds().values()), 110.0)
+        self.assertLess(max(a - b for a, b in zip(speeds, speeds[1:])) / 0.5, 4.6)
 
     def test_a_vehicle_that_it_holds_drives_on_when_pedzone_leaves(self):
         self.together("""

@@ -16,6 +16,7 @@ using libsumo::TraCIInt;
 using libsumo::TraCIPosition;
 using libsumo::TraCIResults;
 using libsumo::TraCIString;
+using libsumo::TraCIStringList;
 using Variables = std::vector<int>;
 
 constexpr double kLapse = 20.0;  // [s] numerical: renewing costs a message
@@ -41,7 +42,9 @@ const Variables kCounts{libsumo::VAR_TIME,
                         libsumo::VAR_DEPARTED_PERSONS_NUMBER,
                         libsumo::VAR_ARRIVED_PERSONS_NUMBER,
                         libsumo::VAR_TELEPORT_STARTING_VEHICLES_NUMBER,
-                        libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER};
+                        libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER,
+                        libsumo::VAR_DEPARTED_VEHICLES_IDS,
+                        libsumo::VAR_ARRIVED_VEHICLES_IDS};
 
 /// What SUMO has sent of a kind of object with its last step.
 template <typename Domain>
@@ -78,12 +81,14 @@ TraCIResults counts;
 std::unordered_map<std::string, double> lengths, widths;       // [m] of persons
 std::unordered_map<std::string, std::string> type_parameters;  // by type and key
 
-int count(int variable) {
+/// What SUMO counts, of type Value.
+template <typename Value = TraCIInt>
+const auto& count(int variable) {
   if (counts.empty()) {
     libtraci::Simulation::subscribe(kCounts);
     counts = libtraci::Simulation::getSubscriptionResults();
   }
-  return dynamic_cast<const TraCIInt&>(*counts.at(variable)).value;
+  return dynamic_cast<const Value&>(*counts.at(variable)).value;
 }
 
 template <typename Map, typename Ask>
@@ -195,10 +200,7 @@ void Simulation::step() {
   vehicles.refresh();
   counts = libtraci::Simulation::getSubscriptionResults();
 }
-double Simulation::getTime() {
-  (void)count(libsumo::VAR_MIN_EXPECTED_VEHICLES);
-  return dynamic_cast<const TraCIDouble&>(*counts.at(libsumo::VAR_TIME)).value;
-}
+double Simulation::getTime() { return count<TraCIDouble>(libsumo::VAR_TIME); }
 int Simulation::getMinExpectedNumber() { return count(libsumo::VAR_MIN_EXPECTED_VEHICLES); }
 int Simulation::getDepartedPersonNumber() { return count(libsumo::VAR_DEPARTED_PERSONS_NUMBER); }
 int Simulation::getArrivedPersonNumber() { return count(libsumo::VAR_ARRIVED_PERSONS_NUMBER); }
@@ -207,6 +209,12 @@ int Simulation::getStartingTeleportNumber() {
 }
 int Simulation::getEmergencyStoppingVehiclesNumber() {
   return count(libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER);
+}
+std::vector<std::string> Simulation::getDepartedIDList() {
+  return count<TraCIStringList>(libsumo::VAR_DEPARTED_VEHICLES_IDS);
+}
+std::vector<std::string> Simulation::getArrivedIDList() {
+  return count<TraCIStringList>(libsumo::VAR_ARRIVED_VEHICLES_IDS);
 }
 
 }  // namespace pedzone::remembered

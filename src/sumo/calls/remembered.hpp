@@ -9,6 +9,7 @@
 #include <libsumo/libtraci.h>
 
 #include <string>
+#include <vector>
 
 #include "sumo/files/desired_speeds.hpp"
 
@@ -61,6 +62,8 @@ struct Simulation : libtraci::Simulation {
   static int getArrivedPersonNumber();
   static int getStartingTeleportNumber();
   static int getEmergencyStoppingVehiclesNumber();
+  static std::vector<std::string> getDepartedIDList();
+  static std::vector<std::string> getArrivedIDList();
 };
 
 }  // namespace pedzone::remembered

@@ -20,6 +20,12 @@ constexpr double kLaneReach = 100.0;  // [m] SUMO's default: so near it looks fo
 class VehicleCalls final : public SumoVehicles {
  public:
   std::vector<std::string> ids() const override { return Vehicle::getIDList(); }
+  std::vector<std::string> new_or_gone() const override {
+    std::vector<std::string> ids = api::Simulation::getDepartedIDList();
+    const std::vector<std::string> gone = api::Simulation::getArrivedIDList();
+    ids.insert(ids.end(), gone.begin(), gone.end());
+    return ids;
+  }
 
   std::optional<Vec2> front(const std::string& id) const override {
     const auto position = Vehicle::getPosition(id);
@@ -86,7 +92,7 @@ class VehicleCalls final : public SumoVehicles {
   void send(const std::vector<SpeedOrder>& orders) override {
     for (const SpeedOrder& order : orders) {
       if (const auto* mode = std::get_if<SpeedMode>(&order.what)) {
-        Vehicle::setSpeedMode(order.vehicle, static_cast<int>(*mode));
+        set_speed_mode(order.vehicle, *mode);
       } else if (const auto* changes = std::get_if<LaneChanges>(&order.what)) {
         set_lane_changes(order.vehicle, *changes);
       } else {
@@ -107,6 +113,11 @@ class VehicleCalls final : public SumoVehicles {
     }
   }
 
+  void forget(const std::string& id) override {
+    own_lane_changes_.erase(id);
+    own_speed_modes_.erase(id);
+  }
+
  private:
   void set_lane_changes(const std::string& id, LaneChanges changes) {
     if (changes == LaneChanges::kNone) {
@@ -120,7 +131,17 @@ class VehicleCalls final : public SumoVehicles {
     }
   }
 
-  std::unordered_map<std::string, int> own_lane_changes_;  ///< modes before they were told none
+  void set_speed_mode(const std::string& id, SpeedMode mode) {
+    if (mode != SpeedMode::kOwn) {
+      own_speed_modes_.try_emplace(id, Vehicle::getSpeedMode(id));
+      Vehicle::setSpeedMode(id, static_cast<int>(mode));
+    } else if (const auto own = own_speed_modes_.extract(id)) {
+      Vehicle::setSpeedMode(id, own.mapped());
+    }
+  }
+
+  // What clients had set before pedzone told them otherwise.
+  std::unordered_map<std::string, int> own_lane_changes_, own_speed_modes_;
 };
 
 }  // namespace

@@ -14,7 +14,9 @@ class SumoVehicles {
  public:
   virtual ~SumoVehicles() = default;
 
-  virtual std::vector<std::string> ids() const = 0;                    ///< of all in SUMO
+  virtual std::vector<std::string> ids() const = 0;  ///< of all in SUMO
+  /// Who departed or arrived in SUMO's last step: an id now stands for another vehicle, or for none.
+  virtual std::vector<std::string> new_or_gone() const = 0;
   virtual std::optional<Vec2> front(const std::string& id) const = 0;  ///< [m] none: it teleports
   virtual double heading(const std::string& id) const = 0;             ///< [rad]
   virtual double speed(const std::string& id) const = 0;               ///< [m/s] ≥ 0
@@ -24,7 +26,8 @@ class SumoVehicles {
   virtual double time_loss(const std::string& id) const = 0;      ///< [s]
   virtual std::string edge(const std::string& id) const = 0;
   virtual std::string lane(const std::string& id) const = 0;
-  virtual double lateral(const std::string& id) const = 0;  ///< [m] beside its lane's middle
+  /// [m] beside its lane's middle: to the left where vehicles drive on the right, else to the right
+  virtual double lateral(const std::string& id) const = 0;
   virtual std::string route_id(const std::string& id) const = 0;
   virtual std::vector<std::string> route(const std::string& id) const = 0;  ///< edges
   virtual int route_index(const std::string& id) const = 0;                 ///< its edge's, in that
@@ -35,6 +38,8 @@ class SumoVehicles {
   /// Its own parameter, else that of its type.
   virtual std::string parameter(const std::string& id, const std::string& key) const = 0;
 
+  /// That id stands for another vehicle from now on, or for none.
+  virtual void forget(const std::string& id) = 0;
   /// It brakes with no more than these from now on, whatever it brakes for.
   virtual void set_braking(const std::string& id, double decel, double emergency_decel) = 0;
   /// What the vehicle's own car-following model finds safe.

@@ -24,7 +24,10 @@ Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
 
 void Takeover::read(double time, const Fleet& fleet) {
   look_at_bystanders(time);
-  for (const std::string& id : bystanders_.gone()) guests_[guest_index_.at(id)].gone = true;
+  for (const Bystander& person : bystanders_.gone()) {
+    if (person.guest) guests_[guest_index_.at(person.id)].gone = true;
+    past_.erase(person.id);  // somebody else may get its id
+  }
   drop_gone();
   check_guests(time, fleet);
   take_new(time, fleet);
@@ -37,14 +40,17 @@ void Takeover::take_new(double time, const Fleet& fleet) {
     const bool was_moved = person.external;
     if (was_moved && !has_come_back(person, time)) continue;
     const std::string edge = sumo_.edge(person.id);
-    if (edge == person.barred_edge && !was_moved) continue;
+    const int stages = sumo_.stages_left(person.id);
+    const bool is_barred = edge == person.barred_edge && stages == person.barred_stages;
+    if (is_barred && !was_moved) continue;
     if (!was_moved && zone_of(edge) >= 0 && is_declared(person.id)) {
       let_others_walk(person.id, true, time);
       continue;
     }
     const Vec2* position = was_moved ? &person.position : nullptr;
-    const bool may_be_ours = consider(person.id, edge, position, fleet);
+    const bool may_be_ours = consider(person.id, edge, stages, position, fleet);
     person.barred_edge = may_be_ours ? "" : edge;
+    person.barred_stages = stages;
     if (was_moved && !person.guest) put_back(person, edge);
   }
 }
@@ -68,6 +74,8 @@ void Takeover::let_others_walk(const std::string& id, bool declared, double time
   Bystander* person = bystanders_.find(id);
   if (person == nullptr) return;
   if (person->radius == 0.0) measure(*person, sumo_.size(id));
+  person->looked_at = -1.0;  // where it was before pedzone walked it tells nothing
+  bystanders_.look(*person, time, sumo_.position(id));
   leave_to_others(*person, time, declared);
 }
 
@@ -128,7 +136,7 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
   for (const auto& [id, position] : replanned) {
     PersonPast& past = past_[id];
     past = with_new_plan(past);
-    consider(id, sumo_.edge(id), &position, fleet);
+    consider(id, sumo_.edge(id), sumo_.stages_left(id), &position, fleet);
   }
 }
 
@@ -138,8 +146,8 @@ int Takeover::zone_of(const std::string& edge) const {
   return found == network_.edge_index.end() ? -1 : zone_of_edge_[found->second];
 }
 
-/// False where it need not be asked again for as long as the person is on this edge.
-bool Takeover::consider(const std::string& id, const std::string& edge_id,
+/// False where it need not be asked again for as long as the person is on this edge in this stage.
+bool Takeover::consider(const std::string& id, const std::string& edge_id, int stages_left,
                         const Vec2* known_position, const Fleet& fleet) {
   const int zone = zone_of(edge_id);
   if (zone < 0) {  // whoever comes back is looked at again
@@ -148,7 +156,8 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id,
   }
   const int edge = network_.edge_index.at(edge_id);
   PersonPast& past = past_[id];
-  if (past.refused_edge == edge) return false;
+  if (past.refused_edge == edge && past.refused_stages == stages_left) return false;
+  past.refused_stages = stages_left;
   auto walker = sumo_.walker(id);
   if (!walker) return true;
   if (known_position != nullptr) walker->position = *known_position;

@@ -100,8 +100,8 @@ class Takeover {
   void give_back(const Guest& guest, const ReleasePlan& plan);
   void put_back(const Bystander& person, const std::string& edge);
   void take_new(double time, const Fleet& fleet);
-  bool consider(const std::string& id, const std::string& edge, const Vec2* known_position,
-                const Fleet& fleet);
+  bool consider(const std::string& id, const std::string& edge, int stages_left,
+                const Vec2* known_position, const Fleet& fleet);
   bool add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan, const Fleet& fleet);
   std::optional<ReleasePlan> hand_over(Guest& guest, const PersonView& view, double dt,
                                        const Fleet& fleet) const;

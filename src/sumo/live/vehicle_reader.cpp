@@ -1,41 +1,61 @@
 #include "sumo/live/vehicle_reader.hpp"
 
+#include <cmath>
+
+#include "geometry/polyline.hpp"
 #include "sumo/files/truth.hpp"
 #include "sumo/plan/zone_route.hpp"
 
 namespace pedzone {
+namespace {
 
-const VehicleTraits& VehicleReader::traits(const std::string& id, double grip) {
-  const auto [entry, is_new] = traits_.try_emplace(id);
-  VehicleTraits& traits = entry->second;
-  if (is_new) {
-    sumo_.read_body(id, traits);
-    if (grip < 1.0) {  // on a slippery road neither SUMO nor we may brake as on a dry one
-      traits.decel *= grip;
-      traits.emergency_decel *= grip;
-      sumo_.set_braking(id, traits.decel, traits.emergency_decel);
-    }
-    traits.yields = !is_false(sumo_.parameter(id, "pedzone.yield"));
-    traits.external = is_true(sumo_.parameter(id, "pedzone.external"));
-    traits.electric = is_true(sumo_.parameter(id, "pedzone.electric"));
+constexpr double kAskAgain = 1.0;  // [s] numerical: each question is a message to SUMO
+
+/// [m] to the left of the lane's middle. SUMO counts to the right where vehicles drive on the left.
+double to_the_left(double lateral, const Lane& lane, const Vec2& front) {
+  return lateral == 0.0 ? 0.0 : std::copysign(lateral, project_on(lane.shape, front).lateral);
+}
+
+}  // namespace
+
+VehicleReader::Known VehicleReader::begin(const std::string& id, double grip) const {
+  Known known;
+  VehicleTraits& traits = known.traits;
+  sumo_.read_body(id, traits);
+  if (grip < 1.0) {  // on a slippery road neither SUMO nor we may brake as on a dry one
+    traits.decel *= grip;
+    traits.emergency_decel *= grip;
+    sumo_.set_braking(id, traits.decel, traits.emergency_decel);
   }
-  return traits;
+  traits.electric = is_true(sumo_.parameter(id, "pedzone.electric"));
+  return known;
 }
 
-const std::vector<int>& VehicleReader::route(const std::string& id) {
-  const auto [entry, is_new] = routes_.try_emplace(sumo_.route_id(id));
-  if (is_new) entry->second = edge_indices(network_, sumo_.route(id));
-  return entry->second;
+/// Other programs declare a vehicle when it is there already, and give it other routes.
+void VehicleReader::ask(const std::string& id, double time, Known& known) const {
+  if (time >= known.ask_at) {
+    known.ask_at = time + kAskAgain;
+    known.traits.yields = !is_false(sumo_.parameter(id, "pedzone.yield"));
+    known.traits.external = is_true(sumo_.parameter(id, "pedzone.external"));
+  }
+  const std::string route = sumo_.route_id(id);
+  if (route == known.route_id) return;
+  known.route_id = route;
+  known.route = edge_indices(network_, sumo_.route(id));
 }
 
-std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& told) {
+std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& told, double time) {
   std::vector<VehicleSeen> seen;
   for (const std::string& id : sumo_.ids()) {
     const auto front = sumo_.front(id);
     if (!front || !(fleet.near_zone(*front) || told.speed(id))) continue;
+    auto found = known_.find(id);
+    if (found == known_.end()) found = known_.emplace(id, begin(id, fleet.grip())).first;
+    Known& known = found->second;
+    ask(id, time, known);
     VehicleSeen vehicle;
     vehicle.id = id;
-    vehicle.traits = traits(id, fleet.grip());
+    vehicle.traits = known.traits;
     vehicle.front = *front;
     vehicle.heading = sumo_.heading(id);
     vehicle.speed = sumo_.speed(id);
@@ -48,8 +68,8 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& tol
     const auto lane = network_.lane_index.find(sumo_.lane(id));
     if (lane != network_.lane_index.end()) {
       vehicle.lane = lane->second;
-      vehicle.lateral = sumo_.lateral(id);
-      vehicle.route = route(id);
+      vehicle.lateral = to_the_left(sumo_.lateral(id), network_.lanes[vehicle.lane], *front);
+      vehicle.route = known.route;
       vehicle.route_index = sumo_.route_index(id);
     }
     seen.push_back(std::move(vehicle));

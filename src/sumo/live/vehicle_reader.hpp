@@ -16,19 +16,29 @@ class VehicleReader {
   /// Both must outlive it.
   VehicleReader(const Network& network, SumoVehicles& sumo) : network_(network), sumo_(sumo) {}
 
-  /// Those that belong to the fleet, in SUMO's order, and those far away that pedzone has told a
-  /// speed (they were moved there): they are to be given back. Where the weather leaves them less
-  /// grip, one that is new is told to brake less, whatever it brakes for.
-  std::vector<VehicleSeen> read(const Fleet& fleet, const Told& told);
+  /// Those that belong to the fleet, at `time` [s], in SUMO's order, and those far away that pedzone
+  /// has told a speed (they were moved there): they are to be given back. Where the weather leaves
+  /// them less grip, one that is new is told to brake less, whatever it brakes for. Their routes
+  /// are valid until the next call.
+  std::vector<VehicleSeen> read(const Fleet& fleet, const Told& told, double time);
+
+  /// That id stands for another vehicle from now on, or for none.
+  void forget(const std::string& vehicle) { known_.erase(vehicle); }
 
  private:
-  const VehicleTraits& traits(const std::string& id, double grip);
-  const std::vector<int>& route(const std::string& id);
+  /// What is not asked in every step.
+  struct Known {
+    VehicleTraits traits;
+    double ask_at = 0.0;     ///< [s] when it is asked again what it has been declared to be
+    std::string route_id;    ///< SUMO's; it gives an id out again when a vehicle gets its next one
+    std::vector<int> route;  ///< indices into Network::edges
+  };
+  Known begin(const std::string& id, double grip) const;
+  void ask(const std::string& id, double time, Known& known) const;
 
   const Network& network_;
   SumoVehicles& sumo_;
-  std::unordered_map<std::string, VehicleTraits> traits_;     ///< what does not change
-  std::unordered_map<std::string, std::vector<int>> routes_;  ///< by SUMO's route id
+  std::unordered_map<std::string, Known> known_;  ///< by vehicle
 };
 
 }  // namespace pedzone

@@ -52,9 +52,7 @@ void Bystanders::update(std::vector<std::string> ids) {
   std::swap(all_, before_);
   all_.clear();
   auto known = before_.begin();
-  const auto leave = [&](const Bystander& person) {
-    if (person.guest) gone_.push_back(person.id);
-  };
+  const auto leave = [&](Bystander& person) { gone_.push_back(std::move(person)); };
   for (std::string& id : ids) {
     while (known != before_.end() && known->id < id) leave(*known++);
     if (known != before_.end() && known->id == id) {

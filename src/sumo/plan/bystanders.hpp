@@ -31,6 +31,7 @@ struct Bystander {
   Vec2 velocity = Vec2::Zero();  ///< [m/s] since the time before that
   double heading = 0.0;          ///< [rad] in which it moved last
   std::string barred_edge;       ///< on which it was found that it stays SUMO's; empty: on none
+  int barred_stages = 0;         ///< so many stages of its plan were left then
 };
 
 /// Once its length and width are known.
@@ -44,7 +45,7 @@ class Bystanders {
  public:
   explicit Bystanders(const std::vector<Zone>& zones);
 
-  /// Takes in who is in SUMO after a step, and who of the guests has gone.
+  /// Takes in who is in SUMO after a step, and who has gone.
   void update(std::vector<std::string> ids);
 
   /// Whether a person has to be looked at, at `time` [s]: nobody who is walked by pedzone, nor who
@@ -57,7 +58,7 @@ class Bystanders {
 
   /// Everybody in SUMO, by ascending id. `near` and `position` are of now for those who are near.
   std::vector<Bystander>& all() { return all_; }
-  const std::vector<std::string>& gone() const { return gone_; }  ///< guests that SUMO lost
+  const std::vector<Bystander>& gone() const { return gone_; }  ///< in the last update
   void set_guest(const std::string& id, bool guest);
   /// nullptr: it is not in SUMO.
   Bystander* find(const std::string& id);
@@ -70,7 +71,7 @@ class Bystanders {
   const std::vector<Zone>& zones_;
   std::vector<ZoneDistance> distances_;
   std::vector<Bystander> all_, before_;  ///< by ascending id
-  std::vector<std::string> gone_;
+  std::vector<Bystander> gone_;
   std::unordered_set<std::int64_t> eyed_;  ///< cells with eyes; kept for its memory
 };
 

@@ -12,8 +12,11 @@
 namespace pedzone {
 namespace {
 
-constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on
+constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on,
+                                // unless they need more to stop
 constexpr double kNearStreets = 150.0;  // [m] ... where people cross streets: as far as they look
+constexpr double kUsualDecel = 4.5;     // [m/s²] SUMO's default
+constexpr double kReaction = 1.0;       // [s] SUMO's default (tau)
 constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
 constexpr double kLeaderAhead = 10.0;   // [m] numerical: who is farther ahead lets it drive off
 constexpr double kWaitingSpeed = 0.5;   // [m/s] numerical: slower vehicles wait
@@ -106,6 +109,23 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
   return state;
 }
 
+/// [m] in which a usual vehicle stops that comes to the zone as fast as it may.
+double stopping_distance(const Network& network, const Zone& zone) {
+  const std::set<int> edges(zone.edges.begin(), zone.edges.end());
+  const auto is_in = [&](int lane) { return edges.contains(network.lanes[lane].edge); };
+  double speed = 0.0;
+  const auto take = [&](const Lane& lane) {
+    if (lane.vehicles) speed = std::max(speed, lane.speed);
+  };
+  for (const int edge : edges) {
+    for (const int lane : network.edges[edge].lanes) take(network.lanes[lane]);
+  }
+  for (const Connection& connection : network.connections) {
+    if (is_in(connection.to)) take(network.lanes[connection.from]);
+  }
+  return speed * speed / (2.0 * kUsualDecel * zone.weather->deceleration) + speed * kReaction;
+}
+
 }  // namespace
 
 Fleet::Fleet(const Network& network, const std::vector<Zone>& zones)
@@ -119,7 +139,8 @@ Fleet::Fleet(const Network& network, const std::vector<Zone>& zones)
         high = high.cwiseMax(point);
       }
     }
-    const double near = zone.streets.empty() ? kNear : kNearStreets;
+    const double near =
+        std::max(zone.streets.empty() ? kNear : kNearStreets, stopping_distance(network, zone));
     boxes_.emplace_back(low - Vec2(near, near), high + Vec2(near, near));
   }
 }

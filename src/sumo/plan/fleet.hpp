@@ -15,7 +15,9 @@ class Fleet {
   /// The network must outlive it.
   Fleet(const Network& network, const std::vector<Zone>& zones);
 
-  /// Whether a vehicle with its front at `point` [m] belongs to it.
+  /// Whether a vehicle with its front at `point` [m] belongs to it: within 60 m of a zone (150 m
+  /// where people cross streets anywhere), or as far as it needs to stop where it drives fast or on
+  /// ice.
   bool near_zone(const Vec2& point) const;
   /// (0, 1] the share of their deceleration that the weather leaves to vehicles.
   double grip() const { return grip_; }

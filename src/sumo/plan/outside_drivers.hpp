@@ -30,6 +30,9 @@ class OutsideDrivers {
   void mark(std::vector<VehicleSeen>& seen, const std::unordered_set<std::string>& steered,
             double time, double dt);
 
+  /// That id stands for another vehicle from now on, or for none.
+  void forget(const std::string& vehicle) { suspects_.erase(vehicle); }
+
   /// Whoever was found, each once, in time.
   const std::vector<OutsideRecord>& found() const { return found_; }
 

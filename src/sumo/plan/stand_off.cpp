@@ -80,7 +80,7 @@ StandOffs::Way StandOffs::go_on(StandOff& one, const FleetVehicle& vehicle, Way 
 /// creeps past no faster, and that speed stays where it does no more.
 void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool commanded, double dt,
                      std::vector<SpeedOrder>& orders) const {
-  if (before == Way::kPass && now != before) orders.push_back({vehicle.id, SpeedMode::kDefault});
+  if (before == Way::kPass && now != before) orders.push_back({vehicle.id, SpeedMode::kOwn});
   if (before != Way::kWait && now == Way::kWait && !commanded) {
     orders.push_back({vehicle.id, kOwnSpeed});
   }

@@ -32,6 +32,9 @@ class StandOffs {
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, double dt);
 
+  /// That id stands for another vehicle from now on, or for none.
+  void forget(const std::string& vehicle) { stand_offs_.erase(vehicle); }
+
  private:
   enum class Way { kWait, kPass, kLetGo };
   struct StandOff {

@@ -30,6 +30,7 @@ struct PersonPast {
   std::size_t plan = 0;         ///< the plan this belongs to
   int last = -1;                ///< route index of the edge it was released on
   int refused_edge = -1;        ///< edge on which it was found that it cannot be taken over
+  int refused_stages = 0;       ///< so many stages of its plan were left when that was asked
   bool was_controlled = false;  ///< pedzone has walked it before
   bool was_given_back = false;  ///< and has given it back to SUMO
 };

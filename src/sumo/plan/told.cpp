@@ -33,7 +33,7 @@ std::vector<SpeedOrder> Told::take_back(const std::vector<std::string>& present)
   std::vector<SpeedOrder> orders;
   for (const std::string& id : vehicles) {
     const Last& last = last_.at(id);
-    if (last.mode != SpeedMode::kDefault) orders.push_back({id, SpeedMode::kDefault});
+    if (last.mode != SpeedMode::kOwn) orders.push_back({id, SpeedMode::kOwn});
     if (last.changes != LaneChanges::kOwn) orders.push_back({id, LaneChanges::kOwn});
     if (last.speed >= 0.0) orders.push_back({id, kOwnSpeed});
   }

@@ -17,6 +17,9 @@ class Told {
   /// What SUMO is told for its next step.
   void note(std::span<const SpeedOrder> orders);
 
+  /// That id stands for another vehicle from now on, or for none.
+  void forget(const std::string& vehicle) { last_.erase(vehicle); }
+
   /// [m/s] that a vehicle was told last; nothing: it has its own.
   std::optional<double> speed(const std::string& vehicle) const;
 
@@ -27,7 +30,7 @@ class Told {
  private:
   struct Last {
     double speed = kOwnSpeed;
-    SpeedMode mode = SpeedMode::kDefault;
+    SpeedMode mode = SpeedMode::kOwn;
     LaneChanges changes = LaneChanges::kOwn;
 
     bool operator==(const Last&) const = default;

@@ -12,7 +12,7 @@ namespace pedzone {
 
 /// What SUMO itself minds when a vehicle is told a speed (bits of SUMO's speed mode).
 enum class SpeedMode {
-  kDefault = 31,    ///< all
+  kOwn = -1,        ///< as before it was told another
   kEmergency = 27,  ///< all but the bound of comfortable braking
   kPass = 63,       ///< all but who is inside the junction already
 };

@@ -51,7 +51,7 @@ void Yielding::command(FleetVehicle& vehicle, const YieldOrder& order,
   if (order.emergency && in_emergency_.insert(vehicle.id).second) {
     out.push_back({vehicle.id, SpeedMode::kEmergency});
   } else if (!order.emergency && in_emergency_.erase(vehicle.id) > 0) {
-    out.push_back({vehicle.id, SpeedMode::kDefault});
+    out.push_back({vehicle.id, SpeedMode::kOwn});
   }
   out.push_back({vehicle.id, order.speed});
   vehicle.commanded = order.speed;
@@ -62,7 +62,7 @@ void Yielding::give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out) {
   vehicle.commanded = kOwnSpeed;
   if (commanded_.erase(vehicle.id) == 0) return;
   out.push_back({vehicle.id, kOwnSpeed});
-  if (in_emergency_.erase(vehicle.id) > 0) out.push_back({vehicle.id, SpeedMode::kDefault});
+  if (in_emergency_.erase(vehicle.id) > 0) out.push_back({vehicle.id, SpeedMode::kOwn});
 }
 
 void Yielding::note(const FleetVehicle& vehicle, double time) {
@@ -83,6 +83,13 @@ std::optional<YieldOrder> Yielding::plan_for_people(FleetVehicle& vehicle,
   if (order && order->emergency) note(vehicle, time);
   if (order) yielded_.insert(vehicle.id);
   return order;
+}
+
+void Yielding::forget(const std::string& vehicle) {
+  commanded_.erase(vehicle);
+  in_emergency_.erase(vehicle);
+  stopping_.erase(vehicle);
+  braked_late_.erase(vehicle);
 }
 
 std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,

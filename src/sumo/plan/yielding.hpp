@@ -36,6 +36,9 @@ class Yielding {
   /// others drive and those on a path of the zone file are not touched.
   void stop(const std::string& vehicle) { stopping_[vehicle] = 0.0; }
 
+  /// That id stands for another vehicle from now on, or for none.
+  void forget(const std::string& vehicle);
+
   /// Ids of all vehicles that ever gave way.
   const std::unordered_set<std::string>& yielded() const { return yielded_; }
   /// In time. Of a vehicle that does so again within a second, only the first.

@@ -10,6 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::Pair;
 
 class BystandersTest : public testing::Test, protected test::FourEdges {
  protected:
@@ -55,11 +56,13 @@ TEST_F(BystandersTest, are_known_again_from_step_to_step) {
   EXPECT_FALSE(person("a").near);
 }
 
-TEST_F(BystandersTest, tells_which_guests_sumo_has_lost) {
+TEST_F(BystandersTest, tells_whom_sumo_has_lost_and_who_of_them_was_a_guest) {
   bystanders_->update({"a", "b", "c", "d"});
   for (const char* guest : {"a", "c", "d"}) bystanders_->set_guest(guest, true);
   bystanders_->update({"c"});
-  EXPECT_THAT(bystanders_->gone(), ElementsAre("a", "d")) << "b was none";
+  std::vector<std::pair<std::string, bool>> gone;
+  for (const Bystander& person : bystanders_->gone()) gone.emplace_back(person.id, person.guest);
+  EXPECT_THAT(gone, ElementsAre(Pair("a", true), Pair("b", false), Pair("d", true)));
   bystanders_->update({"c"});
   EXPECT_THAT(bystanders_->gone(), IsEmpty());
 }

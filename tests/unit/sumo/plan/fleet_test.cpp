@@ -21,6 +21,22 @@ TEST_F(FleetTest, has_the_vehicles_within_sixty_metres_of_a_zone) {
   EXPECT_FALSE(fleet.near_zone({100.0, 2.0 + 60.1}));
 }
 
+TEST_F(FleetTest, has_those_that_need_more_to_stop_too) {
+  Lane& comes = network.lanes[lane_of(e0)];
+  comes.speed = 13.89;
+  EXPECT_FALSE(Fleet(network, zones()).near_zone({50.0 - 61.0, 0.0})) << "needs 35 m";
+  comes.speed = 25.0;  // 69 m at 4.5 m/s2, 25 m in a second
+  EXPECT_TRUE(Fleet(network, zones()).near_zone({50.0 - 94.0, 0.0}));
+  EXPECT_FALSE(Fleet(network, zones()).near_zone({50.0 - 95.0, 0.0}));
+  comes.speed = 13.89;
+  zone.weather = find_weather("ice");  // a quarter of the deceleration: 86 m
+  EXPECT_TRUE(Fleet(network, zones()).near_zone({50.0 - 99.0, 0.0}));
+  EXPECT_FALSE(Fleet(network, zones()).near_zone({50.0 - 100.0, 0.0}));
+  network.lanes[lane_of(e3)].speed = 40.0;  // leads out of it
+  comes.vehicles = false;
+  EXPECT_FALSE(Fleet(network, zones()).near_zone({50.0 - 61.0, 0.0}));
+}
+
 TEST_F(FleetTest, remembers_what_people_did_to_a_vehicle_while_it_is_near) {
   Fleet fleet(network, zones());
   fleet.update({car(60.0, 2.0)}, 0.1);

@@ -43,6 +43,16 @@ TEST_F(OutsideDriversTest, who_drives_otherwise_for_two_steps_is_driven_by_anoth
   EXPECT_DOUBLE_EQ(drivers_.found().front().time, 2 * kStep);
 }
 
+TEST_F(OutsideDriversTest, the_next_vehicle_of_its_id_is_sumos) {
+  step(3.0, 5.0);
+  EXPECT_TRUE(step(3.0, 5.0));
+  drivers_.forget("car");
+  EXPECT_FALSE(step(13.0, 13.0));
+  EXPECT_FALSE(step(3.0, 5.0));
+  EXPECT_TRUE(step(3.0, 5.0));
+  EXPECT_EQ(drivers_.found().size(), 2u) << "is told of, too";
+}
+
 TEST_F(OutsideDriversTest, one_odd_step_is_an_insertion_or_a_stop) {
   EXPECT_FALSE(step(3.0, 5.0));
   EXPECT_FALSE(step(5.0, 5.0));
@@ -105,7 +115,7 @@ TEST_F(OutsideDriversTest, knows_whom_pedzone_has_told_a_speed) {
   EXPECT_FALSE(told_.speed("car"));
   tell(0.0);
   EXPECT_TRUE(told_.speed("car"));
-  told_.note(std::vector<SpeedOrder>{{"car", SpeedMode::kDefault}});
+  told_.note(std::vector<SpeedOrder>{{"car", SpeedMode::kOwn}});
   EXPECT_TRUE(told_.speed("car"));
   tell(-1.0);
   EXPECT_FALSE(told_.speed("car"));

@@ -61,7 +61,7 @@ TEST_F(StandOffTest, ends_when_nobody_is_beside_any_more) {
   vehicles_[0].commanded = kOwnSpeed;
   people_.clear();
   EXPECT_THAT(step(0.1),
-              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+              ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", kOwnSpeed}));
   EXPECT_THAT(step(0.1), IsEmpty());
 }
 
@@ -87,7 +87,7 @@ TEST_F(StandOffTest, ends_at_a_stop_of_the_vehicles_own) {
   vehicles_[0].commanded = kOwnSpeed;
   vehicles_[0].stopped = true;
   EXPECT_THAT(step(0.1),
-              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}))
+              ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", kOwnSpeed}))
       << "it drives on after the stop as fast as it likes";
   EXPECT_THAT(step(0.1), IsEmpty());
 }
@@ -122,7 +122,7 @@ TEST_F(StandOffTest, waits_again_where_sumo_does_not_let_it_past) {
       ASSERT_THAT(step_back(dt), ElementsAre(SpeedOrder{"van", creep_})) << tried;
     }
     EXPECT_THAT(step_back(dt),
-                ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+                ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", kOwnSpeed}));
     EXPECT_THAT(wait(creep_after_ - 1.5 * dt, dt), IsEmpty());
     EXPECT_THAT(wait(2.0 * dt, dt), testing::SizeIs(2)) << "and tries again";
   }
@@ -139,7 +139,7 @@ TEST_F(StandOffTest, tries_for_as_long_however_long_it_has_waited_before) {
 }
 
 TEST_F(StandOffTest, ends_for_one_that_has_gone_and_comes_back) {
-  const std::vector<SpeedOrder> mode{{"van", SpeedMode::kDefault}}, own{{"van", kOwnSpeed}};
+  const std::vector<SpeedOrder> mode{{"van", SpeedMode::kOwn}}, own{{"van", kOwnSpeed}};
   for (const bool passes : {true, false}) {
     stand_offs_.emplace(zones_);
     people_ = {{{passes ? 79.0 : 83.0, passes ? 2.0 : 0.0}, {0.0, 0.0}, 0.24}};
@@ -165,7 +165,7 @@ TEST_F(StandOffTest, tells_one_nothing_that_another_program_drives_until_it_no_l
   vehicles_[0].traits.external = false;
   vehicles_[0].commanded = kOwnSpeed;
   EXPECT_THAT(step(0.1),
-              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+              ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", kOwnSpeed}));
   EXPECT_THAT(step(0.1), IsEmpty());
 }
 
@@ -174,13 +174,13 @@ TEST_F(StandOffTest, ends_when_the_vehicle_has_left_the_zone) {
   vehicles_[0] = standing("van", 24.0);
   people_[0].position.x() = 23.0;
   EXPECT_THAT(step(0.1),
-              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", kOwnSpeed}));
+              ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", kOwnSpeed}));
 }
 
 TEST_F(StandOffTest, leaves_the_speed_to_yielding_once_that_holds_the_vehicle) {
   wait(100.0);
   vehicles_[0].commanded = 0.1;
-  EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}));
+  EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}));
   EXPECT_EQ(vehicles_[0].commanded, 0.1);
 }
 
@@ -251,7 +251,7 @@ TEST_F(StandOffTest, goes_from_passing_to_letting_go) {
   vehicles_[0].commanded = kOwnSpeed;
   people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
   EXPECT_THAT(step(0.1),
-              ElementsAre(SpeedOrder{"van", SpeedMode::kDefault}, SpeedOrder{"van", 0.0}));
+              ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", 0.0}));
 }
 
 TEST_F(StandOffTest, brakes_for_people_no_harder_than_sumo_does_at_its_word) {

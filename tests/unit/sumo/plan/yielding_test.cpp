@@ -55,6 +55,14 @@ TEST_F(YieldingTest, gives_a_vehicle_back_once_when_its_way_is_free) {
   EXPECT_THAT(plan({}), IsEmpty());
 }
 
+TEST_F(YieldingTest, tells_the_next_vehicle_of_that_id_nothing) {
+  plan(kNear);
+  yielding_.stop("shuttle");
+  yielding_.forget("shuttle");
+  vehicle_.commanded = kOwnSpeed;
+  EXPECT_THAT(plan({}), IsEmpty());
+}
+
 TEST_F(YieldingTest, lets_a_vehicle_go_without_a_jump) {
   safe_ = 0.0;
   vehicle_.speed = 8.0;
@@ -81,7 +89,7 @@ TEST_F(YieldingTest, lets_a_vehicle_brake_harder_only_for_as_long_as_it_must) {
                                           SpeedOrder{"shuttle", hard}));
   EXPECT_THAT(plan(kTooNear), ElementsAre(SpeedOrder{"shuttle", hard})) << "SUMO knows the mode";
   vehicle_.speed = 1.0;
-  EXPECT_THAT(plan(kNear), testing::Contains(SpeedOrder{"shuttle", SpeedMode::kDefault}));
+  EXPECT_THAT(plan(kNear), testing::Contains(SpeedOrder{"shuttle", SpeedMode::kOwn}));
 }
 
 TEST_F(YieldingTest, tells_who_braked_hard_once_with_time_and_place) {
@@ -104,7 +112,7 @@ TEST_F(YieldingTest, gives_a_vehicle_that_brakes_hard_back_as_it_was) {
   plan(kTooNear);
   vehicle_.stopped = true;
   EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed},
-                                    SpeedOrder{"shuttle", SpeedMode::kDefault}));
+                                    SpeedOrder{"shuttle", SpeedMode::kOwn}));
 }
 
 TEST_F(YieldingTest, leaves_vehicles_alone_that_do_not_yield_or_are_others) {
@@ -137,7 +145,7 @@ TEST_F(YieldingTest, stops_one_that_has_run_into_somebody_whether_it_yields_or_n
       ASSERT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", 0.0})) << k;
     }
     EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed},
-                                      SpeedOrder{"shuttle", SpeedMode::kDefault}));
+                                      SpeedOrder{"shuttle", SpeedMode::kOwn}));
     EXPECT_THAT(plan({}), IsEmpty());
     EXPECT_THAT(yielding_.yielded(), IsEmpty()) << "that is not giving way";
   }
