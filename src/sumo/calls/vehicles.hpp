@@ -15,7 +15,8 @@ class SumoVehicles {
   virtual ~SumoVehicles() = default;
 
   virtual std::vector<std::string> ids() const = 0;  ///< of all in SUMO
-  /// Who departed or arrived in SUMO's last step: an id now stands for another vehicle, or for none.
+  /// Who departed or arrived in SUMO's last step: an id now stands for another vehicle, or for
+  /// none.
   virtual std::vector<std::string> new_or_gone() const = 0;
   virtual std::optional<Vec2> front(const std::string& id) const = 0;  ///< [m] none: it teleports
   virtual double heading(const std::string& id) const = 0;             ///< [rad]

@@ -16,10 +16,10 @@ class VehicleReader {
   /// Both must outlive it.
   VehicleReader(const Network& network, SumoVehicles& sumo) : network_(network), sumo_(sumo) {}
 
-  /// Those that belong to the fleet, at `time` [s], in SUMO's order, and those far away that pedzone
-  /// has told a speed (they were moved there): they are to be given back. Where the weather leaves
-  /// them less grip, one that is new is told to brake less, whatever it brakes for. Their routes
-  /// are valid until the next call.
+  /// Those that belong to the fleet, at `time` [s], in SUMO's order, and those far away that
+  /// pedzone has told a speed (they were moved there): they are to be given back. Where the weather
+  /// leaves them less grip, one that is new is told to brake less, whatever it brakes for. Their
+  /// routes are valid until the next call.
   std::vector<VehicleSeen> read(const Fleet& fleet, const Told& told, double time);
 
   /// That id stands for another vehicle from now on, or for none.

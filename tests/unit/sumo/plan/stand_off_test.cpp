@@ -250,8 +250,7 @@ TEST_F(StandOffTest, goes_from_passing_to_letting_go) {
   wait(100.0);
   vehicles_[0].commanded = kOwnSpeed;
   people_.push_back({{83.0, 0.0}, {0.0, 0.0}, 0.24});
-  EXPECT_THAT(step(0.1),
-              ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", 0.0}));
+  EXPECT_THAT(step(0.1), ElementsAre(SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", 0.0}));
 }
 
 TEST_F(StandOffTest, brakes_for_people_no_harder_than_sumo_does_at_its_word) {

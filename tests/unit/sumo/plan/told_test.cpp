@@ -17,8 +17,8 @@ TEST(Told, is_taken_back_from_vehicles_that_go_by_it) {
                                     {"bus", 0.0},
                                     {"bus", kOwnSpeed}});
   EXPECT_THAT(told.take_back({"van", "tram", "car", "bus"}),
-              ElementsAre(SpeedOrder{"car", LaneChanges::kOwn},
-                          SpeedOrder{"van", SpeedMode::kOwn}, SpeedOrder{"van", kOwnSpeed}));
+              ElementsAre(SpeedOrder{"car", LaneChanges::kOwn}, SpeedOrder{"van", SpeedMode::kOwn},
+                          SpeedOrder{"van", kOwnSpeed}));
 }
 
 TEST(Told, is_not_taken_back_twice_or_from_vehicles_that_have_gone) {
