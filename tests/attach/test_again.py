@@ -5,10 +5,8 @@ an id can come again for somebody else, and SUMO gives a route's id out again.
 usage: test_again.py PEDZONE_PROGRAM
 """
 
-import subprocess
-
 import attached
-from attached import AttachedCase, rows, sumo_environment
+from attached import AttachedCase, rows
 
 FORK = """<edges>
   <edge id="west" from="A" to="B" numLanes="1" speed="13.89" disallow="pedestrian"/>
@@ -36,9 +34,7 @@ class Again(AttachedCase):
         nodes.write_text(nodes.read_text().replace("</nodes>", '<node id="N" x="60" y="120"/></nodes>')
                          .replace('x="0"', 'x="-140"'))
         self.tiny.write("tiny.edg.xml", FORK)
-        subprocess.run(["netconvert", "-n", "tiny.nod.xml", "-e", "tiny.edg.xml", "-t", "tiny.typ.xml",
-                        "-o", "tiny.net.xml", "--offset.disable-normalization", "true"], cwd=self.folder, check=True, capture_output=True,
-                       env=sumo_environment())
+        self.tiny.convert("--offset.disable-normalization", "true")
 
     def hardest_braking(self, program):
         """[m/s²] of a car that comes to somebody who stands 15 m behind the fork."""
@@ -63,7 +59,6 @@ class Again(AttachedCase):
     def test_a_vehicle_of_an_id_that_another_program_drove(self):
         self.together("""
             if "v" in vehicles and t < 70:
-                seen.append(t)
                 traci.vehicle.setParameter("v", "pedzone.external", "true")
             if t == 70:
                 traci.vehicle.remove("v")

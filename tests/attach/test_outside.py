@@ -6,10 +6,9 @@ usage: test_outside.py PEDZONE_PROGRAM
 """
 
 import math
-import subprocess
 
 import attached
-from attached import AttachedCase, rows, sumo_environment
+from attached import AttachedCase, rows
 
 WALKERS = """<routes>
   <vType id="car"/>
@@ -78,9 +77,7 @@ class Outside(AttachedCase):
     def test_a_vehicle_that_was_told_to_stand_drives_on_where_it_is_put_far_away(self):
         nodes = self.folder / "tiny.nod.xml"
         nodes.write_text(nodes.read_text().replace('x="180"', 'x="1500"'))
-        subprocess.run(["netconvert", "-n", "tiny.nod.xml", "-e", "tiny.edg.xml", "-t", "tiny.typ.xml",
-                        "-o", "tiny.net.xml", "--walkingareas", "true", "--crossings.guess", "false"],
-                       cwd=self.folder, check=True, capture_output=True, env=sumo_environment())
+        self.tiny.convert()
         self.together("""
             if "visitor" in persons:
                 traci.person.moveToXY("visitor", "", 100.0, -4.0, 90, 2, -1)
@@ -102,9 +99,7 @@ class Outside(AttachedCase):
         """SUMO counts to the other side there. The car stops before who stands in its way."""
         edges = self.folder / "tiny.edg.xml"
         edges.write_text(edges.read_text().replace('speed="2.78"', 'speed="13.89"'))
-        subprocess.run(["netconvert", "-n", "tiny.nod.xml", "-e", "tiny.edg.xml", "-t", "tiny.typ.xml",
-                        "-o", "tiny.net.xml", "--lefthand", "true"],
-                       cwd=self.folder, check=True, capture_output=True, env=sumo_environment())
+        self.tiny.convert("--lefthand", "true")
         self.tiny.config(more='<processing><lateral-resolution value="0.5"/></processing>')
         self.together("""
             if "v" in vehicles and traci.vehicle.getRoadID("v") == "shared":

@@ -59,10 +59,14 @@ class TinyScenario:
                            ("tiny.typ.xml", TYPES), ("tiny.rou.xml", WALKS),
                            ("tiny.add.xml", "<additional/>")):
             (self.folder / name).write_text(text)
+        self.convert(*netconvert)
+
+    def convert(self, *options):
+        """Makes the network of the nodes, edges and types as they are now."""
         subprocess.run(
             ["netconvert", "-n", "tiny.nod.xml", "-e", "tiny.edg.xml", "-t", "tiny.typ.xml",
              "-o", "tiny.net.xml", "--walkingareas", "true", "--crossings.guess", "false",
-             *netconvert],
+             *options],
             cwd=self.folder, check=True, capture_output=True, env=sumo_environment())
 
     def write(self, name, text):

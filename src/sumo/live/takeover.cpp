@@ -40,7 +40,8 @@ void Takeover::take_new(double time, const Fleet& fleet) {
     const bool was_moved = person.external;
     if (was_moved && !has_come_back(person, time)) continue;
     const std::string edge = sumo_.edge(person.id);
-    const int stages = sumo_.stages_left(person.id);
+    // Outside of the zones it is SUMO's in every stage: that one need not be asked of SUMO.
+    const int stages = zone_of(edge) < 0 ? 0 : sumo_.stages_left(person.id);
     const bool is_barred = edge == person.barred_edge && stages == person.barred_stages;
     if (is_barred && !was_moved) continue;
     if (!was_moved && zone_of(edge) >= 0 && is_declared(person.id)) {

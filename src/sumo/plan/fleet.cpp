@@ -15,7 +15,6 @@ namespace {
 constexpr double kNear = 60.0;  // [m] numerical: vehicles farther from every zone are not read on,
                                 // unless they need more to stop
 constexpr double kNearStreets = 150.0;  // [m] ... where people cross streets: as far as they look
-constexpr double kUsualDecel = 4.5;     // [m/s²] SUMO's default
 constexpr double kReaction = 1.0;       // [s] SUMO's default (tau)
 constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
 constexpr double kLeaderAhead = 10.0;   // [m] numerical: who is farther ahead lets it drive off
@@ -113,9 +112,10 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
 double stopping_distance(const Network& network, const Zone& zone) {
   const std::set<int> edges(zone.edges.begin(), zone.edges.end());
   const auto is_in = [&](int lane) { return edges.contains(network.lanes[lane].edge); };
-  double speed = 0.0;
+  FleetVehicle usual;
+  usual.traits.decel *= zone.weather->deceleration;
   const auto take = [&](const Lane& lane) {
-    if (lane.vehicles) speed = std::max(speed, lane.speed);
+    if (lane.vehicles) usual.speed = std::max(usual.speed, lane.speed);
   };
   for (const int edge : edges) {
     for (const int lane : network.edges[edge].lanes) take(network.lanes[lane]);
@@ -123,7 +123,7 @@ double stopping_distance(const Network& network, const Zone& zone) {
   for (const Connection& connection : network.connections) {
     if (is_in(connection.to)) take(network.lanes[connection.from]);
   }
-  return speed * speed / (2.0 * kUsualDecel * zone.weather->deceleration) + speed * kReaction;
+  return braking_distance(usual) + usual.speed * kReaction;
 }
 
 }  // namespace
