@@ -170,7 +170,7 @@ struct Simulation::Parts {
   bool stepped = false;  ///< SUMO has done a step
   bool lost = false;     ///< it is there no more
   std::vector<std::string> stranded;
-  std::vector<PersonAhead> people;
+  std::vector<PersonAhead> people, outside;
   std::vector<VehicleState> states;
 };
 
@@ -233,9 +233,10 @@ void Simulation::Parts::walk_and_yield(double dt) {
   read(dt);
   takeover.people(people);
   takeover.add_outsiders(people);
-  send(yielding.plan(fleet.vehicles(), people, safe_speeds, session->time(), dt));
+  takeover.outside_people(outside);
+  send(yielding.plan(fleet.vehicles(), people, outside, safe_speeds, session->time(), dt));
   send(lane_keeping.plan(fleet, people, dt));
-  takeover.add_bystanders(people);
+  people.insert(people.end(), outside.begin(), outside.end());
   send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);
   insertions.add_claims(session->time(), fleet, states);

@@ -8,10 +8,13 @@ Sentences that it does not know are an error.
 usage: check_report.py RESULTS    (a folder that `pedzone study run` made; the default zones)
 """
 import html
+import itertools
 import json
 import math
+import multiprocessing
 import re
 import sys
+import xml.etree.ElementTree as ElementTree
 from collections import defaultdict
 from pathlib import Path
 
@@ -61,7 +64,7 @@ def student(freedom):
 
 
 class Places:
-    """The zones of scenarios, each made once."""
+    """The zones of scenarios and the ways in them, each made once."""
 
     def __init__(self):
         self._known = {}
@@ -71,20 +74,23 @@ class Places:
         if key not in self._known:
             parts = ZoneArea(read_network(scenario.net_file), scenario.polygons, ZoneRule())
             area = parts.reach.area.difference(parts.buildings.area).difference(parts.roads.area)
-            self._known[key] = parts.edges, area.buffer(-TOLERANCE)
+            self._known[key] = parts.edges, Ways(area.buffer(-TOLERANCE))
         return self._known[key]
 
 
-def run_measures(folder, config, places):
-    scenario = read_scenario(config)
+PLACES = Places()  # filled before the processes that use it are forked
+
+
+def run_measures(folder, config):
+    print(f"  {folder.name}", flush=True)
     fcd = read_fcd(str(folder / "fcd.xml.gz"))
     end = fcd.times[-1] + numpy.diff(fcd.times)[-1]
     persons, vehicles = read_trips(folder / "tripinfo.xml", end)
-    edges, area = places.of(scenario)
+    edges, ways = PLACES.of(read_scenario(config))
     values = trip_measures(persons, vehicles, end)
     values["vehicle.stops"] = stops(folder / "fcd.xml.gz") / len(vehicles)
     inside = rows_in_zone(fcd, edges)
-    values.update(walk_measures(fcd, persons, inside, Ways(area), FREE_SHARE))
+    values.update(walk_measures(fcd, persons, inside, ways, FREE_SHARE))
     values.update(space_measures(fcd, walking_rows(fcd, persons), inside))
     rows, _ = of_the_zone(fcd, read_table(folder / "conflicts.csv"), inside)
     moving = parted(rows)[1]
@@ -107,23 +113,45 @@ def free_walks(folder):
     return walks
 
 
+def read_conditions(results):
+    """[(name, scenario's file, SUMO's options, the panel's)] of the study file."""
+    study = ElementTree.parse(results / "study.xml").getroot()
+    factors = [[(factor.get("id"), level) for level in factor] for factor in study.iter("factor")]
+    found = []
+    for scenario in study.iter("scenario"):
+        for levels in itertools.product(*factors):
+            options = {"sumo": {}, "panel": {}}
+            for one in (one for _, level in levels for one in level.iter("set")):
+                kind = next((kind for kind in options if one.get(kind)), None)
+                if kind and one.get("scenario", scenario.get("id")) == scenario.get("id"):
+                    options[kind][one.get(kind)] = one.get("value")
+            name = ", ".join([scenario.get("id"), *(f"{key}={level.get('name')}" for key, level in levels)])
+            found.append((name, scenario.get("file"), options["sumo"], options["panel"]))
+    return found
+
+
 def read_runs(results):
     """({condition: {model: {seed: measures}}}, {condition: {model: free walks}})"""
-    study, free, places = defaultdict(lambda: defaultdict(dict)), defaultdict(dict), Places()
+    study, free, runs = defaultdict(lambda: defaultdict(dict)), defaultdict(dict), {}
+    conditions = read_conditions(results)
     for file in sorted(results.glob("runs/*/record.json")):
         record = json.loads(file.read_text(encoding="utf-8"))
         if record["status"] != "done":
             continue
         folder, definition = file.parent, record["definition"]
-        # ID of a run: [free.]CONDITION.MODEL.SEED.CHECKSUM
-        name = record["id"].removeprefix("free.").rsplit(".", 3)[0]
+        name = next(name for name, *what in conditions if what == [
+            definition["scenario"], definition["sumo"], definition.get("panel", {})])
         if definition["kind"] != "study":
             free[name][definition["model"]] = free_walks(folder)
             continue
         config = next(word for command in record["commands"] for word in command
                       if word.endswith(".sumocfg"))
-        print(f"  {record['id']}", flush=True)
-        study[name][definition["model"]][definition["seed"]] = run_measures(folder, config, places)
+        PLACES.of(read_scenario(config))
+        runs[name, definition["model"], definition["seed"]] = folder, config
+    with multiprocessing.get_context("fork").Pool() as pool:
+        found = pool.starmap(run_measures, runs.values(), chunksize=1)
+    for (name, model, seed), measures in zip(runs, found):
+        study[name][model][seed] = measures
     return study, free
 
 

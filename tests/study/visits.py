@@ -1,8 +1,7 @@
 """People's visits of a zone, and shortest ways in its area, from floating-car data."""
-import heapq
-
 import numpy
-from shapely.geometry import LineString, Point
+from shapely.geometry import Point
+from shapely.geometry.polygon import orient as oriented
 from shapely.ops import nearest_points
 from shapely.prepared import prep
 
@@ -11,50 +10,86 @@ CLEARANCE = 0.3  # [m] that shortest ways keep to walls
 SIMPLER = 0.02  # [m] between the area's arcs and the corners taken of them
 
 
+def _rings(area):
+    """All borders, the area to their left."""
+    for part in getattr(area, "geoms", [area]):
+        part = oriented(part)
+        for ring in (part.exterior, *part.interiors):
+            yield ring
+
+
+def _reflex(ring):
+    """Corners round which a shortest way may bend: those where the area takes up more than half a turn."""
+    corners = numpy.array(ring.coords[:-1])
+    before, after = corners - numpy.roll(corners, 1, axis=0), numpy.roll(corners, -1, axis=0) - corners
+    return corners[before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0] < 0]
+
+
 class Ways:
-    """Shortest ways by a visibility graph of the shrunk area's corners."""
+    """Shortest ways by a visibility graph of the shrunk area's corners, all pairs of them at once."""
+
+    _RINGS = (0.0, 15.0, 60.0, numpy.inf)  # [m] near walls are asked first: they hide most
 
     def __init__(self, area):
         self._room = area.buffer(-CLEARANCE, join_style=2)
-        self._free = prep(self._room.buffer(2 * SIMPLER))
-        parts = getattr(self._room, "geoms", [self._room])
-        self._corners = [point for part in parts for ring in (part.exterior, *part.interiors)
-                         for point in ring.simplify(SIMPLER).coords[:-1]]
-        self._links = {i: {} for i in range(len(self._corners))}
-        for i, a in enumerate(self._corners):
-            for j in range(i):
-                if self._sees(a, self._corners[j]):
-                    self._links[i][j] = self._links[j][i] = numpy.hypot(
-                        *numpy.subtract(a, self._corners[j]))
+        free = self._room.buffer(2 * SIMPLER, join_style=2)
+        self._free = prep(free)
+        walls = [numpy.array(ring.simplify(SIMPLER / 2).coords) for ring in _rings(free)]
+        self._from = numpy.concatenate([wall[:-1] for wall in walls])
+        self._along = numpy.concatenate([numpy.diff(wall, axis=0) for wall in walls])
+        self._corners = numpy.concatenate([_reflex(ring.simplify(SIMPLER))
+                                           for ring in _rings(self._room)])
+        count = len(self._corners)
+        self._between = numpy.full((count, count), numpy.inf)
+        for i, corner in enumerate(self._corners):
+            seen, lengths = self._seen_from(corner)
+            self._between[i, seen] = lengths
+        numpy.minimum(self._between, self._between.T, out=self._between)
+        numpy.fill_diagonal(self._between, 0.0)
+        for k in range(count):  # Floyd and Warshall
+            reached = numpy.flatnonzero(numpy.isfinite(self._between[k]))
+            rows = self._between[reached]
+            numpy.minimum(rows, rows[:, k, None] + self._between[k], out=rows)
+            self._between[reached] = rows
 
-    def _sees(self, a, b):
-        return self._free.covers(LineString([a, b]))
+    def _unhidden(self, place, targets):
+        """Indices of the targets that no wall hides from a place."""
+        start = self._from - place
+        share = numpy.clip(-(start * self._along).sum(1) / (self._along ** 2).sum(1), 0.0, 1.0)
+        distance = numpy.hypot(*(start + share[:, None] * self._along).T)
+        side = start[:, 0] * self._along[:, 1] - start[:, 1] * self._along[:, 0]
+        left = numpy.arange(len(targets))
+        for low, high in zip(self._RINGS, self._RINGS[1:]):
+            walls = numpy.flatnonzero((distance >= low) & (distance < high))
+            way = (targets[left] - place)[:, None]
+            a, along = start[walls], self._along[walls]
+            first = way[..., 0] * a[:, 1] - way[..., 1] * a[:, 0]
+            turn = way[..., 0] * along[:, 1] - way[..., 1] * along[:, 0]
+            parts = (first * (first + turn) < 0) & (side[walls] * (side[walls] - turn) < 0)
+            left = left[~parts.any(1)]
+        return left
+
+    def _seen_from(self, place):
+        """Indices of the corners in sight of a place, and how far away they are [m]."""
+        seen = self._unhidden(place, self._corners)
+        return seen, numpy.hypot(*(self._corners[seen] - place).T)
 
     def _room_at(self, place):
         point = Point(place)
-        return place if self._free.covers(point) else nearest_points(self._room, point)[0].coords[0]
+        if self._free.covers(point):
+            return numpy.array(place)
+        return numpy.array(nearest_points(self._room, point)[0].coords[0])
 
     def length(self, start, goal):
         """[m]; infinite where there is none."""
         a, b = self._room_at(start), self._room_at(goal)
-        extra = numpy.hypot(*numpy.subtract(a, start)) + numpy.hypot(*numpy.subtract(b, goal))
-        if self._sees(a, b):
-            return extra + numpy.hypot(*numpy.subtract(a, b))
-        last = {i: numpy.hypot(*numpy.subtract(c, b)) for i, c in enumerate(self._corners)
-                if self._sees(c, b)}
-        queue = [(numpy.hypot(*numpy.subtract(c, a)), i) for i, c in enumerate(self._corners)
-                 if self._sees(a, c)]
-        heapq.heapify(queue)
-        best, done = numpy.inf, set()
-        while queue and queue[0][0] < best:
-            length, node = heapq.heappop(queue)
-            if node in done:
-                continue
-            done.add(node)
-            best = min(best, length + last.get(node, numpy.inf))
-            for other, step in self._links[node].items():
-                heapq.heappush(queue, (length + step, other))
-        return extra + best
+        extra = numpy.hypot(*(a - start)) + numpy.hypot(*(b - goal))
+        if len(self._unhidden(a, b[None])):
+            return extra + numpy.hypot(*(a - b))
+        first, to_first = self._seen_from(a)
+        last, from_last = self._seen_from(b)
+        ways = to_first[:, None] + self._between[numpy.ix_(first, last)] + from_last
+        return extra + ways.min(initial=numpy.inf)
 
 
 def visits(inside):

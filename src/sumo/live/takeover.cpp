@@ -7,6 +7,11 @@
 #include "sumo/plan/outside_walkers.hpp"
 
 namespace pedzone {
+namespace {
+
+constexpr double kUsualRadius = 0.24;  // [m] of SUMO's person, as long as it has not been asked
+
+}  // namespace
 
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
                    std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
@@ -302,11 +307,12 @@ void Takeover::add_outsiders(std::vector<PersonAhead>& out) {
   }
 }
 
-void Takeover::add_bystanders(std::vector<PersonAhead>& out) const {
-  for (const auto& near_zone : seen_) {
-    for (const SeenPerson& person : near_zone) {
-      out.push_back({person.position, person.velocity, person.radius});
-    }
+void Takeover::outside_people(std::vector<PersonAhead>& out) {
+  out.clear();
+  for (const Bystander& person : bystanders_.all()) {
+    if (person.guest || person.external || !person.near) continue;
+    const double radius = person.radius > 0.0 ? person.radius : kUsualRadius;
+    out.push_back({person.position, person.velocity, radius});
   }
 }
 

@@ -85,8 +85,8 @@ class Takeover {
   void add_outsiders(std::vector<PersonAhead>& out);
   /// Who was found to be walked by another program, each time.
   const std::vector<OutsideRecord>& outsiders() const { return outsiders_; }
-  /// Adds those near a zone whom SUMO walks.
-  void add_bystanders(std::vector<PersonAhead>& out) const;
+  /// Those near a zone whom SUMO walks.
+  void outside_people(std::vector<PersonAhead>& out);
 
  private:
   std::size_t plan_of(const std::string& id) const;

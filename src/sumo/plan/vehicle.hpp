@@ -57,6 +57,9 @@ struct FleetVehicle : VehicleSeen {
   std::vector<int> behind;       ///< lanes that it came by to its present one, the last first
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
   JunctionAhead junction;
+  double tight_end =
+      std::numeric_limits<double>::infinity();  ///< [m] from the front to the end of
+                                                ///< its lane of a zone, if it fills that
   double follows_at = std::numeric_limits<double>::infinity();  ///< [m/s] for the one before it
   double seen_for = 0.0;  ///< [s] since it is near a zone: SUMO put it there, or it drove there
   int zone = 0;           ///< index of the zone it is in or comes to first

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sumo/plan/lane_end.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -131,6 +133,10 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   double offset = project_on(network_.lanes[lane].shape, vehicle.front).offset;
   double left = distance;
   way = way_behind(vehicle, offset);
+  const Lane& own = network_.lanes[lane];
+  const bool in_zone = zone_of_lane_[lane] >= 0;
+  if (in_zone && leaves_no_stripe(own, vehicle.traits))
+    vehicle.tight_end = length_of(own.shape) - offset;
   JunctionAhead& junction = vehicle.junction;
   junction = {};
   bool passed = false;

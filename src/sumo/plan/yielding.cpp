@@ -1,16 +1,20 @@
 #include "sumo/plan/yielding.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sumo/plan/junction_clearance.hpp"
+#include "sumo/plan/lane_end.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
 
-constexpr double kStandsAfter = 5.0;  // [s] assumed: a driver looks after whom it has run into
-constexpr double kBetween = 0.5;      // [m] assumed: left between two vehicles in a junction
-constexpr double kOnce = 1.0;         // [s] numerical: braking again so soon is the same braking
+constexpr double kStandsAfter = 5.0;    // [s] assumed: a driver looks after whom it has run into
+constexpr double kBetween = 0.5;        // [m] assumed: left between two vehicles in a junction
+constexpr double kLongestAtEnd = 30.0;  // [s] assumed: then it goes on, whoever else comes
+constexpr double kNobodyComes = 1.0;    // [s] numerical: nobody comes any more
+constexpr double kOnce = 1.0;           // [s] numerical: braking again so soon is the same braking
 
 }  // namespace
 
@@ -40,6 +44,46 @@ void Yielding::keep_junctions_clear(std::span<FleetVehicle> vehicles, const Safe
     if (!ahead) continue;
     const double gap = std::max(0.0, ahead->distance - kBetween);
     const double safe = safe_speeds.before(vehicle, *ahead, gap);
+    if (safe < (planned[i] ? planned[i]->speed : vehicle.speed + vehicle.traits.accel * dt)) {
+      planned[i] = comfortable_order(vehicle, safe, dt);
+    }
+  }
+}
+
+/// Whether the vehicle leaves one of SUMO's people room at its lane's end: where it could stop in
+/// comfort when somebody came, until nobody comes any more, or it has stood for long.
+bool Yielding::leaves_room(const FleetVehicle& vehicle, std::span<const PersonAhead> outside,
+                           double dt) {
+  if (!gives_way(vehicle) || std::isinf(vehicle.tight_end)) {
+    at_end_.erase(vehicle.id);
+    return false;
+  }
+  const bool comes = comes_in(vehicle, outside);
+  const auto found = at_end_.find(vehicle.id);
+  if (found == at_end_.end()) {
+    if (!comes || way_to_room(vehicle) < braking_distance(vehicle) + vehicle.speed * dt) {
+      return false;
+    }
+    at_end_[vehicle.id] = {};
+    return true;
+  }
+  StandsAtEnd& one = found->second;
+  if (vehicle.speed < kHaltingSpeed) one.stood += dt;
+  one.alone = comes ? 0.0 : one.alone + dt;
+  if (one.alone <= kNobodyComes) return one.stood <= kLongestAtEnd;
+  at_end_.erase(found);
+  return false;
+}
+
+/// Stops those that would keep SUMO's people out of the zone.
+void Yielding::keep_lane_ends_free(std::span<FleetVehicle> vehicles,
+                                   std::span<const PersonAhead> outside,
+                                   const SafeSpeeds& safe_speeds, double dt,
+                                   std::vector<std::optional<YieldOrder>>& planned) {
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    FleetVehicle& vehicle = vehicles[i];
+    if (!leaves_room(vehicle, outside, dt) || (planned[i] && planned[i]->emergency)) continue;
+    const double safe = safe_speeds.stop(vehicle, std::max(0.0, way_to_room(vehicle)));
     if (safe < (planned[i] ? planned[i]->speed : vehicle.speed + vehicle.traits.accel * dt)) {
       planned[i] = comfortable_order(vehicle, safe, dt);
     }
@@ -90,10 +134,12 @@ void Yielding::forget(const std::string& vehicle) {
   in_emergency_.erase(vehicle);
   stopping_.erase(vehicle);
   braked_late_.erase(vehicle);
+  at_end_.erase(vehicle);
 }
 
 std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
                                        std::span<const PersonAhead> people,
+                                       std::span<const PersonAhead> outside,
                                        const SafeSpeeds& safe_speeds, double time, double dt) {
   std::vector<std::optional<YieldOrder>> planned(vehicles.size());
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
@@ -104,6 +150,7 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
                      : plan_for_people(vehicle, people, safe_speeds, time, dt);
   }
   keep_junctions_clear(vehicles, safe_speeds, dt, planned);
+  keep_lane_ends_free(vehicles, outside, safe_speeds, dt, planned);
   std::vector<SpeedOrder> orders;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     if (planned[i]) command(vehicles[i], *planned[i], orders);

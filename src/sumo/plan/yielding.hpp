@@ -26,9 +26,11 @@ class Yielding {
   explicit Yielding(const std::vector<Zone>& zones) : zones_(zones) {}
 
   /// The speed that each vehicle takes in the next step of `dt` [s], by its plan (yield_plan.hpp);
-  /// those that no longer need one are given back. `time` [s]: at the step's begin.
+  /// those that no longer need one are given back. `people`: whom it gives way to; `outside`: whom
+  /// SUMO walks. `time` [s]: at the step's begin.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
-                               std::span<const PersonAhead> people, const SafeSpeeds& safe_speeds,
+                               std::span<const PersonAhead> people,
+                               std::span<const PersonAhead> outside, const SafeSpeeds& safe_speeds,
                                double time, double dt);
 
   /// The vehicle has run into somebody, or still overlaps whom it did. Whether it gives way to
@@ -45,11 +47,21 @@ class Yielding {
   const std::vector<LateBraking>& late_brakings() const { return late_brakings_; }
 
  private:
+  /// A vehicle that leaves room at its lane's end.
+  struct StandsAtEnd {
+    double stood = 0.0;  ///< [s]
+    double alone = 0.0;  ///< [s] since somebody was there who may want in
+  };
+
   std::optional<YieldOrder> plan_for_people(FleetVehicle& vehicle,
                                             std::span<const PersonAhead> people,
                                             const SafeSpeeds& safe_speeds, double time, double dt);
   static void keep_junctions_clear(std::span<FleetVehicle> vehicles, const SafeSpeeds& safe_speeds,
                                    double dt, std::vector<std::optional<YieldOrder>>& planned);
+  bool leaves_room(const FleetVehicle& vehicle, std::span<const PersonAhead> outside, double dt);
+  void keep_lane_ends_free(std::span<FleetVehicle> vehicles, std::span<const PersonAhead> outside,
+                           const SafeSpeeds& safe_speeds, double dt,
+                           std::vector<std::optional<YieldOrder>>& planned);
   void command(FleetVehicle& vehicle, const YieldOrder& order, std::vector<SpeedOrder>& out);
   std::optional<YieldOrder> plan_stop(FleetVehicle& vehicle, double dt);
   void give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out);
@@ -59,6 +71,7 @@ class Yielding {
   std::unordered_set<std::string> commanded_, yielded_, in_emergency_;
   std::unordered_map<std::string, double> stopping_;     ///< [s] for which it stands already
   std::unordered_map<std::string, double> braked_late_;  ///< [s] when last
+  std::unordered_map<std::string, StandsAtEnd> at_end_;
   std::vector<LateBraking> late_brakings_;
 };
 

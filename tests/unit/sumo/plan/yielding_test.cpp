@@ -28,14 +28,16 @@ class YieldingTest : public testing::Test {
   std::vector<SpeedOrder> plan(const std::vector<PersonAhead>& people) {
     const SafeSpeeds safe{[this](const FleetVehicle&, double) { return safe_; },
                           [this](const FleetVehicle&, double, double) { return safe_; }};
-    const auto orders = yielding_.plan(std::span(&vehicle_, 1), people, safe, time_, kStep);
+    const auto orders =
+        yielding_.plan(std::span(&vehicle_, 1), people, outside_, safe, time_, kStep);
     time_ += kStep;
     return orders;
   }
 
   FleetVehicle vehicle_;
-  double safe_ = 0.9;  ///< [m/s]
-  double time_ = 0.0;  ///< [s]
+  std::vector<PersonAhead> outside_;  ///< whom SUMO walks
+  double safe_ = 0.9;                 ///< [m/s]
+  double time_ = 0.0;                 ///< [s]
   std::vector<Zone> zones_{1};
   Yielding yielding_{zones_};
 };
@@ -163,6 +165,36 @@ TEST_F(YieldingTest, does_not_touch_one_that_others_drive_whomever_it_runs_into)
   vehicle_.traits.external = true;
   yielding_.stop("shuttle");
   EXPECT_THAT(plan({}), IsEmpty());
+}
+
+TEST_F(YieldingTest, leaves_room_at_the_end_of_a_lane_that_it_fills_while_somebody_comes_in) {
+  vehicle_.tight_end = 10.0;
+  outside_ = {{{12.0, 2.0}, {0.0, 0.0}, 0.24}};
+  EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", 0.9}));
+  outside_.clear();  // for a moment: SUMO puts people from place to place where lanes meet
+  for (int k = 0; k < 9; ++k) EXPECT_FALSE(plan({}).empty()) << k;
+  for (int k = 0; k < 30 && vehicle_.commanded >= 0.0; ++k) plan({});
+  EXPECT_EQ(vehicle_.commanded, kOwnSpeed) << "nobody comes any more";
+}
+
+TEST_F(YieldingTest, does_not_leave_room_for_ever) {
+  vehicle_.tight_end = 10.0;
+  vehicle_.speed = safe_ = 0.0;
+  outside_ = {{{12.0, 0.0}, {0.0, 0.0}, 0.24}};
+  for (int k = 0; k < 300; ++k) ASSERT_FALSE(plan({}).empty()) << k;
+  for (int k = 0; k < 30 && vehicle_.commanded >= 0.0; ++k) plan({});
+  EXPECT_EQ(vehicle_.commanded, kOwnSpeed);
+}
+
+TEST_F(YieldingTest, does_not_brake_hard_to_leave_room) {
+  outside_ = {{{12.0, 0.0}, {0.0, 0.0}, 0.24}};
+  for (const double late : {6.05, 1.0}) {
+    vehicle_.tight_end = late;
+    EXPECT_THAT(plan({}), IsEmpty()) << late << " m before its end";
+  }
+  vehicle_.tight_end = 10.0;
+  vehicle_.traits.external = true;
+  EXPECT_THAT(plan({}), IsEmpty()) << "it is another program's";
 }
 
 TEST_F(YieldingTest, knows_who_ever_gave_way) {
