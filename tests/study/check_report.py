@@ -123,9 +123,10 @@ def read_conditions(results):
             options = {"sumo": {}, "panel": {}}
             for one in (one for _, level in levels for one in level.iter("set")):
                 kind = next((kind for kind in options if one.get(kind)), None)
-                if kind and one.get("scenario", scenario.get("id")) == scenario.get("id"):
+                if kind and one.get("scenario") in (None, scenario.get("id")):
                     options[kind][one.get(kind)] = one.get("value")
-            name = ", ".join([scenario.get("id"), *(f"{key}={level.get('name')}" for key, level in levels)])
+            name = ", ".join([scenario.get("id") or Path(scenario.get("file")).stem,
+                              *(f"{key}={level.get('name')}" for key, level in levels)])
             found.append((name, scenario.get("file"), options["sumo"], options["panel"]))
     return found
 
