@@ -34,6 +34,7 @@ class Ways:
         self._room = area.buffer(-CLEARANCE, join_style=2)
         free = self._room.buffer(2 * SIMPLER, join_style=2)
         self._free = prep(free)
+        self._largest = max(getattr(self._room, "geoms", [self._room]), key=lambda part: part.area)
         walls = [numpy.array(ring.simplify(SIMPLER / 2).coords) for ring in _rings(free)]
         self._from = numpy.concatenate([wall[:-1] for wall in walls])
         self._along = numpy.concatenate([numpy.diff(wall, axis=0) for wall in walls])
@@ -74,15 +75,20 @@ class Ways:
         seen = self._unhidden(place, self._corners)
         return seen, numpy.hypot(*(self._corners[seen] - place).T)
 
-    def _room_at(self, place):
+    def _room_at(self, place, room):
         point = Point(place)
-        if self._free.covers(point):
+        if room is self._room and self._free.covers(point):
             return numpy.array(place)
-        return numpy.array(nearest_points(self._room, point)[0].coords[0])
+        return numpy.array(nearest_points(room, point)[0].coords[0])
 
     def length(self, start, goal):
         """[m]; infinite where there is none."""
-        a, b = self._room_at(start), self._room_at(goal)
+        length = self._length(start, goal, self._room)
+        # Somebody may be nearest to a nook that shrinking has cut off.
+        return length if numpy.isfinite(length) else self._length(start, goal, self._largest)
+
+    def _length(self, start, goal, room):
+        a, b = self._room_at(start, room), self._room_at(goal, room)
         extra = numpy.hypot(*(a - start)) + numpy.hypot(*(b - goal))
         if len(self._unhidden(a, b[None])):
             return extra + numpy.hypot(*(a - b))
