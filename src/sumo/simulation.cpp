@@ -232,8 +232,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   SumoVehicles& sumo = session->vehicles();
   read(dt);
   takeover.people(people);
-  takeover.add_outsiders(people);
-  takeover.outside_people(outside);
+  takeover.sumo_people(outside);
   send(yielding.plan(fleet.vehicles(), people, outside, safe_speeds, session->time(), dt));
   send(lane_keeping.plan(fleet, people, dt));
   people.insert(people.end(), outside.begin(), outside.end());

@@ -7,11 +7,6 @@
 #include "sumo/plan/outside_walkers.hpp"
 
 namespace pedzone {
-namespace {
-
-constexpr double kUsualRadius = 0.24;  // [m] of SUMO's person, as long as it has not been asked
-
-}  // namespace
 
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
                    std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
@@ -291,15 +286,12 @@ const Guest* Takeover::guest(const std::string& id) const {
   return found == guest_index_.end() ? nullptr : &guests_[found->second];
 }
 
-void Takeover::people(std::vector<PersonAhead>& out) const {
+void Takeover::people(std::vector<PersonAhead>& out) {
   out.clear();
   for (const Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     out.push_back({view.position, view.velocity, guest.radius, view.zebra});
   }
-}
-
-void Takeover::add_outsiders(std::vector<PersonAhead>& out) {
   for (const Bystander& person : bystanders_.all()) {
     if (person.external && person.near) {
       out.push_back({person.position, person.velocity, person.radius});
@@ -307,12 +299,14 @@ void Takeover::add_outsiders(std::vector<PersonAhead>& out) {
   }
 }
 
-void Takeover::outside_people(std::vector<PersonAhead>& out) {
+void Takeover::sumo_people(std::vector<PersonAhead>& out) {
   out.clear();
   for (const Bystander& person : bystanders_.all()) {
     if (person.guest || person.external || !person.near) continue;
-    const double radius = person.radius > 0.0 ? person.radius : kUsualRadius;
-    out.push_back({person.position, person.velocity, radius});
+    PersonAhead& ahead = out.emplace_back();  // with a usual radius until it is measured
+    ahead.position = person.position;
+    ahead.velocity = person.velocity;
+    if (person.radius > 0.0) ahead.radius = person.radius;
   }
 }
 

@@ -79,14 +79,13 @@ class Takeover {
   /// Of all steps so far, in time.
   const std::vector<JamRecord>& jams() const { return jams_; }
   Bystanders& bystanders() { return bystanders_; }
-  /// The guests as vehicles see them.
-  void people(std::vector<PersonAhead>& out) const;
-  /// Adds those near a zone whom another program walks, of whom SUMO's vehicles may know nothing.
-  void add_outsiders(std::vector<PersonAhead>& out);
+  /// As vehicles see them: the guests, and those near a zone whom another program walks, of whom
+  /// SUMO's vehicles may know nothing.
+  void people(std::vector<PersonAhead>& out);
   /// Who was found to be walked by another program, each time.
   const std::vector<OutsideRecord>& outsiders() const { return outsiders_; }
   /// Those near a zone whom SUMO walks.
-  void outside_people(std::vector<PersonAhead>& out);
+  void sumo_people(std::vector<PersonAhead>& out);
 
  private:
   std::size_t plan_of(const std::string& id) const;

@@ -16,6 +16,14 @@ constexpr double kLongestAtEnd = 30.0;  // [s] assumed: then it goes on, whoever
 constexpr double kNobodyComes = 1.0;    // [s] numerical: nobody comes any more
 constexpr double kOnce = 1.0;           // [s] numerical: braking again so soon is the same braking
 
+/// Towards a speed that is `safe` [m/s], where that is less than what is planned for the vehicle or
+/// than it may reach by itself.
+void slow_to(double safe, FleetVehicle& vehicle, double dt, std::optional<YieldOrder>& planned) {
+  if (safe < (planned ? planned->speed : vehicle.speed + vehicle.traits.accel * dt)) {
+    planned = comfortable_order(vehicle, safe, dt);
+  }
+}
+
 }  // namespace
 
 /// Nothing where the vehicle has run into nobody, or has stood for long enough since.
@@ -44,9 +52,7 @@ void Yielding::keep_junctions_clear(std::span<FleetVehicle> vehicles, const Safe
     if (!ahead) continue;
     const double gap = std::max(0.0, ahead->distance - kBetween);
     const double safe = safe_speeds.before(vehicle, *ahead, gap);
-    if (safe < (planned[i] ? planned[i]->speed : vehicle.speed + vehicle.traits.accel * dt)) {
-      planned[i] = comfortable_order(vehicle, safe, dt);
-    }
+    slow_to(safe, vehicle, dt, planned[i]);
   }
 }
 
@@ -84,9 +90,7 @@ void Yielding::keep_lane_ends_free(std::span<FleetVehicle> vehicles,
     FleetVehicle& vehicle = vehicles[i];
     if (!leaves_room(vehicle, outside, dt) || (planned[i] && planned[i]->emergency)) continue;
     const double safe = safe_speeds.stop(vehicle, std::max(0.0, way_to_room(vehicle)));
-    if (safe < (planned[i] ? planned[i]->speed : vehicle.speed + vehicle.traits.accel * dt)) {
-      planned[i] = comfortable_order(vehicle, safe, dt);
-    }
+    slow_to(safe, vehicle, dt, planned[i]);
   }
 }
 
