@@ -54,9 +54,10 @@ Rectangle around(const VehicleState& vehicle) {
 
 /// Where a body at `here` gets out of the frame's way, to have `reach` [m] to it: towards the
 /// nearest exit that no wall bars, or where there is room for `least` [m] at least; where all are
-/// barred, to the place with most room that it can get to.
-Vec2 moved_out(const WallIndex& walls, const Rectangle& frame, const Vec2& here, double reach,
-               double least, double longest) {
+/// barred, to the place with most room that it can get to. To walls it keeps no more than `radius`
+/// [m], as it is turned: between a wall and a vehicle, more would take it into the vehicle.
+Vec2 moved_out(const WallIndex& walls, double radius, const Rectangle& frame, const Vec2& here,
+               double reach, double least, double longest) {
   const Vec2 local = frame.into_frame(here);
   Vec2 best = here;
   double best_room = frame.local_distance(local);
@@ -65,7 +66,7 @@ Vec2 moved_out(const WallIndex& walls, const Rectangle& frame, const Vec2& here,
   for (const Vec2& exit : exits(frame, local, reach)) {
     Vec2 step = frame.out_of_frame(exit) - here;
     if (step.norm() > longest) step *= longest / step.norm();
-    const Vec2 at = walls.slide(here, here + step, least);
+    const Vec2 at = walls.slide(here, here + step, radius);
     const double room = frame.distance(at);
     const bool barred = (here + step - at).norm() > kNoGap;
     if (room >= least - kNoGap || !barred) return at;
@@ -143,8 +144,8 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, const Vehic
   const double speed = vehicle.velocity.norm();
   const double radius = speed < kStaticSpeed ? turned : straight;
   const double least = lets_squeeze_past(speed) ? turned : straight;
-  const Vec2 at = moved_out(crowd.walls_of(hit.person), around(later), here, radius + gap_to(later),
-                            least, longest);
+  const Vec2 at = moved_out(crowd.walls_of(hit.person), turned, around(later), here,
+                            radius + gap_to(later), least, longest);
   VehiclePush push{persons.key[hit.person], vehicle.key};
   push.way = put(hit.person, at, moves);
   push.speed = push.way / dt;
@@ -160,7 +161,9 @@ double keep_from(const CrowdState& crowd, const Rectangle& body, std::uint32_t p
                  double longest, Moves& moves) {
   const Vec2 here(moves.x[person], moves.y[person]);
   const double least = std::min(reach, body.distance(crowd.position(person)));
-  return put(person, moved_out(crowd.walls_of(person), body, here, least, least, longest), moves);
+  const double radius = crowd.persons.present_radius[person];
+  return put(person, moved_out(crowd.walls_of(person), radius, body, here, least, least, longest),
+             moves);
 }
 
 /// A vehicle took its speed for the step before people walk, and SUMO may brake it or let it drive

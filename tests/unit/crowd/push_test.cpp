@@ -1,6 +1,7 @@
 // Vehicles move people no faster than people step, and what they do to whom is told.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -253,6 +254,28 @@ TEST_F(Push, is_told_by_person_and_vehicle_in_whatever_order_people_came) {
     EXPECT_EQ(told[0][k].way, told[1][k].way);
     EXPECT_EQ(told[0][k].position, told[1][k].position);
   }
+}
+
+/// In a street that leaves 0.35 m beside a bus people go past it, with turned shoulders and a wall
+/// beside them, while it stands, and when it drives off.
+TEST(PushInNarrowStreet, does_not_take_people_off_the_wall_into_the_vehicle) {
+  const Zone zone = zone_of(box(-40, -1.6, 60, 1.6));
+  Scene scene(zone);
+  for (int k = 0; k < 6; ++k) scene.add({9.0 + 2.0 * k, 0.8}, point(-35, 0), 1.34, 0.0);
+  scene.vehicles = {vehicle_at({0, 0}, 0.0, 0.0, 9.0, 2.5)};
+  const auto beside = [&] {
+    return std::ranges::count_if(scene.people, [](const Scene::Person& person) {
+      return std::abs(person.view.position.x()) < 4.0;
+    });
+  };
+  Pushes pushes;
+  while (beside() < 2 && scene.time < 60.0) pushes.run(scene, scene.time + 0.5, 0.5);
+  ASSERT_GE(beside(), 2);
+  VehicleState& bus = scene.vehicles[0];
+  bus.velocity = {0.4, 0.0};
+  bus.slower = 0.4;  // SUMO may not let it
+  pushes.run(scene, scene.time + 4.0, 0.5);
+  EXPECT_TRUE(pushes.log.run_into().empty());
 }
 
 VehiclePush push_of(double way, bool run_into = false, std::uint64_t vehicle = 5) {
