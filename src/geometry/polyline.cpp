@@ -1,6 +1,7 @@
 #include "geometry/polyline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pedzone {
@@ -47,6 +48,19 @@ LineProjection project_on(std::span<const Vec2> line, const Vec2& point) {
     passed += length;
   }
   return best;
+}
+
+double most_cut(std::span<const Vec2> line, double length) {
+  double turned = 0.0;
+  Vec2 before = Vec2::Zero();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2 piece = line[i] - line[i - 1];
+    if (piece.isZero()) continue;
+    if (!before.isZero()) turned += std::abs(std::atan2(cross(before, piece), before.dot(piece)));
+    before = piece;
+  }
+  // The most at one corner in its middle: by half of it times sin, and shorter by 1 - cos < sin.
+  return 0.5 * length * std::sin(0.5 * std::min(turned, kPi));
 }
 
 }  // namespace pedzone

@@ -26,4 +26,8 @@ struct LineProjection {
 };
 LineProjection project_on(std::span<const Vec2> line, const Vec2& point);
 
+/// [m] by which a chord between two points that are `length` [m] apart along the line leaves it at
+/// most: a bound by all that it turns. The chord is shorter than that by at most twice as much.
+double most_cut(std::span<const Vec2> line, double length);
+
 }  // namespace pedzone

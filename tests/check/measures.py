@@ -3,6 +3,8 @@ from dataclasses import dataclass, field
 
 import numpy
 
+from overlap import TURNED
+
 CONTACT_DEPTH = 0.01  # [m] a disc may lap into a rectangle: SUMO writes positions to 0.01 m
 JUMP_SPEED = 2.0  # [m/s]
 JUMP_DISTANCE = 3.0  # [m] on top of what JUMP_SPEED allows in a step
@@ -164,6 +166,25 @@ def find_contacts(fcd, clearances, riding, controlled, own_rides):
                     numpy.concatenate([numpy.empty(0), *depths]),
                     None if numpy.isinf(least) else float(least),
                     None if numpy.isinf(least_controlled) else float(least_controlled))
+
+
+SLOW = 0.5  # [m/s] people turn their shoulders beside a vehicle that is no faster
+
+
+def touches_turned(fcd, contacts, radius):
+    """Whether a contact is one of the full body's disc only, beside a vehicle that stands or crawls: the person
+    can have turned its shoulders there. radius: [m] by person number."""
+    fleet = fcd.vehicles
+    speed = numpy.full(len(fleet.step), numpy.inf)
+    order = numpy.lexsort((fleet.step, fleet.who))
+    now, before = order[1:], order[:-1]
+    known = (fleet.who[now] == fleet.who[before]) & (fleet.step[now] == fleet.step[before] + 1)
+    now, before = now[known], before[known]
+    times = numpy.asarray(fcd.times)
+    speed[now] = (numpy.hypot(fleet.x[now] - fleet.x[before], fleet.y[now] - fleet.y[before])
+                  / (times[fleet.step[now]] - times[fleet.step[before]]))
+    spare = (1 - TURNED) * radius[fcd.persons.who[contacts.rows]]
+    return (speed[contacts.vehicles] <= SLOW) & (contacts.depth <= spare + CONTACT_DEPTH)
 
 
 INSERTION = 2.0  # [s] within which somebody gets out from under a vehicle inserted on top of it

@@ -111,7 +111,8 @@ def _number(value, digits=2):
 def _contact_lines(contacts):
     for name, meaning in (("all", "all"), ("controlled", "controlled persons"),
                           ("zone", "in shared space"), ("elsewhere", "elsewhere"),
-                          ("at_insertion", "at insertion")):
+                          ("at_insertion", "at insertion"),
+                          ("turned", "unless they have turned")):
         part = contacts[name]
         types = ", ".join(f"{count} {kind}" for kind, count in
                           sorted(part["pairs_by_vehicle_type"].items()))

@@ -121,6 +121,19 @@ class Contacts(TinyRun):
         self.assertAlmostEqual(contacts["contacts"]["min_clearance_controlled_m"], -1 - self.RADIUS)
         self.assertEqual(len(contacts["broken_limits"]), 1)
 
+    def test_somebody_whom_pedzone_walks_may_have_turned_beside_a_vehicle_that_crawls(self):
+        def pairs(speed, gap):
+            frames = self.controlled([(10 + 0.4 * k, 50) for k in range(5)])
+            for k, frame in enumerate(frames[1:]):
+                frame.append(vehicle("v", 12 + speed * k, 50 + 1.0 + gap))
+            contacts = self.check(frames, [walked("p", 0, -1)])["contacts"]
+            return contacts["turned"]["pairs"], contacts["controlled"]["pairs"]
+        half = self.RADIUS / 2
+        self.assertEqual(pairs(0.4, half + 0.005)[0], 1)
+        self.assertEqual(pairs(0.0, half + 0.005)[0], 1)
+        self.assertEqual(pairs(0.8, half + 0.005), (0, 1))
+        self.assertEqual(pairs(0.4, half - 0.015), (0, 1))
+
     def test_a_ride_is_no_contact(self):
         ride = ('        <ride waitingTime="1.00" vehicle="v" depart="1.00" arrival="{}" '
                 'arrivalPos="1" duration="1" routeLength="9"/>\n')

@@ -168,18 +168,21 @@ class Conflicts(RefusalChecks, unittest.TestCase):
         self.assertIn("true", {run[pair]["aware"] for pair in pairs})
         # Places are the same; directions are estimated from the way gone, so that some pairs fall on
         # another side of what counts as the same way, or have their extreme at another moment.
+        # Who stands beside a vehicle for most of a minute has a PET of 10 s and more, of a moment that
+        # may be another here and there: that is no conflict.
         # A time to collision hangs on a direction, and people turn often since they take Eq. 1 among
         # people (its 80th percentile is 0.23 s with SUMO 1.15 and 0.38 s with 1.18).
-        for name, tolerance in (("minClearance", 0.02), ("PET", 0.1), ("minTTC", 0.45),
-                                ("maxDRAC", 0.2)):
+        # Of those who crawl past each other with 0.1 m between them it may be a second: a quarter here.
+        for name, tolerance, share in (("minClearance", 0.02, 0.8), ("PET", 0.1, 0.8), ("minTTC", 0.45, 0.7),
+                                       ("maxDRAC", 0.2, 0.8)):
             differences = []
             for pair in pairs:
                 a, b = run[pair][name], measured[pair][name]
-                if a and b:
+                if a and b and max(float(a), float(b)) < 10.0:
                     differences.append(abs(float(a) - float(b)))
             differences.sort()
             self.assertGreaterEqual(len(differences), 8)
-            self.assertLess(differences[len(differences) * 8 // 10], tolerance, name)
+            self.assertLess(differences[int(len(differences) * share)], tolerance, name)
 
     # Bad input
 

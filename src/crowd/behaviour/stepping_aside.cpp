@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "crowd/behaviour/claims.hpp"
 #include "crowd/behaviour/way.hpp"
 #include "crowd/sense/side_room.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
 #include "crowd/state/parallel.hpp"
+#include "geometry/polyline.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
@@ -24,6 +26,7 @@ constexpr double kLookAhead = 1.2;  // [m] assumed: a driver expects people to g
 constexpr double kLookStep = 0.3;   // [m] numerical
 constexpr double kAside = 0.7;      // [m] assumed: for who comes out of a narrow place
 constexpr double kPastShare = 0.6;  // assumed: of its speed is left to who goes sideways
+constexpr double kOthersNear = 10.0;  // [m] numerical: nobody steps aside farther than that
 
 BodyBeside body_of(const CrowdState& crowd, std::size_t i) {
   return {crowd.persons.radius[i], crowd.persons.turned_radius[i]};
@@ -128,17 +131,66 @@ class Passing {
   Vec2 local_ = Vec2::Zero();
 };
 
-/// Out of what a vehicle that claims room is about to sweep with its rear, when it turns; who is
-/// out of it does not step into it.
+/// Room beside vehicles, with the others near row i in it. Valid until the thread's next call: the
+/// list is kept for its memory.
+SideRoom room_among_others(const CrowdState& crowd, std::size_t i) {
+  thread_local std::vector<OtherBody> others;
+  others.clear();
+  const Vec2 here = crowd.position(i);
+  for (std::size_t j = 0; j < crowd.persons.walking; ++j) {
+    const Vec2 there = crowd.position(j);
+    if (j == i || (there - here).squaredNorm() > kOthersNear * kOthersNear) continue;
+    others.push_back({there, crowd.persons.turned_radius[j]});
+  }
+  return {crowd.zone.walls, crowd.vehicles, others};
+}
+
+/// Whether somebody is on the straight way of a turned body.
+bool is_barred(const SideRoom& room, const Vec2& from, const Vec2& to, double turned) {
+  const Vec2 way = to - from;
+  const double length = way.norm();
+  if (length <= 0.0) return false;
+  const Vec2 along = way / length;
+  return std::ranges::any_of(room.others, [&](const OtherBody& other) {
+    const Vec2 there = other.position - from;
+    const double ahead = there.dot(along);
+    return ahead > 0.0 && ahead < length && std::abs(cross(along, there)) < turned + other.radius;
+  });
+}
+
+/// Whether the person's route leads past the vehicle, and there is no room beside it to get past.
+bool is_shut_in(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
+  const Rectangle frame = rectangle_of(vehicle);
+  if (unit(wish_of_route(crowd, i).direction).dot(frame.axis) > 0.0) return false;
+  const double side = frame.into_frame(crowd.position(i)).y() < 0.0 ? -1.0 : 1.0;
+  return !way_beside(side_room(crowd), vehicle, side, body_of(crowd, i));
+}
+
+/// Out of what a vehicle that claims room is about to sweep with its rear, when it turns. Where
+/// there is no place to step to, or others stand before it, the person goes on: the vehicle waits
+/// for who is beside it. Where that leads nowhere, it goes the way that the vehicle takes, before
+/// it.
+std::optional<Decision> leave_sweep(const CrowdState& crowd, std::size_t i,
+                                    const VehicleState& vehicle) {
+  const Vec2 here = crowd.position(i);
+  const double heading = crowd.persons.heading[i], speed = crowd.persons.preferred_speed[i];
+  const SideRoom room = room_among_others(crowd, i);
+  const BodyBeside body = body_of(crowd, i);
+  const auto place = place_clear(room, vehicle, here, body, heading);
+  if (place && !is_barred(room, here, *place, body.turned)) {
+    return step_to(*place - here, heading, speed);
+  }
+  if (!is_shut_in(crowd, i, vehicle)) return std::nullopt;
+  const double offset = project_on(vehicle.way, here).offset;
+  return step_to(point_on(vehicle.way, offset).direction * kAimAhead, heading, speed);
+}
+
+/// Who is out of the sweep does not step into it.
 std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
                                  const VehicleState& vehicle, const Decision& decided) {
   const Vec2 here = crowd.position(i);
-  const double radius = crowd.persons.radius[i], heading = crowd.persons.heading[i];
-  if (swings_over(vehicle, here, radius)) {
-    const auto place = place_clear(side_room(crowd), vehicle, here, body_of(crowd, i));
-    if (!place) return std::nullopt;
-    return step_to(*place - here, heading, crowd.persons.preferred_speed[i]);
-  }
+  const double radius = crowd.persons.radius[i];
+  if (swings_over(vehicle, here, radius)) return leave_sweep(crowd, i, vehicle);
   if (holds_up(vehicle, here, radius)) return std::nullopt;  // it cannot come past: no use to wait
   const Vec2 ahead = unit(decided.direction);
   bool enters = false;
@@ -146,7 +198,7 @@ std::optional<Decision> clear_of(const CrowdState& crowd, std::size_t i,
     enters = swings_over(vehicle, here + ahead * way, radius);
   }
   if (!enters) return std::nullopt;
-  return step_to(Vec2::Zero(), heading, 0.0);
+  return step_to(Vec2::Zero(), crowd.persons.heading[i], 0.0);
 }
 
 /// What person i does about a vehicle that claims room; nothing: what it has decided.
@@ -157,7 +209,8 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
   if (!lacks_wide_side(crowd, i, vehicle)) return std::nullopt;
   const Vec2 here = crowd.position(i);
   const double margin = room_beside_claims(crowd, i);
-  const auto place = place_aside(side_room(crowd), vehicle, here, body_of(crowd, i), margin);
+  const auto place =
+      place_aside(room_among_others(crowd, i), vehicle, here, body_of(crowd, i), margin);
   if (!place) return std::nullopt;
   return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
 }

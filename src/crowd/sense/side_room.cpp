@@ -1,7 +1,9 @@
 #include "crowd/sense/side_room.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "crowd/sense/vehicle_motion.hpp"
@@ -23,10 +25,10 @@ constexpr double kRing = 0.25;          // [m] numerical: steps that are tried
 constexpr double kWider = 1.1;          // numerical: farther out, steps grow by so much
 constexpr double kFarthestClear = 8.0;  // [m] assumed: out from between a car that turns round and
                                         // a wall, and past its length
-constexpr double kCutCorner = 1.0;  // [m] a body leaves its front's way by less (yield_plan.cpp)
-constexpr int kDirections = 16;     // numerical
-constexpr double kLook = 0.25;      // [m] numerical: sampling of the swept area
-constexpr double kPassedBy = 1.0;   // [m] numerical: swept area beyond and behind the point
+constexpr double kTurnsBack = 1.5;      // assumed: so much farther a place seems behind one's back
+constexpr int kDirections = 16;         // numerical
+constexpr double kLook = 0.25;          // [m] numerical: sampling of the swept area
+constexpr double kPassedBy = 1.0;       // [m] numerical: swept area beyond and behind the point
 
 /// Whether it is farther than `reach` [m] from the point, told by its centre alone: a town has
 /// hundreds of vehicles, a place a few.
@@ -35,10 +37,19 @@ bool is_far(const VehicleState& vehicle, const Vec2& point, double reach) {
   return (vehicle.centre - point).squaredNorm() > away * away;
 }
 
-/// Whether a turned body at `to` has room between the walls and the other vehicles.
+/// Whether somebody else is so near that a turned body has no room there.
+bool is_taken(const SideRoom& room, const Vec2& to, double turned) {
+  return std::ranges::any_of(room.others, [&](const OtherBody& other) {
+    const double bodies = turned + other.radius;
+    return (other.position - to).squaredNorm() < bodies * bodies;
+  });
+}
+
+/// Whether a turned body at `to` has room between the walls, the other vehicles and people.
 bool has_room(const SideRoom& room, const VehicleState& vehicle, const Vec2& to, double turned) {
   const double reach = turned + kTouch;
   if (!room.walls.inside(to) || room.walls.room(to, reach) < reach) return false;
+  if (is_taken(room, to, turned)) return false;
   return std::ranges::none_of(room.vehicles, [&](const VehicleState& other) {
     return &other != &vehicle && !is_far(other, to, reach) && distance_to(other, to) < reach;
   });
@@ -86,6 +97,22 @@ std::optional<Vec2> place_at(const SideRoom& room, const VehicleState& vehicle, 
   return std::nullopt;
 }
 
+/// Directions in which somebody at `from` may step away from the vehicle: straight away from it
+/// first, and along its side and its way, where there may be room between it and a wall only.
+std::array<Vec2, kDirections + 4> ways_out(const VehicleState& vehicle, const Vec2& from) {
+  std::array<Vec2, kDirections + 4> directions;
+  const double away = angle_of(from - vehicle.centre);
+  for (int k = 0; k < kDirections; ++k) {
+    const int turn = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
+    directions[static_cast<std::size_t>(k)] = unit(away + turn * 2.0 * kPi / kDirections);
+  }
+  const Vec2 side = unit(vehicle.heading);
+  const Vec2 way = point_on(vehicle.way, project_on(vehicle.way, from).offset).direction;
+  const std::array<Vec2, 4> along{side, Vec2(-side), way, Vec2(-way)};
+  std::ranges::copy(along, directions.begin() + kDirections);
+  return directions;
+}
+
 }  // namespace
 
 double least_distance(const VehicleState& vehicle, const Vec2& point) {
@@ -93,7 +120,9 @@ double least_distance(const VehicleState& vehicle, const Vec2& point) {
   if (vehicle.way.size() < 2) return least;
   const double at = project_on(vehicle.way, point).offset;
   const double from = std::max(0.0, at - vehicle.length - kPassedBy);
-  for (double travelled = from; travelled <= at + kPassedBy; travelled += kLook) {
+  // Where the chord is short the rear hangs over behind it.
+  const double to = at + kPassedBy + 2.0 * most_cut(vehicle.way, vehicle.length);
+  for (double travelled = from; travelled <= to; travelled += kLook) {
     least = std::min(least, body_on_way(vehicle, travelled).distance(point));
   }
   return least;
@@ -126,23 +155,31 @@ bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius) {
   if (vehicle.way.size() < 2) return false;
   const double reach = radius + kPast;
   const double sideways = std::abs(project_on(vehicle.way, point).lateral);
-  if (sideways > 0.5 * vehicle.width + reach + kCutCorner) return false;
+  const double cut = most_cut(vehicle.way, vehicle.length);
+  if (sideways > 0.5 * vehicle.width + reach + cut) return false;
   return least_distance(vehicle, point) < reach;
 }
 
 std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
-                                const BodyBeside& body) {
+                                const BodyBeside& body, double heading) {
   const Rectangle frame = rectangle_of(vehicle);
-  const double away = angle_of(from - frame.centre);
-  for (double step = kRing; step <= kFarthestClear; step = std::max(step + kRing, kWider * step)) {
-    for (int k = 0; k < kDirections; ++k) {
-      const int turn = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // straight away from it first
-      const Vec2 to = from + unit(away + turn * 2.0 * kPi / kDirections) * step;
-      if (!fits(room, vehicle, from, to, body.turned) || runs_through(frame, from, to)) continue;
-      if (least_distance(vehicle, to) >= body.radius + kPast) return to;
+  const auto directions = ways_out(vehicle, from);
+  std::optional<Vec2> best;
+  double least = std::numeric_limits<double>::infinity();  // [m] of its way, as it counts
+  for (double step = kRing; step <= kFarthestClear && step < least;
+       step = std::max(step + kRing, kWider * step)) {
+    for (const Vec2& direction : directions) {
+      const double way = direction.dot(unit(heading)) < 0.0 ? kTurnsBack * step : step;
+      const Vec2 to = from + direction * step;
+      if (way >= least || !fits(room, vehicle, from, to, body.turned)) continue;
+      if (runs_through(frame, from, to) || least_distance(vehicle, to) < body.radius + kPast) {
+        continue;
+      }
+      best = to;
+      least = way;
     }
   }
-  return std::nullopt;
+  return best;
 }
 
 std::optional<SideWay> way_beside(const SideRoom& room, const VehicleState& vehicle, double side,

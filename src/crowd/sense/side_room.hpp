@@ -21,10 +21,17 @@ struct BodyBeside {
   double turned = 0.12;  ///< [m] with its shoulders turned
 };
 
+/// Somebody else there, with shoulders turned.
+struct OtherBody {
+  Vec2 position = Vec2::Zero();  ///< [m]
+  double radius = 0.12;          ///< [m]
+};
+
 /// What leaves people little room.
 struct SideRoom {
   const WallIndex& walls;
   std::span<const VehicleState> vehicles;  ///< all there are, that which is minded among them
+  std::span<const OtherBody> others = {};  ///< who may be where one wants to step
 };
 
 /// Distance [m] to which a vehicle that drives on along its way comes to a point; 0: runs over it.
@@ -46,9 +53,10 @@ bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius);
 bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius);
 
 /// The nearest place to `from` [m] to which a turned body can step out of what the vehicle is about
-/// to sweep. Nothing where there is none within 8 m.
+/// to sweep. Nothing where there is none within 8 m. For one that is not much nearer nobody turns
+/// back who goes by `heading` [rad]: of two places as far away it would reach neither.
 std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
-                                const BodyBeside& body);
+                                const BodyBeside& body, double heading);
 
 /// A way along a standing vehicle from one end to the other.
 struct SideWay {

@@ -12,6 +12,7 @@ namespace {
 constexpr double kChord = 0.1;      // [m] numerical: shorter ones have no direction
 constexpr double kOnWay = 0.02;     // [m] numerical: a vehicle on its way is that near to it
 constexpr double kStanding = 1e-3;  // [m/s] numerical
+constexpr double kAhead = 0.5;      // [m] numerical: where its front is going to
 
 Vec2 turned(const Vec2& v, double angle) {
   const Vec2 e = unit(angle);
@@ -27,10 +28,22 @@ std::optional<double> rear_on_way(const VehicleState& vehicle) {
   return vehicle.gone;
 }
 
-/// The same of one that drives forwards.
+/// [m/s] of the middle of its front bumper.
+Vec2 front_velocity(const VehicleState& vehicle) {
+  const double swings = 0.5 * vehicle.length * vehicle.yaw_rate;
+  return vehicle.velocity + left_of(unit(vehicle.heading)) * swings;
+}
+
+/// The same of one that drives forwards, as its middle or its front tells: in a sharp bend the
+/// middle of a body that follows its front as a chord goes backwards.
 std::optional<double> place_on_way(const VehicleState& vehicle) {
-  const bool forwards = vehicle.velocity.dot(unit(vehicle.heading)) >= kStanding;
-  return forwards ? rear_on_way(vehicle) : std::nullopt;
+  const auto rear = rear_on_way(vehicle);
+  if (!rear || vehicle.velocity.dot(unit(vehicle.heading)) >= kStanding) return rear;
+  const double front = *rear + vehicle.length;
+  const Vec2 ahead =
+      point_on(vehicle.way, front + kAhead).point - point_on(vehicle.way, front).point;
+  const bool forwards = front_velocity(vehicle).dot(ahead) >= kStanding * kAhead;
+  return forwards ? rear : std::nullopt;
 }
 
 }  // namespace

@@ -290,7 +290,8 @@ void Takeover::people(std::vector<PersonAhead>& out) {
   out.clear();
   for (const Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
-    out.push_back({view.position, view.velocity, guest.radius, view.zebra});
+    out.push_back({view.position, view.velocity, guest.radius, view.zebra,
+                   std::max(0.0, guest.radius - view.radius)});
   }
   for (const Bystander& person : bystanders_.all()) {
     if (person.external && person.near) {

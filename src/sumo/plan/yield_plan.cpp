@@ -26,17 +26,16 @@ bool touches(const FleetVehicle& vehicle, double travelled, const Vec2& person, 
 }
 
 /// How far the front may go before the body touches a disc of `reach` [m] round a point; nothing
-/// when it does not within `distance`.
-std::optional<double> contact_distance(const FleetVehicle& vehicle, const Vec2& point, double reach,
-                                       double distance) {
+/// when it does not within `distance`. `cut` [m]: by which the body leaves its front's way at most.
+std::optional<double> contact_distance(const FleetVehicle& vehicle, double cut, const Vec2& point,
+                                       double reach, double distance) {
   const double length = vehicle.traits.length;
   const LineProjection at = project_on(vehicle.way, point);
-  // A corner-cutting body leaves its front's way by less than this.
-  const double sideways = 0.5 * vehicle.traits.width + reach + 1.0;
-  if (std::abs(at.lateral) > sideways) return std::nullopt;
+  if (std::abs(at.lateral) > 0.5 * vehicle.traits.width + reach + cut) return std::nullopt;
   double begin = std::max(0.0, at.offset - length - reach - kSample);
   if (begin > distance) return std::nullopt;
-  const double end = std::min(distance, at.offset + reach);
+  // Where the chord of its way is short, in a sharp bend, the rear hangs over behind it.
+  const double end = std::min(distance, at.offset + reach + 2.0 * cut);
   for (double travelled = begin; travelled <= end + kSample; travelled += kSample) {
     if (touches(vehicle, travelled, point, reach)) return std::max(0.0, travelled - kSample);
   }
@@ -101,16 +100,24 @@ std::optional<YieldOrder> give_way(FleetVehicle& vehicle, double way, const Safe
   return comfortable_order(vehicle, std::min(safe, vehicle.allowed_speed), dt);
 }
 
-/// [m/s] at most creepSpeed: past people who have stepped aside where there is little room. Whom
-/// the body would touch, or nearly so, it stops for all the same.
+/// [m/s] at most `most`: past people who have stepped aside where there is little room. Whom the
+/// body would touch, or nearly so, it stops for all the same.
 double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
-                    const Obstruction& ahead, double distance, const Parameters& parameters,
-                    const SafeSpeeds& safe_speeds, double dt) {
+                    const Obstruction& ahead, double distance, double most,
+                    const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
   const auto close = first_in_way(vehicle, people, kCreepMargin, distance);
   if (close && close->distance <= ahead.distance) return 0.0;
-  const double safe =
-      close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt) : parameters.creep_speed;
-  return std::min(safe, parameters.creep_speed);
+  const double safe = close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt) : most;
+  return std::min(safe, most);
+}
+
+/// [m/s] at most kSqueezeSpeed: past people who have turned their shoulders for it.
+double speed_past_turned(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                         const Obstruction& ahead, double distance, const Parameters& parameters,
+                         const SafeSpeeds& safe_speeds, double dt) {
+  std::vector<PersonAhead> turned(people.begin(), people.end());
+  for (PersonAhead& person : turned) person.radius -= person.narrower;
+  return speed_beside(vehicle, turned, ahead, distance, kSqueezeSpeed, parameters, safe_speeds, dt);
 }
 
 /// Whether the front is past the point.
@@ -152,19 +159,23 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
   const Rectangle body = body_of(vehicle);
   std::optional<Obstruction> first;
   const double range = distance + vehicle.traits.length + 2.0;
+  const double cut = most_cut(vehicle.way, vehicle.traits.length);
+  const auto contact_with = [&](const Vec2& point, double reach) {
+    return contact_distance(vehicle, cut, point, reach, distance);
+  };
   for (const PersonAhead& person : people) {
     if ((person.position - vehicle.front).norm() > range) continue;
     const Vec2 soon = person.position + person.velocity * kMoment;
     // Only who is in the way or about to step into it: a person that stands beside is passed.
-    auto contact = contact_distance(vehicle, person.position, person.radius + margin, distance);
-    const auto later = contact_distance(vehicle, soon, person.radius + margin, distance);
+    auto contact = contact_with(person.position, person.radius + margin);
+    const auto later = contact_with(soon, person.radius + margin);
     if (!contact && later && (soon - person.position).norm() > kSample) contact = later;
     if (!contact) continue;
     // Beside the body already and not before it: passed, unless the rear will swing over them.
     // Who has turned its shoulders and squeezes past is nearer than its disc: no nearer then.
     const double beside = body.signed_distance(person.position) - kTouch;
     if (is_past(vehicle, person.position) &&
-        !contact_distance(vehicle, person.position, std::min(person.radius, beside), distance)) {
+        !contact_with(person.position, std::min(person.radius, beside))) {
       continue;
     }
     const double allowed = std::max(0.0, *contact);
@@ -203,8 +214,10 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   // wait for it while it waits for them.
   const bool stays_out = waits_before_junction(vehicle, *ahead, parameters.yield_gap);
   if (vehicle.slowed > kClaimAfter && !stays_out) {
-    safe = std::max(safe,
-                    speed_beside(vehicle, people, *ahead, distance, parameters, safe_speeds, dt));
+    safe = std::max(safe, speed_beside(vehicle, people, *ahead, distance, parameters.creep_speed,
+                                       parameters, safe_speeds, dt));
+    safe = std::max(
+        safe, speed_past_turned(vehicle, people, *ahead, distance, parameters, safe_speeds, dt));
   }
   safe = std::min(safe, most);
   if (safe >= vehicle.allowed_speed) return let_go(vehicle, dt);

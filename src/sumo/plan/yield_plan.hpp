@@ -17,6 +17,8 @@ struct PersonAhead {
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
   double radius = 0.24;
   std::optional<Zebra> zebra = {};  ///< that it is on or about to enter, from where it comes
+  double narrower =
+      0.0;  ///< [m] by which the body is less wide at present: its shoulders are turned
 };
 
 /// The first person in a vehicle's way.

@@ -3,9 +3,10 @@
 
 usage: narrow.py PEDZONE [--model M] [--keep FOLDER] [--brakings] [--zone-ends N] SCENE...
 
-For each scene: nobody walks longer than 3 times plain SUMO's time + 20 s, everybody arrives, no vehicle
-is teleported, no vehicle meets another, and with --brakings SUMO tells of no more emergency brakings
-than in plain SUMO + 10 %. Everything is read from SUMO's own outputs and messages.
+For each scene: nobody walks longer than 3 times plain SUMO's time + 20 s, everybody arrives, nobody is ever
+with the middle of the body inside a vehicle, no vehicle is teleported, no vehicle meets another, and with
+--brakings SUMO tells of no more emergency brakings than in plain SUMO + 10 %. Everything is read from SUMO's own
+outputs and messages.
 
 A zone's end is judged over many seeds together: there people and vehicles of plain SUMO wait for each other
 until a teleport, in 15 of 100 seeds and not in the same ones. Nobody is left, vehicles are teleported at most half
@@ -23,10 +24,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from narrow_scenes import ENVIRONMENT, SCENES, zone_end
+import numpy
+from narrow_scenes import ENVIRONMENT, SCENES, TYPES, zone_end
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "check"))
+import measures  # noqa: E402
 import outputs  # noqa: E402
+from fcd import read_fcd  # noqa: E402
 
 LONGER, MORE = 3.0, 20.0  # a walk may take so many times plain SUMO's time, and so many [s] more
 MORE_BRAKINGS = 1.1
@@ -41,6 +45,19 @@ class Told:
     teleports: int
     collisions: int        # of vehicles with vehicles
     brakings: int
+    inside: int            # pairs of a person and a vehicle
+
+
+def count_inside(path: Path) -> int:
+    """Pairs of a person and a vehicle of which the one's middle is inside the other, but where SUMO inserts it."""
+    fcd = read_fcd(str(path))
+    sizes = [(float(TYPES[name].get("length", 5)), float(TYPES[name].get("width", 1.8)))
+             for name in fcd.vehicles.type_names]
+    points = measures.Clearances(fcd, numpy.zeros(len(fcd.persons.names)), sizes)
+    nobody = numpy.zeros(len(fcd.persons.step), bool)
+    found = measures.find_contacts(fcd, points, nobody, nobody, [])
+    late = ~measures.at_insertion(fcd, found)
+    return len(set(zip(fcd.persons.who[found.rows[late]], fcd.vehicles.who[found.vehicles[late]])))
 
 
 def run(command: list, folder: Path) -> Told:
@@ -61,7 +78,8 @@ def run(command: list, folder: Path) -> Told:
                 len(re.findall(r"^Warning: Teleporting vehicle", text, re.M)),
                 len(re.findall(r"^Warning: Vehicle '[^']*'; (?:junction )?collision with vehicle",
                                text, re.M)),
-                len(re.findall(r"^Warning: Vehicle '[^']*' performs emergency braking", text, re.M)))
+                len(re.findall(r"^Warning: Vehicle '[^']*' performs emergency braking", text, re.M)),
+                count_inside(folder / "fcd.xml"))
 
 
 def compare(ours: Told, plain: Told, brakings: bool) -> list:
@@ -78,6 +96,8 @@ def compare(ours: Told, plain: Told, brakings: bool) -> list:
     for name, usual in plain.drives.items():
         if usual is not None and ours.drives.get(name) is None:
             wrong.append(f"{name} never arrives")
+    if ours.inside:
+        wrong.append(f"{ours.inside} people are inside a vehicle")
     if ours.teleports > plain.teleports:
         wrong.append(f"{ours.teleports} teleports, plain SUMO's {plain.teleports}")
     if ours.collisions > plain.collisions:

@@ -5,9 +5,11 @@ has them keep to its edge, and its vehicles slow down for whom they would touch.
 """
 
 import os
+import random
 import subprocess
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
+from math import cos, radians, sin
 from pathlib import Path
 
 ENVIRONMENT = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
@@ -152,6 +154,26 @@ def both_ways(count: int, kind: str = "car", people: int = 5) -> Scene:
     return cars(scene, count, 30, kind=kind)
 
 
+def crowded(angle: int, kind: str, people: int, count: int, seed: int = 1) -> Scene:
+    """A street with a corner of `angle` [deg], walls on both sides, with many people of both directions. A vehicle
+    that is longer than the street is wide covers nearly all of it at the corner, and SUMO swings its rear."""
+    rng = random.Random(seed)
+
+    def past(way: float) -> tuple:  # a place so far [m] past the corner
+        return 60 + way * cos(radians(angle)), way * sin(radians(angle))
+
+    shape = " ".join(f"{x:.2f},{y:.2f}" for x, y in ((0, 0), (60, 0), past(60)))
+    scene = Scene({"w": (-40, 0), "a": (0, 0), "d": past(60), "e": past(100)},
+                  {"before": ("w", "a", {}), "lane": ("a", "d", {"shape": shape}), "after": ("d", "e", {})}, WHOLE)
+    for k in range(people):
+        name, edges = (f"there{k}", WHOLE) if k % 2 else (f"back{k}", "after lane before")
+        scene.person(name, round(rng.uniform(0, 3 * people), 1), edges,
+                     departPos=f"{rng.uniform(2, 38):.1f}", arrivalPos=f"{rng.uniform(2, 38):.1f}")
+    for k in range(count):
+        scene.vehicle(f"{kind}{k}", 30 + 50 * k, WHOLE, kind)
+    return scene
+
+
 def two_lanes(count: int, kind: str = "car", people: int = 12, width: str = "3.2") -> Scene:
     """A street of two lanes: vehicles meet side by side before people of both directions."""
     lane = {"width": width}
@@ -169,7 +191,6 @@ def two_lanes(count: int, kind: str = "car", people: int = 12, width: str = "3.2
 def zone_end(seed: int, people: int = 20, vans: int = 10) -> Scene:
     """A zone of one street ends at a junction that it shares with two ordinary ones: vans come
     through the junction, people leave the zone over it."""
-    import random
     rng = random.Random(seed)
     nodes = {"w": (-80, 0), "m": (0, 0), "e": (80, 0), "n": (0, 80), "s": (0, -80)}
     edges = {}
@@ -205,5 +226,7 @@ for _kind in ("car", "van", "bus"):
     SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
     SCENES[f"both-ways-{_kind}"] = both_ways(3, _kind)
     SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
+for _angle in (60, 90, 110):
+    SCENES[f"crowded-{_angle}-van"] = crowded(_angle, "van", 120, 8)
 for _width in ("2.6", "2.8"):
     SCENES[f"two-lanes-{_width}m"] = two_lanes(3, "van", width=_width)

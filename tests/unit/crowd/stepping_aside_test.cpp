@@ -113,6 +113,50 @@ TEST(SteppingAside, who_holds_up_a_vehicle_from_beside_does_not_wait_for_it) {
   EXPECT_GT(street.view(0).position.x(), 1.0) << "it could not drive past";
 }
 
+/// A street of 3.2 m with a corner, between walls: a van with its front just before the corner is
+/// about to turn left. Its rear will sweep all the room on the inner side.
+class TightCorner : public ::testing::Test {
+ protected:
+  TightCorner() {
+    van_ = vehicle_at({-3.25, 0.0}, 0.0, 0.0, 6.5, 2.16);
+    van_.way = way_;
+    van_.claim = 8.0;
+  }
+  std::size_t add(const Vec2& from, const Vec2& to) {
+    return scene_.add(from, Destination{to, to}, 1.3, 0.0);
+  }
+  Vec2 place_after(double seconds, std::size_t person) {
+    for (double t = 0.0; t < seconds; t += 0.1) {
+      scene_.vehicles = {van_};
+      scene_.step();
+    }
+    return scene_.people[person].view.position;
+  }
+
+ protected:
+  VehicleState van_;
+
+ private:
+  const Polyline way_{{-6.5, 0.0}, {0.0, 0.0}, {20.0, 34.64}};
+  const Zone zone_ = zone_of(Ring{
+      {-40.0, -1.6}, {0.92, -1.6}, {20.92, 33.04}, {19.08, 36.24}, {-0.92, 1.6}, {-40.0, 1.6}});
+  Scene scene_{zone_};
+};
+
+TEST_F(TightCorner, who_is_beside_the_vehicle_steps_back_out_of_its_sweep) {
+  const std::size_t person = add({-3.0, 1.34}, {17.0, 30.0});
+  EXPECT_LT(least_distance(van_, place_after(0.1, person)), 0.01);
+  const Vec2 there = place_after(10.0, person);
+  EXPECT_LT(there.x(), -5.0) << "where its rear is";
+  EXPECT_GT(least_distance(van_, there), kTurned + 0.05);
+}
+
+TEST_F(TightCorner, who_cannot_step_back_for_others_goes_on_before_the_vehicle) {
+  const std::size_t person = add({-3.0, 1.34}, {17.0, 30.0});
+  for (int k = 1; k < 8; ++k) add({-3.0 - 0.6 * k, 1.34}, {17.0, 30.0});
+  EXPECT_GT(place_after(10.0, person).x(), 1.0);
+}
+
 TEST(SideRoom, swings_over_who_stands_behind_the_corner) {
   VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
   const Polyline left{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 30.0}};
@@ -121,7 +165,7 @@ TEST(SideRoom, swings_over_who_stands_behind_the_corner) {
   EXPECT_FALSE(swings_over(vehicle, {-3.5, 1.4}, kRadius));
   EXPECT_FALSE(swings_over(vehicle, {-0.5, -2.0}, kRadius));
   const WallIndex open(Region{Polygon{box(-20.0, -20.0, 20.0, 20.0), {}}});
-  const auto place = place_clear({open, {}}, vehicle, {-0.5, 1.4}, {kRadius, kTurned});
+  const auto place = place_clear({open, {}}, vehicle, {-0.5, 1.4}, {kRadius, kTurned}, 0.5 * kPi);
   ASSERT_TRUE(place);
   EXPECT_FALSE(swings_over(vehicle, *place, kRadius));
   EXPECT_LT((*place - Vec2(-0.5, 1.4)).norm(), 4.0);

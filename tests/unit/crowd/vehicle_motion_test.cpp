@@ -35,6 +35,32 @@ TEST(VehicleMotion, knows_its_place_on_a_way_that_comes_back_beside_itself) {
   EXPECT_TRUE(body_shifted(vehicle, -8.0).centre.isApprox(Vec2(2.0, 0.0), 1e-9));
 }
 
+/// On a way that turns by 110 degrees the middle of a body that follows its front as a chord goes
+/// backwards for a while.
+TEST(VehicleMotion, keeps_to_a_way_so_sharp_that_its_middle_goes_backwards) {
+  VehicleState vehicle = vehicle_at({0.0, 0.0}, 0.0, 0.0, 6.5, 2.0);
+  const Polyline sharp{{-6.5, 0.0}, {0.0, 0.0}, {-3.42, 9.4}};
+  vehicle.way = sharp;
+  const double speed = 2.0, seconds = 0.5, gone = 0.1;
+  const Rectangle now = body_on_way(vehicle, gone);
+  const Rectangle then = body_on_way(vehicle, gone + speed * seconds);
+  vehicle.gone = gone;
+  vehicle.centre = now.centre;
+  vehicle.heading = angle_of(now.axis);
+  vehicle.velocity = (then.centre - now.centre).normalized() * speed;
+  vehicle.yaw_rate = (angle_of(then.axis) - vehicle.heading) / seconds;
+  ASSERT_LT(vehicle.velocity.dot(now.axis), 0.0);
+  for (int k = 0; k < 5; ++k) vehicle = moved_on(vehicle, 0.1);
+  EXPECT_TRUE(vehicle.centre.isApprox(then.centre, 1e-6)) << vehicle.centre.transpose();
+}
+
+TEST(VehicleMotion, that_reverses_leaves_its_way) {
+  VehicleState vehicle = vehicle_at({2.0, 0.0}, 0.0, -2.0, 4.0, 2.0);
+  const Polyline corner{{0.0, 0.0}, {4.0, 0.0}, {4.0, 30.0}};
+  vehicle.way = corner;
+  EXPECT_TRUE(moved_on(vehicle, 0.1).centre.isApprox(Vec2(1.8, 0.0), 1e-9));
+}
+
 TEST(VehicleMotion, counts_how_far_behind_or_ahead_it_may_be) {
   VehicleState vehicle = vehicle_at({0.0, 0.0}, 0.0, 3.0);
   vehicle.slower = 2.0;

@@ -57,6 +57,26 @@ TEST(FirstInWay, ignores_a_person_that_walks_away_beside_it) {
   EXPECT_FALSE(ahead_of(kStraight, {{10.0, 2.0}, {0.0, 1.3}, 0.24}));
 }
 
+/// A bus of 12 m about to turn left round a sharp corner at (3, 0).
+FleetVehicle turning_bus() {
+  FleetVehicle bus;
+  bus.traits.length = 12.0;
+  bus.traits.width = 2.5;
+  bus.way = {{-12.0, 0.0}, {0.0, 0.0}, {3.0, 0.0}, {3.0, 30.0}};
+  return bus;
+}
+
+TEST(FirstInWay, is_on_the_inner_side_where_a_long_body_cuts_the_corner) {
+  EXPECT_TRUE(ahead_of(turning_bus(), {{-0.5, 3.5}, {0.0, 0.0}, 0.24}));
+  EXPECT_FALSE(ahead_of(turning_bus(), {{-2.5, 5.5}, {0.0, 0.0}, 0.24}));
+}
+
+TEST(FirstInWay, is_where_the_rear_swings_out_behind_its_way) {
+  // With 6 m on either side of the corner it is drawn 12 m long on a chord of 8.5 m.
+  EXPECT_TRUE(ahead_of(turning_bus(), {{-4.4, -3.2}, {0.0, 0.0}, 0.24}));
+  EXPECT_FALSE(ahead_of(turning_bus(), {{-4.4, -4.2}, {0.0, 0.0}, 0.24}));
+}
+
 TEST(FirstInWay, ignores_who_is_behind) {
   EXPECT_FALSE(ahead_of(kStraight, {{-6.0, 0.0}, {0.0, 0.0}, 0.24}));
 }
@@ -334,6 +354,25 @@ TEST(PlanYield, creeps_past_those_who_have_stepped_aside_once_it_was_slowed) {
   EXPECT_NEAR(order_after(3.0, 0.1)->speed, parameters.creep_speed, 1e-9);
   EXPECT_NEAR(order_after(3.0, 0.02)->speed, 0.0, 1e-9) << "too near";
   EXPECT_NEAR(order_after(0.0, 0.1)->speed, 0.0, 1e-9) << "nobody knows of it yet";
+}
+
+TEST(PlanYield, drives_slowly_past_those_who_have_turned_their_shoulders_for_it) {
+  const auto speed_after = [](double narrower, double slowed = 3.0) {
+    const EvenBraking own;
+    FleetVehicle vehicle = driving(0.0);
+    PersonAhead person{{0.3, 1.0 + 0.2}, {0.0, 0.0}, 0.24};
+    person.narrower = narrower;
+    for (int step = 0; step < 20; ++step) {  // it gathers speed; where it is stays the same
+      vehicle.slowed = slowed;
+      const auto order = plan_yield(vehicle, std::vector{person}, Parameters(), own.speeds(), 0.1);
+      vehicle.speed = vehicle.commanded = order ? order->speed : 10.0;
+    }
+    return vehicle.speed;
+  };
+  EXPECT_NEAR(speed_after(0.12), kSqueezeSpeed, 1e-9);
+  EXPECT_NEAR(speed_after(0.05), 0.0, 1e-9) << "not enough";
+  EXPECT_NEAR(speed_after(0.0), 0.0, 1e-9);
+  EXPECT_NEAR(speed_after(0.12, 0.0), 0.0, 1e-9) << "nobody knows of it yet";
 }
 
 }  // namespace
