@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs scenes of narrow streets with pedzone and in plain SUMO, and compares.
 
-usage: narrow.py PEDZONE [--model M] [--keep FOLDER] [--brakings] [--zone-ends N] SCENE...
+usage: narrow.py PEDZONE [--model M] [--keep FOLDER] [--brakings] [--corners N] [--zone-ends N] SCENE...
 
 For each scene: nobody walks longer than 3 times plain SUMO's time + 20 s, everybody arrives, nobody is ever
 with the middle of the body inside a vehicle, no vehicle is teleported, no vehicle meets another, and with
@@ -25,7 +25,7 @@ from pathlib import Path
 from statistics import median
 
 import numpy
-from narrow_scenes import ENVIRONMENT, SCENES, TYPES, zone_end
+from narrow_scenes import CORNERS, ENVIRONMENT, SCENES, TYPES, crowded, zone_end
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "check"))
 import measures  # noqa: E402
@@ -151,17 +151,21 @@ def main() -> int:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pedzone")
     parser.add_argument("scene", nargs="*", help=f"all, or of {', '.join(SCENES)}")
+    parser.add_argument("--corners", type=int, default=0, metavar="N",
+                        help="so many seeds of each crowded street with a corner, with 120 and 200 people")
     parser.add_argument("--zone-ends", type=int, default=0, metavar="N", help="so many of them, judged together")
     parser.add_argument("--brakings", action="store_true", help="emergency brakings count, too")
     parser.add_argument("--model")
     parser.add_argument("--keep")
     arguments = parser.parse_args()
-    names = list(SCENES) if arguments.scene == ["all"] else arguments.scene
+    scenes = {name: SCENES[name] for name in (SCENES if arguments.scene == ["all"] else arguments.scene)}
+    scenes |= {f"corner-{angle}-{people}-{seed}": crowded(angle, "van", people, 8, seed)
+               for angle in CORNERS for people in (120, 200) for seed in range(1, arguments.corners + 1)}
     failed, together = 0, ([], [])
     with tempfile.TemporaryDirectory() as temporary:
         base = Path(arguments.keep or temporary)
-        for name in names:
-            ours, plain = run_both(name, SCENES[name], arguments, base)
+        for name, scene in scenes.items():
+            ours, plain = run_both(name, scene, arguments, base)
             wrong = compare(ours, plain, arguments.brakings)
             failed += bool(wrong)
             print(f"{name}: walks {seconds(ours.walks)} (plain {seconds(plain.walks)}), drives "

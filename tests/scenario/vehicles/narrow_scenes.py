@@ -13,6 +13,7 @@ from math import cos, radians, sin
 from pathlib import Path
 
 ENVIRONMENT = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
+CORNERS = (60, 90, 110)  # [deg]
 STREET = {"numLanes": "1", "speed": "8.33", "width": "3.2"}
 TYPES = {"person": {"vClass": "pedestrian"},
          "car": {"vClass": "passenger"},
@@ -226,7 +227,7 @@ for _kind in ("car", "van", "bus"):
     SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
     SCENES[f"both-ways-{_kind}"] = both_ways(3, _kind)
     SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
-for _angle in (60, 90, 110):
+for _angle in CORNERS:
     SCENES[f"crowded-{_angle}-van"] = crowded(_angle, "van", 120, 8)
 for _width in ("2.6", "2.8"):
     SCENES[f"two-lanes-{_width}m"] = two_lanes(3, "van", width=_width)
