@@ -127,9 +127,10 @@ class Check:
         inserted = measures.at_insertion(fcd, found)
         # Who squeezes past has turned its shoulders, which positions do not show. Of SUMO's people nobody does.
         turned = self.controlled[found.rows] & measures.touches_turned(fcd, found, radius) & ~inserted
-        controlled = self.controlled[found.rows] & ~inserted & ~turned
+        counts = ~inserted & ~turned
+        controlled = self.controlled[found.rows] & counts
         zone_edges = numpy.array([name in self.area.edges for name in fcd.persons.edge_names])
-        in_zone = (controlled | zone_edges[fcd.persons.edge[found.rows]]) & ~inserted & ~turned
+        in_zone = (controlled | zone_edges[fcd.persons.edge[found.rows]]) & counts
 
         def figures(chosen):
             pairs = numpy.column_stack([fcd.persons.who[found.rows[chosen]],
@@ -149,7 +150,7 @@ class Check:
                     "examples": finding.examples}
 
         return {"all": figures(numpy.ones(len(in_zone), bool)), "controlled": figures(controlled),
-                "zone": figures(in_zone), "elsewhere": figures(~in_zone & ~inserted & ~turned),
+                "zone": figures(in_zone), "elsewhere": figures(~in_zone & counts),
                 "at_insertion": figures(inserted), "turned": figures(turned),
                 "min_clearance_m": found.min_clearance,
                 "min_clearance_controlled_m": found.min_clearance_controlled}

@@ -23,8 +23,8 @@ class Finding:
     examples: list = field(default_factory=list)
 
 
-def by_person(rows):
-    """Order of rows by person, then time; and where a row follows one of the same person."""
+def by_name(rows):
+    """Order of rows by person or vehicle, then time; and where a row follows one of the same."""
     order = numpy.lexsort((rows.step, rows.who))
     who = rows.who[order]
     same = numpy.zeros(len(who), bool)
@@ -43,7 +43,7 @@ def find_detached(fcd):
     detached = numpy.zeros(len(rows.x), bool)
     if not len(rows.x):
         return detached
-    order, same = by_person(rows)
+    order, same = by_name(rows)
     place, edge, times = rows.position[order], rows.edge[order], fcd.times[rows.step[order]]
     begins = ~same
     begins[1:] |= (place[1:] != place[:-1]) | (edge[1:] != edge[:-1])
@@ -176,9 +176,9 @@ def touches_turned(fcd, contacts, radius):
     can have turned its shoulders there. radius: [m] by person number."""
     fleet = fcd.vehicles
     speed = numpy.full(len(fleet.step), numpy.inf)
-    order = numpy.lexsort((fleet.step, fleet.who))
-    now, before = order[1:], order[:-1]
-    known = (fleet.who[now] == fleet.who[before]) & (fleet.step[now] == fleet.step[before] + 1)
+    order, same = by_name(fleet)
+    now, before = order[same], order[numpy.flatnonzero(same) - 1]
+    known = fleet.step[now] == fleet.step[before] + 1
     now, before = now[known], before[known]
     times = numpy.asarray(fcd.times)
     speed[now] = (numpy.hypot(fleet.x[now] - fleet.x[before], fleet.y[now] - fleet.y[before])
@@ -221,7 +221,7 @@ class Jumps:
 def find_jumps(fcd, riding):
     """Every jump of a person that does not ride."""
     rows = fcd.persons
-    order, same = by_person(rows)
+    order, same = by_name(rows)
     x, y, times = rows.x[order], rows.y[order], fcd.times[rows.step[order]]
     on_foot = ~riding[order]
     jumped = numpy.zeros(len(order), bool)

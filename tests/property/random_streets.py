@@ -111,7 +111,7 @@ def run(command: list, folder: Path, kind: str) -> str:
 
 def speeds_of(rows, times) -> numpy.ndarray:
     """[m/s] of each row, from its place and the one before."""
-    order, same = measures.by_person(rows)
+    order, same = measures.by_name(rows)
     speed = numpy.zeros(len(rows.x))
     x, y, time = rows.x[order], rows.y[order], times[rows.step[order]]
     way = numpy.hypot(numpy.diff(x), numpy.diff(y)) / numpy.maximum(numpy.diff(time), 1e-9)

@@ -26,7 +26,6 @@ constexpr double kLookAhead = 1.2;  // [m] assumed: a driver expects people to g
 constexpr double kLookStep = 0.3;   // [m] numerical
 constexpr double kAside = 0.7;      // [m] assumed: for who comes out of a narrow place
 constexpr double kPastShare = 0.6;  // assumed: of its speed is left to who goes sideways
-constexpr double kOthersNear = 10.0;  // [m] numerical: nobody steps aside farther than that
 
 BodyBeside body_of(const CrowdState& crowd, std::size_t i) {
   return {crowd.persons.radius[i], crowd.persons.turned_radius[i]};
@@ -78,6 +77,9 @@ class Passing {
                    kPastShare * crowd_.persons.preferred_speed[i_]);
   }
 
+  /// Whether the person's route leads past the vehicle, and there is no room beside it.
+  bool is_shut_in() const { return along(i_) <= 0.0 && !way_at(own_side()); }
+
  private:
   /// Cosine of the angle between the person's way and the vehicle's axis.
   double along(std::size_t j) const {
@@ -92,13 +94,16 @@ class Passing {
            std::abs(local_.y()) < frame_.half.y() + 2.0 * radius;
   }
 
+  double own_side() const { return local_.y() < 0.0 ? -1.0 : 1.0; }
+  std::optional<SideWay> way_at(double side) const {
+    return way_beside(side_room(crowd_), vehicle_, side, body_of(crowd_, i_));
+  }
+
   /// The way past the vehicle, the own side first; nothing where nobody need turn.
   std::optional<SideWay> narrow_way() const {
-    const double own = local_.y() < 0.0 ? -1.0 : 1.0;
-    const SideRoom room = side_room(crowd_);
-    const auto first = way_beside(room, vehicle_, own, body_of(crowd_, i_));
+    const auto first = way_at(own_side());
     if (beside()) return first && first->narrow ? first : std::nullopt;
-    const auto second = way_beside(room, vehicle_, -own, body_of(crowd_, i_));
+    const auto second = way_at(-own_side());
     const bool wide = (first && !first->narrow) || (second && !second->narrow);
     if (wide) return std::nullopt;
     return first ? first : second;
@@ -139,7 +144,7 @@ SideRoom room_among_others(const CrowdState& crowd, std::size_t i) {
   const Vec2 here = crowd.position(i);
   for (std::size_t j = 0; j < crowd.persons.walking; ++j) {
     const Vec2 there = crowd.position(j);
-    if (j == i || (there - here).squaredNorm() > kOthersNear * kOthersNear) continue;
+    if (j == i || (there - here).squaredNorm() > kStepsAside * kStepsAside) continue;
     others.push_back({there, crowd.persons.turned_radius[j]});
   }
   return {crowd.zone.walls, crowd.vehicles, others};
@@ -158,14 +163,6 @@ bool is_barred(const SideRoom& room, const Vec2& from, const Vec2& to, double tu
   });
 }
 
-/// Whether the person's route leads past the vehicle, and there is no room beside it to get past.
-bool is_shut_in(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
-  const Rectangle frame = rectangle_of(vehicle);
-  if (unit(wish_of_route(crowd, i).direction).dot(frame.axis) > 0.0) return false;
-  const double side = frame.into_frame(crowd.position(i)).y() < 0.0 ? -1.0 : 1.0;
-  return !way_beside(side_room(crowd), vehicle, side, body_of(crowd, i));
-}
-
 /// Out of what a vehicle that claims room is about to sweep with its rear, when it turns. Where
 /// there is no place to step to, or others stand before it, the person goes on: the vehicle waits
 /// for who is beside it. Where that leads nowhere, it goes the way that the vehicle takes, before
@@ -180,7 +177,7 @@ std::optional<Decision> leave_sweep(const CrowdState& crowd, std::size_t i,
   if (place && !is_barred(room, here, *place, body.turned)) {
     return step_to(*place - here, heading, speed);
   }
-  if (!is_shut_in(crowd, i, vehicle)) return std::nullopt;
+  if (!Passing(crowd, i, vehicle).is_shut_in()) return std::nullopt;
   const double offset = project_on(vehicle.way, here).offset;
   return step_to(point_on(vehicle.way, offset).direction * kAimAhead, heading, speed);
 }

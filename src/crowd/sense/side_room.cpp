@@ -18,7 +18,6 @@ constexpr double kTouch = 0.03;  // [m] numerical: a turned body keeps so much o
 constexpr double kStraight = 0.25;      // [m] with so much room more, nobody need turn
 constexpr double kSideStep = 0.05;      // [m] numerical: places that are tried beside the way
 constexpr double kAlongStep = 0.5;      // [m] numerical: and along it
-constexpr double kFarthest = 10.0;      // [m] assumed: nobody walks farther to step aside
 constexpr double kNearest = 0.5;        // [m] assumed: nor so near to the bumper
 constexpr double kSwing = 0.05;         // [m] numerical: what counts as coming nearer
 constexpr double kRing = 0.25;          // [m] numerical: steps that are tried
@@ -133,7 +132,7 @@ std::optional<Vec2> place_aside(const SideRoom& room, const VehicleState& vehicl
   if (vehicle.way.size() < 2) return std::nullopt;
   const LineProjection here = project_on(vehicle.way, from);
   const double own = here.lateral < 0.0 ? -1.0 : 1.0;
-  for (double away = 0.0; away <= kFarthest; away += kAlongStep) {
+  for (double away = 0.0; away <= kStepsAside; away += kAlongStep) {
     for (const double offset : {here.offset + away, here.offset - away}) {
       if (offset < vehicle.length + kNearest && away > 0.0) continue;
       for (const double side : {own, -own}) {
@@ -163,13 +162,14 @@ bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius) {
 std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
                                 const BodyBeside& body, double heading) {
   const Rectangle frame = rectangle_of(vehicle);
+  const Vec2 onward = unit(heading);
   const auto directions = ways_out(vehicle, from);
   std::optional<Vec2> best;
   double least = std::numeric_limits<double>::infinity();  // [m] of its way, as it counts
   for (double step = kRing; step <= kFarthestClear && step < least;
        step = std::max(step + kRing, kWider * step)) {
     for (const Vec2& direction : directions) {
-      const double way = direction.dot(unit(heading)) < 0.0 ? kTurnsBack * step : step;
+      const double way = direction.dot(onward) < 0.0 ? kTurnsBack * step : step;
       const Vec2 to = from + direction * step;
       if (way >= least || !fits(room, vehicle, from, to, body.turned)) continue;
       if (runs_through(frame, from, to) || least_distance(vehicle, to) < body.radius + kPast) {

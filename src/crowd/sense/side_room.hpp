@@ -15,6 +15,8 @@
 
 namespace pedzone {
 
+inline constexpr double kStepsAside = 10.0;  ///< [m] assumed: nobody walks farther to step aside
+
 /// A body beside a vehicle.
 struct BodyBeside {
   double radius = 0.24;  ///< [m] with straight shoulders

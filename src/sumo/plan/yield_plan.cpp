@@ -100,24 +100,21 @@ std::optional<YieldOrder> give_way(FleetVehicle& vehicle, double way, const Safe
   return comfortable_order(vehicle, std::min(safe, vehicle.allowed_speed), dt);
 }
 
-/// [m/s] at most `most`: past people who have stepped aside where there is little room. Whom the
-/// body would touch, or nearly so, it stops for all the same.
-double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
-                    const Obstruction& ahead, double distance, double most,
-                    const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
-  const auto close = first_in_way(vehicle, people, kCreepMargin, distance);
-  if (close && close->distance <= ahead.distance) return 0.0;
-  const double safe = close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt) : most;
-  return std::min(safe, most);
-}
+/// How a vehicle passes people who have stepped aside.
+struct Pass {
+  Shoulders shoulders;
+  double most;  ///< [m/s]
+};
 
-/// [m/s] at most kSqueezeSpeed: past people who have turned their shoulders for it.
-double speed_past_turned(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
-                         const Obstruction& ahead, double distance, const Parameters& parameters,
-                         const SafeSpeeds& safe_speeds, double dt) {
-  std::vector<PersonAhead> turned(people.begin(), people.end());
-  for (PersonAhead& person : turned) person.radius -= person.narrower;
-  return speed_beside(vehicle, turned, ahead, distance, kSqueezeSpeed, parameters, safe_speeds, dt);
+/// [m/s] past people who have stepped aside where there is little room. Whom the body would touch,
+/// or nearly so, it stops for all the same.
+double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                    const Obstruction& ahead, double distance, const Pass& pass,
+                    const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
+  const auto close = first_in_way(vehicle, people, kCreepMargin, distance, pass.shoulders);
+  if (close && close->distance <= ahead.distance) return 0.0;
+  const double safe = close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt) : pass.most;
+  return std::min(safe, pass.most);
 }
 
 /// Whether the front is past the point.
@@ -154,7 +151,7 @@ YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt) {
 
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
-                                        double distance) {
+                                        double distance, Shoulders shoulders) {
   if (!goes_on(vehicle)) return std::nullopt;
   const Rectangle body = body_of(vehicle);
   std::optional<Obstruction> first;
@@ -165,17 +162,19 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
   };
   for (const PersonAhead& person : people) {
     if ((person.position - vehicle.front).norm() > range) continue;
+    const double radius =
+        shoulders == Shoulders::kStraight ? person.radius : person.radius - person.narrower;
     const Vec2 soon = person.position + person.velocity * kMoment;
     // Only who is in the way or about to step into it: a person that stands beside is passed.
-    auto contact = contact_with(person.position, person.radius + margin);
-    const auto later = contact_with(soon, person.radius + margin);
+    auto contact = contact_with(person.position, radius + margin);
+    const auto later = contact_with(soon, radius + margin);
     if (!contact && later && (soon - person.position).norm() > kSample) contact = later;
     if (!contact) continue;
     // Beside the body already and not before it: passed, unless the rear will swing over them.
     // Who has turned its shoulders and squeezes past is nearer than its disc: no nearer then.
     const double beside = body.signed_distance(person.position) - kTouch;
     if (is_past(vehicle, person.position) &&
-        !contact_with(person.position, std::min(person.radius, beside))) {
+        !contact_with(person.position, std::min(radius, beside))) {
       continue;
     }
     const double allowed = std::max(0.0, *contact);
@@ -214,10 +213,12 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   // wait for it while it waits for them.
   const bool stays_out = waits_before_junction(vehicle, *ahead, parameters.yield_gap);
   if (vehicle.slowed > kClaimAfter && !stays_out) {
-    safe = std::max(safe, speed_beside(vehicle, people, *ahead, distance, parameters.creep_speed,
-                                       parameters, safe_speeds, dt));
-    safe = std::max(
-        safe, speed_past_turned(vehicle, people, *ahead, distance, parameters, safe_speeds, dt));
+    for (const Pass& pass : {Pass{Shoulders::kStraight, parameters.creep_speed},
+                             Pass{Shoulders::kAsHeld, kSqueezeSpeed}}) {
+      if (safe >= pass.most) continue;
+      safe = std::max(
+          safe, speed_beside(vehicle, people, *ahead, distance, pass, parameters, safe_speeds, dt));
+    }
   }
   safe = std::min(safe, most);
   if (safe >= vehicle.allowed_speed) return let_go(vehicle, dt);

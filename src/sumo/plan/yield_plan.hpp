@@ -17,9 +17,11 @@ struct PersonAhead {
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
   double radius = 0.24;
   std::optional<Zebra> zebra = {};  ///< that it is on or about to enter, from where it comes
-  double narrower =
-      0.0;  ///< [m] by which the body is less wide at present: its shoulders are turned
+  double narrower = 0.0;            ///< [m] that the shoulders take off the radius as it holds them
 };
+
+/// Whether people are taken for as wide as with straight shoulders, or as they hold them now.
+enum class Shoulders { kStraight, kAsHeld };
 
 /// The first person in a vehicle's way.
 struct Obstruction {
@@ -31,7 +33,8 @@ struct Obstruction {
 /// `distance` [m] along its way, where they stand now or where they will be in a moment.
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
-                                        double distance);
+                                        double distance,
+                                        Shoulders shoulders = Shoulders::kStraight);
 
 /// What the vehicle's own car-following model finds safe [m/s] in the next step.
 struct SafeSpeeds {

@@ -13,7 +13,6 @@ from math import cos, radians, sin
 from pathlib import Path
 
 ENVIRONMENT = {**os.environ, "SUMO_HOME": os.environ.get("SUMO_HOME", "/usr/share/sumo")}
-CORNERS = (60, 90, 110)  # [deg]
 STREET = {"numLanes": "1", "speed": "8.33", "width": "3.2"}
 TYPES = {"person": {"vClass": "pedestrian"},
          "car": {"vClass": "passenger"},
@@ -155,7 +154,7 @@ def both_ways(count: int, kind: str = "car", people: int = 5) -> Scene:
     return cars(scene, count, 30, kind=kind)
 
 
-def crowded(angle: int, kind: str, people: int, count: int, seed: int = 1) -> Scene:
+def corner(angle: int, people: int, seed: int, vans: int = 8) -> Scene:
     """A street with a corner of `angle` [deg], walls on both sides, with many people of both directions. A vehicle
     that is longer than the street is wide covers nearly all of it at the corner, and SUMO swings its rear."""
     rng = random.Random(seed)
@@ -170,8 +169,8 @@ def crowded(angle: int, kind: str, people: int, count: int, seed: int = 1) -> Sc
         name, edges = (f"there{k}", WHOLE) if k % 2 else (f"back{k}", "after lane before")
         scene.person(name, round(rng.uniform(0, 3 * people), 1), edges,
                      departPos=f"{rng.uniform(2, 38):.1f}", arrivalPos=f"{rng.uniform(2, 38):.1f}")
-    for k in range(count):
-        scene.vehicle(f"{kind}{k}", 30 + 50 * k, WHOLE, kind)
+    for k in range(vans):
+        scene.vehicle(f"van{k}", 30 + 50 * k, WHOLE, "van")
     return scene
 
 
@@ -227,7 +226,5 @@ for _kind in ("car", "van", "bus"):
     SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
     SCENES[f"both-ways-{_kind}"] = both_ways(3, _kind)
     SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
-for _angle in CORNERS:
-    SCENES[f"crowded-{_angle}-van"] = crowded(_angle, "van", 120, 8)
 for _width in ("2.6", "2.8"):
     SCENES[f"two-lanes-{_width}m"] = two_lanes(3, "van", width=_width)

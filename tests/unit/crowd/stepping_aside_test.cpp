@@ -113,8 +113,8 @@ TEST(SteppingAside, who_holds_up_a_vehicle_from_beside_does_not_wait_for_it) {
   EXPECT_GT(street.view(0).position.x(), 1.0) << "it could not drive past";
 }
 
-/// A street of 3.2 m with a corner, between walls: a van with its front just before the corner is
-/// about to turn left. Its rear will sweep all the room on the inner side.
+/// A street of 3.2 m with a corner, between walls: a van with its front at the corner is about to
+/// turn left. Its rear will sweep all the room on the inner side.
 class TightCorner : public ::testing::Test {
  protected:
   TightCorner() {
@@ -132,8 +132,6 @@ class TightCorner : public ::testing::Test {
     }
     return scene_.people[person].view.position;
   }
-
- protected:
   VehicleState van_;
 
  private:
