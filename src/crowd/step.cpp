@@ -210,9 +210,9 @@ void resize_rows(Persons& persons, std::size_t rows) {
 
 void decide(const CrowdState& crowd, double dt, std::span<const VehicleState> vehicles,
             std::vector<Decision>& decisions) {
-  const Snapshot snapshot = snapshot_of(crowd, dt, vehicles, crowd.zone.walls);
   decisions.resize(crowd.persons.size());
-  crowd.model->prepare(snapshot);
+  if (crowd.persons.walking == 0) return;
+  crowd.model->prepare(snapshot_of(crowd, dt, vehicles, crowd.zone.walls));
   for_each_block(
       crowd.persons.walking,
       [&](std::size_t, std::size_t first, std::size_t last) {

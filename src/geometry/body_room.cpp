@@ -142,23 +142,19 @@ class NarrowPlaces {
   WallIndex index_;
 };
 
-/// The room, and in the zones what is left of the area shrunk by `clearance` with round corners.
-Region with_zones(const Region& room, const Region& walkable, double clearance,
-                  const std::vector<Region>& zones) {
-  if (zones.empty()) return room;
-  return unite(room, intersect(grow(walkable, -clearance), unite(zones)));
-}
-
 }  // namespace
 
 Region body_room(const Region& walkable, double clearance, double least) {
   const NarrowPlaces narrow(walkable);
   const double margin = kMargin * clearance;
-  Region room = grow(walkable, -clearance, Corners::kMitred);
+  std::vector<Region> rooms{grow(walkable, -clearance, Corners::kMitred)};
+  const auto add = [&](double shrunk_by, double width) {
+    rooms.push_back(shrink_within(walkable, shrunk_by, unite(narrow.zones(margin, width))));
+  };
   // Mitres reach farther than the clearance: two of them may close what is wide enough.
-  room = with_zones(room, walkable, clearance, narrow.zones(margin, kMitre * 2.0 * clearance));
-  if (clearance <= least) return room;
-  return with_zones(room, walkable, least, narrow.zones(margin, 2.0 * clearance));
+  add(clearance, kMitre * 2.0 * clearance);
+  if (clearance > least) add(least, 2.0 * clearance);
+  return unite(rooms);
 }
 
 }  // namespace pedzone

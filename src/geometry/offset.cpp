@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box_tree.hpp"
 #include "geometry/overlay.hpp"
 #include "geometry/polygon.hpp"
 
@@ -44,11 +45,12 @@ double chord_angle(double radius) {
   return 2.0 * std::acos(std::clamp(1.0 - error / radius, 0.0, 1.0));
 }
 
-/// Collects the pieces that lie within `radius` on one side of directed edges.
+/// Collects the pieces that lie within `radius` on one side of directed edges; with boxes only those
+/// that meet one of them.
 class Band {
  public:
-  Band(Cover& out, double radius, Corners corners)
-      : out_(out), radius_(radius), corners_(corners) {}
+  Band(Cover& out, double radius, Corners corners, const BoxTree* boxes = nullptr)
+      : out_(out), radius_(radius), corners_(corners), boxes_(boxes) {}
 
   /// Adds the pieces to the right of a line or ring (to the left: negative `side`).
   void add(const std::vector<Vec2>& points, bool closed, double side) {
@@ -60,18 +62,30 @@ class Band {
       if (rims[i].size() < 2) continue;
       Ring fan = rims[i];
       fan.push_back(points[i]);
-      out_.add_simple(fan);
+      add_piece(fan);
     }
     for (std::size_t i = 0; i < (closed ? count : count - 1); ++i) {
       const std::size_t j = (i + 1) % count;
       const Vec2 offset = outward(points[j] - points[i], side);
       const Vec2 start = rims[i].empty() ? Vec2(points[i] + offset) : rims[i].back();
       const Vec2 end = rims[j].empty() ? Vec2(points[j] + offset) : rims[j].front();
-      out_.add_simple({points[i], start, end, points[j]});
+      add_piece({points[i], start, end, points[j]});
+    }
+  }
+
+  /// ... of all rings of a region.
+  void add(const Region& region, double side) {
+    for (const Polygon& polygon : region) {
+      add(distinct(polygon.outer, true), true, side);
+      for (const Ring& hole : polygon.holes) add(distinct(hole, true), true, side);
     }
   }
 
  private:
+  void add_piece(const Ring& piece) {
+    if (boxes_ == nullptr || !boxes_->meeting(box_of(piece)).empty()) out_.add_simple(piece);
+  }
+
   Vec2 outward(const Vec2& edge, double side) const {
     return -left_of(edge.normalized()) * (side * radius_);
   }
@@ -106,6 +120,7 @@ class Band {
   Cover& out_;
   double radius_;
   Corners corners_;
+  const BoxTree* boxes_;
 };
 
 }  // namespace
@@ -121,18 +136,23 @@ Region widen(const Polyline& line, double width) {
 }
 
 Region grow(const Region& region, double distance, Corners corners) {
-  const Region valid = unite(region, {});
-  if (!std::isfinite(distance) || distance == 0.0) return valid;
+  if (!std::isfinite(distance) || distance == 0.0) return region;
   const double side = distance > 0.0 ? 1.0 : -1.0;
   Cover inside, pieces;
-  inside.add_clean(valid);
-  Band band(pieces, std::abs(distance), corners);
-  for (const Polygon& polygon : valid) {
-    band.add(distinct(polygon.outer, true), true, side);
-    for (const Ring& hole : polygon.holes) band.add(distinct(hole, true), true, side);
-  }
+  inside.add(region);
+  Band(pieces, std::abs(distance), corners).add(region, side);
   return overlay::combine(inside, distance > 0.0 ? Operation::kUnite : Operation::kSubtract,
                           pieces);
+}
+
+Region shrink_within(const Region& region, double distance, const Region& where) {
+  std::vector<Box> boxes;
+  for (const Polygon& polygon : where) boxes.push_back(box_of(polygon.outer));
+  const BoxTree places(boxes);
+  Cover inside, pieces;
+  inside.add(region);
+  Band(pieces, distance, Corners::kRound, &places).add(region, -1.0);
+  return intersect(overlay::combine(inside, Operation::kSubtract, pieces), where);
 }
 
 }  // namespace pedzone

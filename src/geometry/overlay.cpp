@@ -127,9 +127,9 @@ std::vector<Points> loops_of(const Points& ring) {
   return loops_at_repeated_points(path);
 }
 
-void insert(Set& set, const Points& ring) {
+void insert(Set& set, const Points& ring, bool hole = false) {
   const bp::direction_1d direction = counter_clockwise(ring) ? bp::COUNTERCLOCKWISE : bp::CLOCKWISE;
-  set.insert_vertex_sequence(ring.begin(), ring.end(), direction, false);
+  set.insert_vertex_sequence(ring.begin(), ring.end(), direction, hole);
 }
 
 /// The operators of polygon_set_data would cut and sort each operand once more.
@@ -177,17 +177,12 @@ class Grid {
   Set set_of(const Cover& cover) const {
     Set set;
     for (const Cover::Part& part : cover.parts()) {
-      Set own, holes;
-      for (std::size_t i = 0; i < part.rings.size(); ++i) {
-        const Points points = local(part.rings[i]);
-        Set& one = i == 0 ? own : holes;
-        if (!part.may_cross || is_simple(points)) {
-          insert(one, points);
-        } else {
-          one.insert(even_odd(points));
-        }
+      if (part.any) {
+        set.insert(made_valid(part));
+        continue;
       }
-      set.insert(part.rings.size() == 1 ? own : boolean(own, Boolean::BOOLEAN_NOT, holes));
+      // Boost.Polygon counts how often a place is covered: a hole takes away what is round it.
+      for (std::size_t i = 0; i < part.rings.size(); ++i) insert(set, local(part.rings[i]), i > 0);
     }
     return set;
   }
@@ -212,6 +207,20 @@ class Grid {
   }
 
  private:
+  Set made_valid(const Cover::Part& part) const {
+    Set outer, holes;
+    for (std::size_t i = 0; i < part.rings.size(); ++i) {
+      const Points points = local(part.rings[i]);
+      Set& set = i == 0 ? outer : holes;
+      if (is_simple(points)) {
+        insert(set, points);
+      } else {
+        set.insert(even_odd(points));
+      }
+    }
+    return part.rings.size() == 1 ? outer : boolean(outer, Boolean::BOOLEAN_NOT, holes);
+  }
+
   Points local(const GridRing& ring) const {
     Points points;
     for (const GridPoint& p : ring) {
@@ -281,13 +290,13 @@ void Cover::add_simple(const Ring& ring) {
   if (!points.empty()) parts_.push_back({{std::move(points)}, false});
 }
 
-void Cover::add(const Region& region) { add(region, true); }
+void Cover::add(const Region& region) { add(region, false); }
 
-void Cover::add_clean(const Region& region) { add(region, false); }
+void Cover::add_any(const Region& region) { add(region, true); }
 
-void Cover::add(const Region& region, bool may_cross) {
+void Cover::add(const Region& region, bool any) {
   for (const Polygon& polygon : region) {
-    Part part{{grid_ring(polygon.outer)}, may_cross};
+    Part part{{grid_ring(polygon.outer)}, any};
     if (part.rings[0].empty()) continue;
     for (const Ring& hole : polygon.holes) {
       GridRing points = grid_ring(hole);

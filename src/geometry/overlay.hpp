@@ -26,20 +26,21 @@ class Cover {
   /// An outer ring and holes, either way round.
   struct Part {
     std::vector<GridRing> rings;
-    bool may_cross = false;  ///< rings are taken as even-odd, holes as cut out
+    bool any = false;  ///< rings are taken as even-odd, holes as cut out
   };
 
   /// A ring that does not cross itself.
   void add_simple(const Ring& ring);
-  /// Any region: rings may cross themselves, holes may overlap or lie outside.
+  /// A valid region.
   void add(const Region& region);
-  /// One that combine() has made: no ring crosses itself, which takes long to find out in a town.
-  void add_clean(const Region& region);
+  /// Any region: rings may cross themselves, holes may overlap or lie outside. It takes long to find
+  /// out in a town.
+  void add_any(const Region& region);
 
   const std::vector<Part>& parts() const { return parts_; }
 
  private:
-  void add(const Region& region, bool may_cross);
+  void add(const Region& region, bool any);
 
   std::vector<Part> parts_;
 };

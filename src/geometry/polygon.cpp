@@ -35,7 +35,13 @@ Side side_of(const Ring& ring, const Vec2& point) {
 
 }  // namespace
 
-Region repair(const Ring& ring) { return unite({{ring, {}}}, {}); }
+Region repair(const Ring& ring) { return make_valid({{ring, {}}}); }
+
+Region make_valid(const Region& polygons) {
+  Cover all;
+  all.add_any(polygons);
+  return overlay::combine(all, Operation::kUnite, {});
+}
 
 Region unite(std::span<const Region> regions) {
   Cover all;
@@ -45,7 +51,9 @@ Region unite(std::span<const Region> regions) {
 
 Region unite(const Region& a, const Region& b) { return combine(a, Operation::kUnite, b); }
 
-Region subtract(const Region& a, const Region& b) { return combine(a, Operation::kSubtract, b); }
+Region subtract(const Region& a, const Region& b) {
+  return b.empty() ? a : combine(a, Operation::kSubtract, b);
+}
 
 Region intersect(const Region& a, const Region& b) { return combine(a, Operation::kIntersect, b); }
 

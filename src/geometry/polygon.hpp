@@ -17,12 +17,14 @@ struct Polygon {
   std::vector<Ring> holes;
 };
 
-/// Disjoint polygons. Every function below returns a valid Region whatever it is given.
+/// Disjoint polygons. Every function below returns a valid Region; only make_valid takes others.
 using Region = std::vector<Polygon>;
 
 /// A region from any ring, self-crossing and repeated points included (even-odd rule).
 /// Empty where nothing larger than a sliver remains.
 Region repair(const Ring& ring);
+/// The same for each ring of polygons: holes are cut out of their own, polygons may overlap.
+Region make_valid(const Region& polygons);
 
 Region unite(std::span<const Region> regions);
 Region unite(const Region& a, const Region& b);
@@ -38,6 +40,9 @@ enum class Corners { kRound, kMitred };
 
 /// All points within `distance` [m] of the region (negative: shrinks it).
 Region grow(const Region& region, double distance, Corners corners = Corners::kRound);
+/// What lies in `where` of a region shrunk by `distance` [m] > 0, with round corners. Takes as long
+/// as `where` has border near it.
+Region shrink_within(const Region& region, double distance, const Region& where);
 
 /// Surface [m²].
 double area(const Region& region);

@@ -20,12 +20,13 @@ constexpr std::uint32_t kAllSlots = (1U << kGroup) - 1U;
 
 }  // namespace
 
-const PersonGrid::Level& PersonGrid::level(double scale) {
+const PersonGrid::Level& PersonGrid::level(const View& view, double scale) {
   for (level_ = 0; level_ < levels_.size(); ++level_) {
-    if (levels_[level_].scale == scale) return levels_[level_];
+    if (levels_[level_].view == view && levels_[level_].scale == scale) return levels_[level_];
   }
-  levels_.push_back(
-      {scale, ViewCells(sight_, half_field_, kCellWidth * scale, kCellHeight * scale)});
+  levels_.push_back({view, scale,
+                     ViewCells(view.sight, view.half_field, kCellWidth * scale,
+                               kCellHeight * scale)});
   return levels_[level_];
 }
 
@@ -37,10 +38,10 @@ PersonGrid::Cell PersonGrid::cell_of(const LatticePoint& point) const {
           static_cast<int>(y * rows_per_lattice_) + level.cells.rows()};
 }
 
-void PersonGrid::choose_cells(double scale) {
+void PersonGrid::choose_cells(const View& view, double scale) {
   const auto width = static_cast<double>(bounds_.right - bounds_.left);
   const auto height = static_cast<double>(bounds_.high - bounds_.low);
-  const Level& chosen = level(scale);
+  const Level& chosen = level(view, scale);
   columns_per_lattice_ = 1.0 / (kCellWidth * scale * kLatticePerMetre);
   rows_per_lattice_ = 1.0 / (kCellHeight * scale * kLatticePerMetre);
   columns_ = static_cast<int>(width * columns_per_lattice_) + 1 + 2 * chosen.cells.columns();
@@ -49,11 +50,6 @@ void PersonGrid::choose_cells(double scale) {
 
 void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, double sight,
                        double half_field) {
-  if (sight != sight_ || half_field != half_field_) {
-    sight_ = sight;
-    half_field_ = half_field;
-    levels_.clear();
-  }
   size_ = persons.size();
   for (auto* array : {&x_, &y_}) array->resize(size_ + kGroup);
   for (auto* array : {&vx_, &vy_, &speed2_, &radius_, &turned_, &present_, &hx_, &hy_}) {
@@ -75,11 +71,12 @@ void PersonGrid::build(const Persons& persons, const LatticeOrigin& origin, doub
                std::max<std::int64_t>(bounds_.high, p.y)};
   }
   const double most_cells = kCellsPerPerson * static_cast<double>(size_) + kCellsAtLeast;
+  const View view{sight, half_field};
   double scale = 1.0;
-  choose_cells(scale);
+  choose_cells(view, scale);
   while (static_cast<double>(columns_) * rows_ > most_cells) {
     scale *= 2.0;
-    choose_cells(scale);
+    choose_cells(view, scale);
   }
 
   // Counting sort: count, prefix sums (cell_start_[c + 1] is where cell c is filled next), place.

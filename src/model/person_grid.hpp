@@ -36,8 +36,16 @@ class PersonGrid {
   std::size_t size() const { return size_; }
 
  private:
-  /// The cells that people see for one size of cell.
+  /// What every person sees.
+  struct View {
+    double sight = 0.0;       ///< [m]
+    double half_field = 0.0;  ///< [rad]
+    bool operator==(const View&) const = default;
+  };
+  /// The cells that people see for one size of cell. All that were used are kept: people come and
+  /// go, and with them the widest view.
   struct Level {
+    View view;
     double scale = 0.0;  ///< cells are this many times the smallest
     ViewCells cells;
   };
@@ -45,10 +53,10 @@ class PersonGrid {
     int column, row;
   };
 
-  const Level& level(double scale);
+  const Level& level(const View& view, double scale);
   Cell cell_of(const LatticePoint& point) const;
-  void choose_cells(double scale);
-  double sight_ = 0.0, half_field_ = 0.0;
+  void choose_cells(const View& view, double scale);
+
   std::vector<Level> levels_;
   std::size_t level_ = 0;  ///< in use
   LatticeBox bounds_{0, 0, -1, -1};

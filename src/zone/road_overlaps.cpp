@@ -1,6 +1,6 @@
 #include "zone/road_overlaps.hpp"
 
-#include "zone/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 #include "zone/levels.hpp"
 #include "zone/shapes.hpp"
 

@@ -10,27 +10,9 @@ Region area_of(const Lane& lane) {
   return widen(lane.shape, std::max(lane.width, kLeastLaneWidth));
 }
 
-Box box_of(const Polyline& points) {
-  Box box;
-  for (const Vec2& point : points) box.extend(point);
-  return box;
-}
-
 Box box_of(const Lane& lane) {
   return grown(box_of(lane.shape),
                lane.outline ? 0.0 : 0.5 * std::max(lane.width, kLeastLaneWidth));
-}
-
-Box box_of(const Region& region) {
-  Box box;
-  for (const Polygon& polygon : region) box.extend(box_of(polygon.outer));
-  return box;
-}
-
-Box grown(const Box& box, double distance) {
-  if (box.isEmpty()) return box;
-  const Vec2 margin(distance, distance);
-  return {box.min() - margin, box.max() + margin};
 }
 
 double nearest_part(const Vec2& a, const Vec2& b, const Vec2& point) {

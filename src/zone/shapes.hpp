@@ -1,13 +1,10 @@
 // Areas, boxes and lines of a network's parts.
 #pragma once
 
-#include <Eigen/Geometry>
-
+#include "geometry/box.hpp"
 #include "zone/network.hpp"
 
 namespace pedzone {
-
-using Box = Eigen::AlignedBox2d;  ///< [m]
 
 /// numerical: lanes narrower than this are widened to it, or no body has room on them [m].
 constexpr double kLeastLaneWidth = 1.0;
@@ -15,11 +12,8 @@ constexpr double kLeastLaneWidth = 1.0;
 /// A lane's area: its centre line widened; the outline of a walking area. Flat ends.
 Region area_of(const Lane& lane);
 
-Box box_of(const Polyline& points);
 /// Of the lane's area.
 Box box_of(const Lane& lane);
-Box box_of(const Region& region);
-Box grown(const Box& box, double distance);
 
 /// Where the point of segment a–b nearest to `point` lies: 0 at a, 1 at b.
 double nearest_part(const Vec2& a, const Vec2& b, const Vec2& point);

@@ -81,7 +81,7 @@ Region simplified(const Region& region, double tolerance) {
     }
   }
   // Lines that pass close to each other may cross now.
-  return unite(result, {});
+  return make_valid(result);
 }
 
 Polyline simplified(const Polyline& line, double tolerance) {

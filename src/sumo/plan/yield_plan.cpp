@@ -102,7 +102,7 @@ std::optional<YieldOrder> give_way(FleetVehicle& vehicle, double way, const Safe
 
 /// How a vehicle passes people who have stepped aside.
 struct Pass {
-  Shoulders shoulders;
+  BodyWidth width;
   double most;  ///< [m/s]
 };
 
@@ -111,7 +111,7 @@ struct Pass {
 double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
                     const Obstruction& ahead, double distance, const Pass& pass,
                     const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
-  const auto close = first_in_way(vehicle, people, kCreepMargin, distance, pass.shoulders);
+  const auto close = first_in_way(vehicle, people, kCreepMargin, distance, pass.width);
   if (close && close->distance <= ahead.distance) return 0.0;
   const double safe = close ? safe_speed(vehicle, *close, parameters, safe_speeds, dt) : pass.most;
   return std::min(safe, pass.most);
@@ -151,7 +151,7 @@ YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt) {
 
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
-                                        double distance, Shoulders shoulders) {
+                                        double distance, BodyWidth width) {
   if (!goes_on(vehicle)) return std::nullopt;
   const Rectangle body = body_of(vehicle);
   std::optional<Obstruction> first;
@@ -163,7 +163,7 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
   for (const PersonAhead& person : people) {
     if ((person.position - vehicle.front).norm() > range) continue;
     const double radius =
-        shoulders == Shoulders::kStraight ? person.radius : person.radius - person.narrower;
+        width == BodyWidth::kStraight ? person.radius : person.radius - person.narrower;
     const Vec2 soon = person.position + person.velocity * kMoment;
     // Only who is in the way or about to step into it: a person that stands beside is passed.
     auto contact = contact_with(person.position, radius + margin);
@@ -213,8 +213,8 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   // wait for it while it waits for them.
   const bool stays_out = waits_before_junction(vehicle, *ahead, parameters.yield_gap);
   if (vehicle.slowed > kClaimAfter && !stays_out) {
-    for (const Pass& pass : {Pass{Shoulders::kStraight, parameters.creep_speed},
-                             Pass{Shoulders::kAsHeld, kSqueezeSpeed}}) {
+    for (const Pass& pass : {Pass{BodyWidth::kStraight, parameters.creep_speed},
+                             Pass{BodyWidth::kAsHeld, kSqueezeSpeed}}) {
       if (safe >= pass.most) continue;
       safe = std::max(
           safe, speed_beside(vehicle, people, *ahead, distance, pass, parameters, safe_speeds, dt));

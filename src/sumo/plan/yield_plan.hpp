@@ -21,7 +21,7 @@ struct PersonAhead {
 };
 
 /// Whether people are taken for as wide as with straight shoulders, or as they hold them now.
-enum class Shoulders { kStraight, kAsHeld };
+enum class BodyWidth { kStraight, kAsHeld };
 
 /// The first person in a vehicle's way.
 struct Obstruction {
@@ -34,7 +34,7 @@ struct Obstruction {
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
                                         double distance,
-                                        Shoulders shoulders = Shoulders::kStraight);
+                                        BodyWidth width = BodyWidth::kStraight);
 
 /// What the vehicle's own car-following model finds safe [m/s] in the next step.
 struct SafeSpeeds {

@@ -1,5 +1,5 @@
 // Boxes by place, against a look at each of them.
-#include "zone/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 
 #include <gmock/gmock.h>
 

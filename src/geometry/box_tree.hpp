@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "zone/shapes.hpp"
+#include "geometry/box.hpp"
 
 namespace pedzone {
 

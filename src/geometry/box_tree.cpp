@@ -1,4 +1,4 @@
-#include "zone/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 
 #include <algorithm>
 #include <boost/geometry/core/cs.hpp>
