@@ -132,24 +132,24 @@ Fleet::Fleet(const Network& network, const std::vector<Zone>& zones)
     : network_(network), ways_(network, zones) {
   for (const Zone& zone : zones) {
     grip_ = std::min(grip_, zone.weather->deceleration);
-    Vec2 low(1e18, 1e18), high(-1e18, -1e18);
-    for (const Polygon& polygon : zone.walkable) {
-      for (const Vec2& point : polygon.outer) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-      }
-    }
     const double near =
         std::max(zone.streets.empty() ? kNear : kNearStreets, stopping_distance(network, zone));
-    boxes_.emplace_back(low - Vec2(near, near), high + Vec2(near, near));
+    boxes_.push_back(grown(box_of(zone.walkable), near));
   }
 }
 
 bool Fleet::near_zone(const Vec2& point) const {
-  return std::any_of(boxes_.begin(), boxes_.end(), [&](const auto& box) {
-    return (point.array() >= box.first.array()).all() &&
-           (point.array() <= box.second.array()).all();
-  });
+  return std::ranges::any_of(boxes_, [&](const Box& box) { return box.contains(point); });
+}
+
+std::vector<VehicleState> Fleet::states_near(std::size_t zone,
+                                             std::span<const VehicleState> states) const {
+  std::vector<VehicleState> near;
+  for (const VehicleState& state : states) {
+    const Vec2 front = state.centre + 0.5 * state.length * unit(state.heading);
+    if (boxes_[zone].contains(front) || boxes_[zone].contains(state.centre)) near.push_back(state);
+  }
+  return near;
 }
 
 void Fleet::update(std::vector<VehicleSeen> seen, double dt) {

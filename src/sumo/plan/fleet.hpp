@@ -1,10 +1,12 @@
 // The vehicles in or near the zones: what is made of what SUMO tells of them in each step.
 #pragma once
 
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/box.hpp"
 #include "sumo/plan/way_ahead.hpp"
 #include "world/snapshot.hpp"
 
@@ -19,6 +21,9 @@ class Fleet {
   /// where people cross streets anywhere), or as far as it needs to stop where it drives fast or on
   /// ice.
   bool near_zone(const Vec2& point) const;
+  /// Those of `states` with their front or centre near that zone.
+  std::vector<VehicleState> states_near(std::size_t zone,
+                                        std::span<const VehicleState> states) const;
   /// (0, 1] the share of their deceleration that the weather leaves to vehicles.
   double grip() const { return grip_; }
 
@@ -52,7 +57,7 @@ class Fleet {
   const Network& network_;
   WayAhead ways_;
   double grip_ = 1.0;
-  std::vector<std::pair<Vec2, Vec2>> boxes_;  ///< zones' bounds, grown
+  std::vector<Box> boxes_;  ///< zones' bounds, grown
   std::vector<FleetVehicle> vehicles_, previous_;
   std::unordered_map<std::string, std::size_t> previous_index_;
   std::vector<std::pair<double, std::size_t>> by_x_;  ///< [m] of fronts; kept for its memory

@@ -237,6 +237,20 @@ TEST(Placement, avoids_vehicles_of_the_last_step) {
   EXPECT_GE(clearance(scene.vehicles[0], scene.people[i].view.position), 0.24);
 }
 
+TEST(Placement, avoids_where_a_vehicle_got_to_while_nobody_was_there) {
+  const Zone zone = zone_of(box(0, 0, 40, 40));
+  Scene scene(zone);
+  VehicleState car = vehicle_at({15, 20}, 0.0, 5.0);
+  scene.crowd.step(1.0, std::vector<VehicleState>{car});
+  NewPerson person;
+  person.position = {20, 20};
+  person.destination = line_at_x(39, 0, 40);
+  person.place_freely = true;
+  const auto i = scene.add(person);
+  car.centre.x() += 5.0;
+  EXPECT_GE(clearance(car, scene.people[i].view.position), 0.24);
+}
+
 TEST(BodyGrid, finds_all_that_are_near_and_each_once) {
   std::vector<double> x, y;
   for (std::uint64_t k = 0; k < 3000; ++k) {
