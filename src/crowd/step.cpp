@@ -227,6 +227,7 @@ void walk(CrowdState& crowd, double dt) {
   crowd.free_walk_ends.clear();
   crowd.crossings_begun.clear();
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
+  // Nobody is there to mind anything.
   if (crowd.persons.walking == 0 && crowd.seen.empty() && crowd.zone.streets.empty()) {
     move_others_on(dt, crowd.seen, crowd.vehicles);
     for (int k = 0; k < substeps; ++k) count(0, dt / substeps, crowd.clock);

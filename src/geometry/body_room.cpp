@@ -149,12 +149,13 @@ Region body_room(const Region& walkable, double clearance, double least) {
   const double margin = kMargin * clearance;
   std::vector<Region> rooms{grow(walkable, -clearance, Corners::kMitred)};
   const auto add = [&](double shrunk_by, double width) {
-    rooms.push_back(shrink_within(walkable, shrunk_by, unite(narrow.zones(margin, width))));
+    const std::vector<Region> zones = narrow.zones(margin, width);
+    if (!zones.empty()) rooms.push_back(shrink_within(walkable, shrunk_by, unite(zones)));
   };
   // Mitres reach farther than the clearance: two of them may close what is wide enough.
   add(clearance, kMitre * 2.0 * clearance);
   if (clearance > least) add(least, 2.0 * clearance);
-  return unite(rooms);
+  return rooms.size() == 1 ? rooms.front() : unite(rooms);
 }
 
 }  // namespace pedzone

@@ -146,6 +146,7 @@ Region grow(const Region& region, double distance, Corners corners) {
 }
 
 Region shrink_within(const Region& region, double distance, const Region& where) {
+  if (where.empty()) return {};
   std::vector<Box> boxes;
   for (const Polygon& polygon : where) boxes.push_back(box_of(polygon.outer));
   const BoxTree places(boxes);

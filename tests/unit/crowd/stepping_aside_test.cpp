@@ -132,6 +132,7 @@ class TightCorner : public ::testing::Test {
     }
     return scene_.people[person].view.position;
   }
+
   VehicleState van_;
 
  private:

@@ -341,8 +341,6 @@ TEST(Grow, mitred_has_one_corner_for_a_right_angle) {
   EXPECT_NEAR(area(region), 196.0, 1e-9);
 }
 
-class GrowRandom : public testing::TestWithParam<Corners> {};
-
 TEST(ShrinkWithin, is_what_shrinking_everything_leaves_there) {
   Random random(12);
   for (int round = 0; round < 30; ++round) {
@@ -361,6 +359,8 @@ TEST(ShrinkWithin, is_what_shrinking_everything_leaves_there) {
   }
   EXPECT_TRUE(shrink_within(box_region(0, 0, 9, 9), 0.4, {}).empty());
 }
+
+class GrowRandom : public testing::TestWithParam<Corners> {};
 
 TEST_P(GrowRandom, holds_exactly_the_points_within_the_distance) {
   Random random(6);

@@ -14,17 +14,15 @@ With a zone for each junction one of four runs is wrong so far: in the spider's 
 two zones and a bus wait for each other where the zones meet, and five vehicles are teleported.
 """
 import argparse
-import os
 import random
 import statistics
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-SUMO_HOME = os.environ.get("SUMO_HOME", "/usr/share/sumo")
-ENV = {**os.environ, "SUMO_HOME": SUMO_HOME}
+from junction import SUMO_HOME, call
+
 sys.path.insert(0, f"{SUMO_HOME}/tools")
 import sumolib  # noqa: E402
 
@@ -153,10 +151,8 @@ def write_zones(folder, net):
 
 def make_scenario(folder, net, seed):
     folder.mkdir(parents=True, exist_ok=True)
-    subprocess.run(["netgenerate", *NETS[net], "--seed", str(seed), "--sidewalks.guess",
-                    "--default.sidewalk-width", "2", "--crossings.guess", "--tls.guess",
-                    "--no-turnarounds", "-o", "n.net.xml"],
-                   cwd=folder, env=ENV, check=True, stdout=subprocess.DEVNULL)
+    call("netgenerate", *NETS[net], "--seed", seed, "--sidewalks.guess", "--default.sidewalk-width", 2,
+         "--crossings.guess", "--tls.guess", "--no-turnarounds", "-o", "n.net.xml", folder=folder)
     demand = Demand(folder, seed)
     demand.write()
     write_zones(folder, demand.net)
@@ -171,18 +167,14 @@ def make_scenario(folder, net, seed):
 def run(command, folder):
     """{id: ([kind of stage], [s] duration)} of those who arrived, and how often what went wrong."""
     folder.mkdir()
-    done = subprocess.run([*map(str, command), "--no-step-log", "true", "--tripinfo-output",
-                           str(folder / "trips.xml")],
-                          env=ENV, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    if done.returncode != 0:
-        raise SystemExit(f"{command[0]} ends with code {done.returncode}:\n{done.stdout[-2000:]}")
+    said = call(*command, "--no-step-log", "true", "--tripinfo-output", folder / "trips.xml")
     arrived = {}
     for trip in ET.parse(folder / "trips.xml").getroot():
         stages = list(trip) if trip.tag == "personinfo" else [trip]
         if all(float(stage.get("arrival", "0")) >= 0.0 for stage in stages):
             arrived[trip.get("id")] = ([stage.tag for stage in stages],
                                        sum(float(stage.get("duration", "0")) for stage in stages))
-    return arrived, {word: done.stdout.count(word) for word in ("Teleporting", "collision")}
+    return arrived, {word: said.count(word) for word in ("Teleporting", "collision")}
 
 
 def faults_of(plain, ours):
