@@ -19,19 +19,22 @@ constexpr double kLookStep = 0.3;   // [m] numerical
 constexpr double kCrossing = 3.0;   // [m] assumed: nobody steps across nearer to the bumper
 
 /// The side to which there is room to step out of the claim, the nearer one first: 1 left, -1
-/// right, 0 none.
+/// right, 0 none. Inside a bend the rear sweeps more than the front: who stepped out there would
+/// hold the vehicle up all the same.
 double wide_side(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle,
                  const ClaimPlace& place) {
-  const WallIndex& walls = crowd.zone.walls;
   const Vec2 here = crowd.position(i);
+  const double radius = crowd.persons.radius[i];
   const double nearer = place.lateral < 0.0 ? -1.0 : 1.0;
   const Vec2 outward = left_of(place.along) * nearer;
   const double border = 0.5 * vehicle.width + room_beside_claims(crowd, i);
-  const double near = border - std::abs(place.lateral), far = border + std::abs(place.lateral);
-  const double body = 0.5 * crowd.persons.radius[i];
-  if (walls.free_line(here, here + outward * near, body)) return nearer;
-  const bool across = place.ahead > kCrossing && walls.free_line(here, here - outward * far, body);
-  return across ? -nearer : 0.0;
+  const auto is_free = [&](const Vec2& out) {
+    return crowd.zone.walls.free_line(here, here + out, 0.5 * radius) &&
+           !holds_up(vehicle, here + out, radius);
+  };
+  if (is_free(outward * (border - std::abs(place.lateral)))) return nearer;
+  const Vec2 across = -outward * (border + std::abs(place.lateral));
+  return place.ahead > kCrossing && is_free(across) ? -nearer : 0.0;
 }
 
 /// Out of the claim: sideways where there is room, else ahead of the vehicle.

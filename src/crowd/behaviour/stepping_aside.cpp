@@ -150,33 +150,16 @@ SideRoom room_among_others(const CrowdState& crowd, std::size_t i) {
   return {crowd.zone.walls, crowd.vehicles, others};
 }
 
-/// Whether somebody is on the straight way of a turned body.
-bool is_barred(const SideRoom& room, const Vec2& from, const Vec2& to, double turned) {
-  const Vec2 way = to - from;
-  const double length = way.norm();
-  if (length <= 0.0) return false;
-  const Vec2 along = way / length;
-  return std::ranges::any_of(room.others, [&](const OtherBody& other) {
-    const Vec2 there = other.position - from;
-    const double ahead = there.dot(along);
-    return ahead > 0.0 && ahead < length && std::abs(cross(along, there)) < turned + other.radius;
-  });
-}
-
 /// Out of what a vehicle that claims room is about to sweep with its rear, when it turns. Where
-/// there is no place to step to, or others stand before it, the person goes on: the vehicle waits
-/// for who is beside it. Where that leads nowhere, it goes the way that the vehicle takes, before
-/// it.
+/// there is no place to step to the person goes on: the vehicle waits for who is beside it. Where
+/// that leads nowhere, it goes the way that the vehicle takes, before it.
 std::optional<Decision> leave_sweep(const CrowdState& crowd, std::size_t i,
                                     const VehicleState& vehicle) {
   const Vec2 here = crowd.position(i);
   const double heading = crowd.persons.heading[i], speed = crowd.persons.preferred_speed[i];
-  const SideRoom room = room_among_others(crowd, i);
-  const BodyBeside body = body_of(crowd, i);
-  const auto place = place_clear(room, vehicle, here, body, heading);
-  if (place && !is_barred(room, here, *place, body.turned)) {
-    return step_to(*place - here, heading, speed);
-  }
+  const auto place =
+      place_clear(room_among_others(crowd, i), vehicle, here, body_of(crowd, i), heading);
+  if (place) return step_to(*place - here, heading, speed);
   if (!Passing(crowd, i, vehicle).is_shut_in()) return std::nullopt;
   const double offset = project_on(vehicle.way, here).offset;
   return step_to(point_on(vehicle.way, offset).direction * kAimAhead, heading, speed);

@@ -60,6 +60,19 @@ bool fits(const SideRoom& room, const VehicleState& vehicle, const Vec2& from, c
   return room.walls.sees(from, to) && has_room(room, vehicle, to, turned);
 }
 
+/// Whether somebody is on the straight way of a turned body.
+bool is_barred(const SideRoom& room, const Vec2& from, const Vec2& to, double turned) {
+  const Vec2 way = to - from;
+  const double length = way.norm();
+  if (length <= 0.0) return false;
+  const Vec2 along = way / length;
+  return std::ranges::any_of(room.others, [&](const OtherBody& other) {
+    const Vec2 there = other.position - from;
+    const double ahead = there.dot(along);
+    return ahead > 0.0 && ahead < length && std::abs(cross(along, there)) < turned + other.radius;
+  });
+}
+
 /// The other vehicles within `reach` [m] of a vehicle's centre, each grown by `grown` [m]. Valid
 /// until the thread's next call: the list is kept for its memory.
 std::span<const Rectangle> others_near(const SideRoom& room, const VehicleState& vehicle,
@@ -171,7 +184,8 @@ std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicl
     for (const Vec2& direction : directions) {
       const double way = direction.dot(onward) < 0.0 ? kTurnsBack * step : step;
       const Vec2 to = from + direction * step;
-      if (way >= least || !fits(room, vehicle, from, to, body.turned)) continue;
+      if (way >= least || is_barred(room, from, to, body.turned)) continue;
+      if (!fits(room, vehicle, from, to, body.turned)) continue;
       if (runs_through(frame, from, to) || least_distance(vehicle, to) < body.radius + kPast) {
         continue;
       }

@@ -55,8 +55,9 @@ bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius);
 bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius);
 
 /// The nearest place to `from` [m] to which a turned body can step out of what the vehicle is about
-/// to sweep. Nothing where there is none within 8 m. For one that is not much nearer nobody turns
-/// back who goes by `heading` [rad]: of two places as far away it would reach neither.
+/// to sweep, with nobody on the straight way there. Nothing where there is none within 8 m. For one
+/// that is not much nearer nobody turns back who goes by `heading` [rad]: of two places as far away
+/// it would reach neither.
 std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
                                 const BodyBeside& body, double heading);
 

@@ -10,8 +10,6 @@ lead to a junction are one each (junctions). Read from SUMO's outputs:
 - everybody arrives who does in plain SUMO, by the same kinds of stages; so do all vehicles
 - people's mean duration is within 10 % of plain SUMO's
 - no more vehicles are teleported or collide than in plain SUMO, but for two that meet by chance
-With a zone for each junction one of four runs is wrong so far: in the spider's with seed 3 people of
-two zones and a bus wait for each other where the zones meet, and five vehicles are teleported.
 """
 import argparse
 import random
@@ -204,7 +202,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pedzone", type=Path)
     parser.add_argument("--nets", default="grid,spider")
-    parser.add_argument("--zones", default="all")
+    parser.add_argument("--zones", default="all,junctions")
     parser.add_argument("--seeds", default="3")
     parser.add_argument("--keep", type=Path)
     options = parser.parse_args()

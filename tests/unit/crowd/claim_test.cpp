@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "crowd/sense/claim_room.hpp"
+#include "crowd/sense/side_room.hpp"
 #include "scene.hpp"
 
 namespace pedzone::test {
@@ -99,6 +100,26 @@ TEST(Claim, without_room_beside_people_walk_ahead_of_the_vehicle) {
   const std::size_t person = scene.add({2.0, 0.0}, {-20.0, 0.0});
   scene.run(4.0);
   EXPECT_GT(scene.view(person).position.x(), 5.0);
+}
+
+/// A bus turns right. Its rear will sweep all the room on the inside, up to the zone's border; who
+/// is there has to go on before it.
+TEST(Claim, nobody_steps_out_to_where_the_rear_will_swing) {
+  const Zone zone = zone_of(
+      Ring{{-20.0, -1.6}, {-1.0, -1.6}, {0.7, -0.6}, {12.0, 6.0}, {12.0, 15.0}, {-20.0, 15.0}});
+  const Polyline way{{-8.0, -3.1}, {-6.1, 0.2}, {-4.1, 2.9}, {-2.0, 3.8},  {-0.7, 3.2},
+                     {0.0, 2.9},   {0.3, 2.6},  {2.1, 0.2},  {15.6, -23.1}};
+  VehicleState bus = vehicle_at(Vec2(0.3, 2.6) - 6.0 * unit(0.6), 0.6, 0.0, 12.0, 2.5);
+  bus.way = way;
+  bus.claim = 8.0;
+  Scene scene(zone);
+  const Destination there{{5.0, 4.0}, {5.0, 4.0}};
+  const std::size_t person = scene.add({0.7, 0.9}, there, 1.3, 0.0);
+  for (int i = 0; i < 80 && scene.people[person].arrival_time <= 0.0; ++i) {
+    scene.vehicles = {bus};
+    scene.step();
+  }
+  EXPECT_FALSE(holds_up(bus, scene.people[person].view.position, 0.24));
 }
 
 TEST(Claim, people_cross_once_it_is_gone) {

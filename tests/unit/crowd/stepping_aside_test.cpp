@@ -170,6 +170,23 @@ TEST(SideRoom, swings_over_who_stands_behind_the_corner) {
   EXPECT_LT((*place - Vec2(-0.5, 1.4)).norm(), 4.0);
 }
 
+TEST(SideRoom, is_clear_where_nobody_stands_on_the_way_there) {
+  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
+  const Polyline left{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 30.0}};
+  vehicle.way = left;
+  const WallIndex open(Region{Polygon{box(-20.0, -20.0, 20.0, 20.0), {}}});
+  const Vec2 here(-0.5, 1.4);
+  const BodyBeside body{kRadius, kTurned};
+  const auto nearest = place_clear({open, {}}, vehicle, here, body, 0.5 * kPi);
+  ASSERT_TRUE(nearest);
+  const std::vector<OtherBody> other{{0.5 * (here + *nearest), kTurned}};
+  const auto place = place_clear({open, {}, other}, vehicle, here, body, 0.5 * kPi);
+  ASSERT_TRUE(place);
+  EXPECT_FALSE(swings_over(vehicle, *place, kRadius));
+  const Vec2 along = (*place - here).normalized(), to = other[0].position - here;
+  EXPECT_TRUE(to.dot(along) <= 0.0 || std::abs(cross(along, to)) >= 2.0 * kTurned);
+}
+
 TEST(SideRoom, is_not_where_another_vehicle_stands) {
   const WallIndex open(Region{Polygon{box(-20.0, -5.0, 20.0, 5.0), {}}});
   std::vector<VehicleState> vehicles{vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0),
