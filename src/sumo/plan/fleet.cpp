@@ -200,6 +200,7 @@ void Fleet::find_leaders() {
       if (!gap) continue;
       vehicle.follows_at =
           std::min(vehicle.follows_at, safe_behind(vehicle.traits, *gap, other.speed));
+      if (!vehicle.leader || *gap < vehicle.leader->gap) vehicle.leader = {at->second, *gap};
     }
   }
 }

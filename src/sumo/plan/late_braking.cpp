@@ -46,26 +46,54 @@ bool meets_anybody(const FleetVehicle& vehicle, std::span<const PersonAhead> peo
   return false;
 }
 
-}  // namespace
-
-double needed_deceleration(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
-                           double dt) {
-  double enough = vehicle.traits.emergency_decel, little = vehicle.traits.decel;
-  const double duration = vehicle.speed / little, distance = 0.5 * vehicle.speed * duration;
-  std::vector<PersonAhead> near;
-  for (const PersonAhead& person : people) {
-    const double walk = person.velocity.norm() * duration;
-    const double reach = distance + walk + vehicle.traits.width + kReach;
-    if ((person.position - vehicle.front).norm() < reach) near.push_back(person);
+/// Whether it comes nearer to its leader than its min_gap, braking with `deceleration` [m/s²].
+bool comes_too_near(const FleetVehicle& vehicle, double gap, const VehicleTraits& leader,
+                    double next, double deceleration, double dt) {
+  double speed = std::max(0.0, vehicle.speed - deceleration * dt);
+  while (speed > 0.0) {
+    gap += (next - speed) * dt;
+    if (gap < vehicle.traits.min_gap) return true;
+    speed = std::max(0.0, speed - deceleration * dt);
+    next = std::max(0.0, next - leader.decel * dt);
   }
-  const auto meets = [&](double b) { return meets_anybody(vehicle, near, b, dt); };
-  if (dt <= 0.0 || !meets(little)) return little;
+  return false;
+}
+
+/// The least deceleration [m/s²] of which `meets` does not hold, from decel to emergency_decel.
+template <class Meets>
+double least_deceleration(const VehicleTraits& traits, const Meets& meets) {
+  double enough = traits.emergency_decel, little = traits.decel;
+  if (!meets(little)) return little;
   if (meets(enough)) return enough;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (little + enough);
     (meets(middle) ? little : enough) = middle;
   }
   return enough;
+}
+
+}  // namespace
+
+double needed_deceleration(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                           double dt) {
+  if (dt <= 0.0) return vehicle.traits.decel;
+  const double duration = vehicle.speed / vehicle.traits.decel;
+  const double distance = 0.5 * vehicle.speed * duration;
+  std::vector<PersonAhead> near;
+  for (const PersonAhead& person : people) {
+    const double walk = person.velocity.norm() * duration;
+    const double reach = distance + walk + vehicle.traits.width + kReach;
+    if ((person.position - vehicle.front).norm() < reach) near.push_back(person);
+  }
+  return least_deceleration(vehicle.traits,
+                            [&](double b) { return meets_anybody(vehicle, near, b, dt); });
+}
+
+double needed_deceleration_behind(const FleetVehicle& vehicle, double gap,
+                                  const VehicleTraits& leader, double next, double dt) {
+  if (dt <= 0.0 || gap < vehicle.traits.min_gap) return vehicle.traits.decel;
+  return least_deceleration(
+      vehicle.traits, [&](double b) { return comes_too_near(vehicle, gap, leader, next, b, dt); });
 }
 
 }  // namespace pedzone

@@ -1,4 +1,4 @@
-// How hard a vehicle must brake for people who stepped in late.
+// How hard a vehicle must brake for people who stepped in late, and those behind it.
 #pragma once
 
 #include <span>
@@ -15,5 +15,12 @@ struct PersonAhead;
 /// Who walks against the vehicle's side is not helped by braking and does not count.
 double needed_deceleration(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
                            double dt);
+
+/// [m/s²] The least braking, kept up to the standstill, with which the vehicle keeps its min_gap to
+/// its leader, now `gap` [m] ahead, if that drives at `next` [m/s] in this step of `dt` [s] and
+/// then brakes as it likes to: the type's decel where that is enough or the gap is too short
+/// already, its emergency_decel where nothing is.
+double needed_deceleration_behind(const FleetVehicle& vehicle, double gap,
+                                  const VehicleTraits& leader, double next, double dt);
 
 }  // namespace pedzone

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,6 +51,12 @@ struct JunctionAhead {
   bool shared = false;  ///< another vehicle is in it or comes to it from elsewhere
 };
 
+/// The vehicle that one drives behind.
+struct LeaderAhead {
+  std::size_t index = 0;  ///< among all vehicles near zones
+  double gap = 0.0;       ///< [m] > 0 from the front to its body, along the way
+};
+
 /// A vehicle near a zone.
 struct FleetVehicle : VehicleSeen {
   Vec2 velocity = Vec2::Zero();  ///< [m/s] from its last two places: reversing and side-slip too
@@ -61,6 +68,7 @@ struct FleetVehicle : VehicleSeen {
       std::numeric_limits<double>::infinity();  ///< [m] from the front to the end of
                                                 ///< its lane of a zone, if it fills that
   double follows_at = std::numeric_limits<double>::infinity();  ///< [m/s] for the one before it
+  std::optional<LeaderAhead> leader;  ///< the nearest on its way, as far as it needs to stop
   double seen_for = 0.0;  ///< [s] since it is near a zone: SUMO put it there, or it drove there
   int zone = 0;           ///< index of the zone it is in or comes to first
   double left_alone = std::numeric_limits<double>::infinity();  ///< [s] since it was told a speed

@@ -5,6 +5,7 @@
 
 #include "sumo/plan/junction_clearance.hpp"
 #include "sumo/plan/lane_end.hpp"
+#include "sumo/plan/late_braking.hpp"
 #include "world/speeds.hpp"
 
 namespace pedzone {
@@ -14,6 +15,7 @@ constexpr double kStandsAfter = 5.0;    // [s] assumed: a driver looks after who
 constexpr double kBetween = 0.5;        // [m] assumed: left between two vehicles in a junction
 constexpr double kLongestAtEnd = 30.0;  // [s] assumed: then it goes on, whoever else comes
 constexpr double kNobodyComes = 1.0;    // [s] numerical: nobody comes any more
+constexpr double kStopsIn = 5.0;        // [s] assumed: so long those behind take to stop
 constexpr double kOnce = 1.0;           // [s] numerical: braking again so soon is the same braking
 
 /// Towards a speed that is `safe` [m/s], where that is less than what is planned for the vehicle or
@@ -94,6 +96,38 @@ void Yielding::keep_lane_ends_free(std::span<FleetVehicle> vehicles,
   }
 }
 
+/// Whether it brakes harder than it likes to, or did so shortly ago that those behind may still be
+/// driving.
+bool Yielding::braked_just_now(const FleetVehicle& vehicle, double time) const {
+  if (stopping_.contains(vehicle.id)) return true;
+  const auto found = braked_late_.find(vehicle.id);
+  return found != braked_late_.end() && time <= found->second + kStopsIn;
+}
+
+/// Slows those behind one that brakes late, and those behind them: SUMO's vehicles keep a distance
+/// that is enough if nobody brakes harder than it likes to.
+void Yielding::keep_behind_late_brakers(std::span<FleetVehicle> vehicles, double time, double dt,
+                                        std::vector<std::optional<YieldOrder>>& planned) {
+  for (bool found = true; found;) {
+    found = false;
+    for (std::size_t i = 0; i < vehicles.size(); ++i) {
+      FleetVehicle& vehicle = vehicles[i];
+      if (!gives_way(vehicle) || !vehicle.leader || (planned[i] && planned[i]->emergency)) continue;
+      const FleetVehicle& leader = vehicles[vehicle.leader->index];
+      if (!braked_just_now(leader, time)) continue;
+      const auto& order = planned[vehicle.leader->index];
+      const double likes = std::max(0.0, leader.speed - leader.traits.decel * dt);
+      const double needed = needed_deceleration_behind(vehicle, vehicle.leader->gap, leader.traits,
+                                                       order ? order->speed : likes, dt);
+      if (needed <= vehicle.traits.decel) continue;
+      vehicle.pull = -needed;
+      planned[i] = YieldOrder{std::max(0.0, vehicle.speed - needed * dt), true};
+      note(vehicle, time);
+      found = true;
+    }
+  }
+}
+
 void Yielding::command(FleetVehicle& vehicle, const YieldOrder& order,
                        std::vector<SpeedOrder>& out) {
   if (order.emergency && in_emergency_.insert(vehicle.id).second) {
@@ -155,6 +189,7 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
   }
   keep_junctions_clear(vehicles, safe_speeds, dt, planned);
   keep_lane_ends_free(vehicles, outside, safe_speeds, dt, planned);
+  keep_behind_late_brakers(vehicles, time, dt, planned);
   std::vector<SpeedOrder> orders;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     if (planned[i]) command(vehicles[i], *planned[i], orders);

@@ -13,7 +13,8 @@
 
 namespace pedzone {
 
-/// A vehicle that braked harder than it likes to, for somebody who stepped in late.
+/// A vehicle that braked harder than it likes to, for somebody who stepped in late, or behind one
+/// that did.
 struct LateBraking {
   double time = 0.0;  ///< [s] when it began
   std::string vehicle;
@@ -62,6 +63,9 @@ class Yielding {
   void keep_lane_ends_free(std::span<FleetVehicle> vehicles, std::span<const PersonAhead> outside,
                            const SafeSpeeds& safe_speeds, double dt,
                            std::vector<std::optional<YieldOrder>>& planned);
+  bool braked_just_now(const FleetVehicle& vehicle, double time) const;
+  void keep_behind_late_brakers(std::span<FleetVehicle> vehicles, double time, double dt,
+                                std::vector<std::optional<YieldOrder>>& planned);
   void command(FleetVehicle& vehicle, const YieldOrder& order, std::vector<SpeedOrder>& out);
   std::optional<YieldOrder> plan_stop(FleetVehicle& vehicle, double dt);
   void give_back(FleetVehicle& vehicle, std::vector<SpeedOrder>& out);

@@ -187,6 +187,10 @@ TEST_F(FleetTest, follows_a_long_vehicle_in_whatever_direction) {
                 1e-6)
         << k;
     EXPECT_GT(fleet.vehicles()[1].follows_at, 1e9) << "the leader follows nobody";
+    ASSERT_TRUE(fleet.vehicles()[0].leader) << k;
+    EXPECT_EQ(fleet.vehicles()[0].leader->index, 1u) << k;
+    EXPECT_NEAR(fleet.vehicles()[0].leader->gap, kGap, 1e-6) << k;
+    EXPECT_FALSE(fleet.vehicles()[1].leader) << k;
   }
 }
 

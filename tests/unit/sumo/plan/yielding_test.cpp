@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+
 namespace pedzone {
 namespace {
 
@@ -159,6 +161,75 @@ TEST_F(YieldingTest, lets_it_stand_for_as_long_as_bodies_overlap) {
     yielding_.stop("shuttle");
     ASSERT_EQ(plan({}).back(), (SpeedOrder{"shuttle", 0.0}));
   }
+}
+
+/// A queue that drives at 10 m/s so close that nobody runs into the one ahead as long as all brake
+/// as they like to.
+class QueueTest : public testing::Test {
+ protected:
+  static constexpr double kSecond = 1.0;                              // [s] steps
+  static constexpr std::array<double, 3> kFronts{0.0, -10.0, -18.0};  // [m]
+
+  QueueTest() {
+    for (std::size_t i = 0; i < kFronts.size(); ++i) {
+      FleetVehicle& vehicle = queue_.emplace_back();
+      vehicle.id = "v" + std::to_string(i);
+      vehicle.speed = vehicle.allowed_speed = 10.0;
+      vehicle.front.x() = kFronts[i];
+      if (i > 0) vehicle.leader = {i - 1, 0.0};
+    }
+    aim();
+  }
+
+  void aim() {
+    for (FleetVehicle& vehicle : queue_) {
+      const double x = vehicle.front.x();
+      vehicle.way = {{x - 5.0, 0.0}, {x, 0.0}, {x + 60.0, 0.0}};
+      if (vehicle.leader) {
+        const FleetVehicle& leader = queue_[vehicle.leader->index];
+        vehicle.leader->gap = leader.front.x() - leader.traits.length - x;
+      }
+    }
+  }
+
+  /// As SUMO drives on at its clients' word: who is told nothing brakes as it likes to.
+  void step(const std::vector<PersonAhead>& people) {
+    const SafeSpeeds safe{[](const FleetVehicle&, double) { return 0.0; },
+                          [](const FleetVehicle&, double, double) { return 0.0; }};
+    yielding_.plan(queue_, people, {}, safe, time_, kSecond);
+    time_ += kSecond;
+    for (FleetVehicle& vehicle : queue_) {
+      const double likes = std::max(0.0, vehicle.speed - vehicle.traits.decel * kSecond);
+      vehicle.speed = vehicle.commanded >= 0.0 ? vehicle.commanded : likes;
+      vehicle.front.x() += vehicle.speed * kSecond;
+    }
+    aim();
+  }
+
+  std::vector<FleetVehicle> queue_;
+  double time_ = 0.0;  ///< [s]
+  std::vector<Zone> zones_{1};
+  Yielding yielding_{zones_};
+};
+
+TEST_F(QueueTest, keeps_its_gaps_behind_one_that_brakes_hard) {
+  const std::vector<PersonAhead> stepped_in{{{3.5, 0.0}, {0.0, 0.0}, 0.24}};
+  for (int k = 0; k < 3; ++k) {
+    step(stepped_in);
+    for (std::size_t i = 1; i < queue_.size(); ++i) {
+      EXPECT_GE(queue_[i].leader->gap, queue_[i].traits.min_gap) << i << " at " << time_;
+    }
+  }
+  for (const FleetVehicle& vehicle : queue_) EXPECT_EQ(vehicle.speed, 0.0) << vehicle.id;
+  EXPECT_EQ(yielding_.late_brakings().size(), 3u) << "all of them, and said";
+}
+
+TEST_F(QueueTest, is_left_alone_where_the_first_brakes_as_it_likes_to) {
+  const std::vector<PersonAhead> far{{{14.0, 0.0}, {0.0, 0.0}, 0.24}};
+  for (int k = 0; k < 6; ++k) step(far);
+  EXPECT_EQ(queue_[0].speed, 0.0);
+  EXPECT_THAT(yielding_.late_brakings(), IsEmpty());
+  EXPECT_LT(queue_[1].commanded, 0.0);
 }
 
 TEST_F(YieldingTest, does_not_touch_one_that_others_drive_whomever_it_runs_into) {
