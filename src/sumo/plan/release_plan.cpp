@@ -104,6 +104,12 @@ std::optional<Vec2> place_of(const Network& network, const ReleasePlan& plan) {
   return at.point + left_of(at.direction) * last.lateral.value_or(0.0);
 }
 
+bool ends_trip(const ZoneStretch& stretch, int stages_left) {
+  const bool arrives =
+      stretch.release == Release::kArrive || stretch.release == Release::kRemoveStage;
+  return arrives && stages_left == 1;
+}
+
 bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& kept) {
   const double room = radius + kVehicleSide;
   if (fleet.approaches(place, room, kVehicleLook)) return false;
@@ -115,6 +121,7 @@ bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt
 
 bool may_hand_over(const Walked& walked, const std::optional<Vec2>& place, const Fleet& fleet,
                    double dt, double& kept) {
+  if (walked.ends_trip) kept = kPatience;
   return may_release(walked.to, walked.radius, fleet, dt, kept) &&
          (!place || may_release(*place, walked.radius, fleet, dt, kept));
 }

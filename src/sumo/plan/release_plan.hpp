@@ -31,7 +31,12 @@ struct Walked {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();  ///< [m] before and after the step
   double radius = 0.24;                         ///< [m]
   double preferred_speed = 0.0;                 ///< [m/s]
+  bool ends_trip = false;                       ///< SUMO takes it out as soon as it has it
 };
+
+/// Whether a person at the end of that stretch has nothing left of its plan, with `stages_left`
+/// stages in SUMO.
+bool ends_trip(const ZoneStretch& stretch, int stages_left);
 
 /// How a person is given back after a step of `dt` [s]. `present_lane`: id of the lane that SUMO
 /// has it on.
@@ -55,7 +60,7 @@ std::optional<Vec2> place_of(const Network& network, const ReleasePlan& plan);
 bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& kept);
 
 /// Whether a person may be given back both where the crowd has walked it to and at `place` [m],
-/// where SUMO has it then.
+/// where SUMO has it then. Whose trip ends there waits for none that stands: it is walked nowhere.
 bool may_hand_over(const Walked& walked, const std::optional<Vec2>& place, const Fleet& fleet,
                    double dt, double& kept);
 

@@ -168,6 +168,30 @@ TEST_F(MayRelease, neither_at_its_own_place_nor_at_that_which_sumo_has_for_it) {
   EXPECT_TRUE(hand_over(far, far));
 }
 
+TEST_F(MayRelease, beside_whatever_stands_where_the_trip_ends) {
+  const auto hand_over = [&](bool ends_trip) {
+    return may_hand_over({kPlace, kPlace, kRadius, 1.2, ends_trip}, kPlace, fleet_, 0.1, held_);
+  };
+  vehicle(0.5, 0.0);
+  EXPECT_FALSE(hand_over(false));
+  EXPECT_TRUE(hand_over(true));
+  vehicle(9.0, 2.0);
+  EXPECT_FALSE(hand_over(true)) << "who comes would brake for it";
+}
+
+TEST_F(ReleasePlanTest, the_trip_ends_with_the_last_stage_if_it_ends_in_the_zone) {
+  ZoneStretch stretch;
+  for (const Release release : {Release::kArrive, Release::kRemoveStage}) {
+    stretch.release = release;
+    EXPECT_TRUE(ends_trip(stretch, 1));
+    EXPECT_FALSE(ends_trip(stretch, 2));
+  }
+  for (const Release release : {Release::kLeave, Release::kStepOver}) {
+    stretch.release = release;
+    EXPECT_FALSE(ends_trip(stretch, 1));
+  }
+}
+
 class LetGoTest : public testing::Test, protected test::FourEdges {
  protected:
   std::optional<ReleasePlan> let_go(const Vec2& position, const std::string& present,
