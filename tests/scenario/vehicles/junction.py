@@ -10,7 +10,7 @@ from SUMO's own messages and outputs:
 - no vehicle collides with another, and none is teleported that plain SUMO does not teleport
 - everybody arrives, and nobody walks longer than 3 times plain SUMO's time + 20 s
 In one run of six something of this may be wrong: one walk in 24 runs takes too long, and with steps
-of 1 s two cars meet in one run of 45.
+of 1 s two cars meet in one run of 36.
 Contacts of people whom pedzone walks are told, at insertions and others: the latter are tails that
 swing over people where a vehicle turns round, by some centimetres.
 """
