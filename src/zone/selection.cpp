@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view kPedestrianStreet = "highway.pedestrian";
 constexpr std::string_view kLivingStreet = "highway.living_street";
+constexpr double kStub = 2.0;  // [m] numerical: on shorter edges nobody is taken over or given back
 
 /// A lane for persons only beside lanes for vehicles.
 bool is_sidewalk(const Network& network, const Lane& lane) {
@@ -104,6 +105,32 @@ class NamedSelection {
   std::set<int> edges_, lanes_;
 };
 
+/// Whether it is a stub for people only between two of those junctions: where netconvert has cut a
+/// path to nearly nothing, people would be SUMO's for a step in the middle of the zone.
+bool is_stub(const Network& network, int edge, const std::set<std::string>& junctions) {
+  const Edge& its = network.edges[edge];
+  const int walking = walking_lane(network, edge);
+  return walking >= 0 && network.lanes[walking].length < kStub &&
+         std::ranges::none_of(its.lanes, [&](int lane) { return network.lanes[lane].vehicles; }) &&
+         junctions.contains(its.from) && junctions.contains(its.to);
+}
+
+void add_stubs(const Network& network, const std::vector<bool>& taken, Selection& selection) {
+  std::set<std::string> junctions;
+  for (const int edge : selection.edges) {
+    junctions.insert({network.edges[edge].from, network.edges[edge].to});
+  }
+  std::set<int> edges(selection.edges.begin(), selection.edges.end());
+  for (int edge = 0; edge < static_cast<int>(network.edges.size()); ++edge) {
+    if (taken[edge] || network.edges[edge].function != EdgeFunction::kNormal ||
+        !is_stub(network, edge, junctions) || !edges.insert(edge).second) {
+      continue;
+    }
+    selection.lanes.push_back(walking_lane(network, edge));
+  }
+  selection.edges.assign(edges.begin(), edges.end());
+}
+
 Selection select_by_rule(const Network& network, const std::vector<bool>& taken) {
   Selection selection;
   for (int edge = 0; edge < static_cast<int>(network.edges.size()); ++edge) {
@@ -115,6 +142,7 @@ Selection select_by_rule(const Network& network, const std::vector<bool>& taken)
       if (is_shared_space(network, lane)) selection.lanes.push_back(lane);
     }
   }
+  add_stubs(network, taken, selection);
   std::sort(selection.lanes.begin(), selection.lanes.end());
   return selection;
 }

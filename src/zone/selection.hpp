@@ -3,7 +3,8 @@
 // By the rule, where the user names none: edges of type highway.pedestrian and
 // highway.living_street, and lanes that the file opens to both persons and vehicles at no more
 // than 20 km/h. Lanes that are merely not closed to persons (netconvert's default) and sidewalks
-// stay SUMO's. An edge is in the zone when the lane that SUMO's persons walk on is.
+// stay SUMO's. An edge is in the zone when the lane that SUMO's persons walk on is. Stubs of paths,
+// shorter than 2 m, come with the streets whose junctions they join.
 #pragma once
 
 #include <vector>

@@ -21,6 +21,7 @@ from scenario import CheckError, open_bytes, parse_points, parse_xml
 SHARED_TYPES = ("highway.pedestrian", "highway.living_street")
 WALKABLE_POLYGONS = ("jupedsim.walkable_area", "pedzone.walkable")
 OBSTACLE_POLYGONS = ("building", "jupedsim.obstacle", "pedzone.obstacle")
+STUB = 2.0  # [m] shorter paths between junctions of the zone come with it
 SHARED_SPEED = 5.6  # [m/s] at most on lanes that persons and vehicles share
 OPEN_SPACE = 12.0  # [m] round highway.pedestrian lanes
 LANE_WIDTH = 3.2  # [m] SUMO's, where a lane has none
@@ -154,6 +155,19 @@ class ZoneRule:
                     or lane.id in self.lanes)
         return edge.type in SHARED_TYPES or (lane.vehicles and lane.speed <= SHARED_SPEED)
 
+    def lanes_of(self, network):
+        """The lanes that are shared space, by id; without a zone file also stubs of paths."""
+        edges = [edge for edge in network.edges.values() if edge.function == "normal"]
+        taken = {lane.id: lane for edge in edges for lane in edge.lanes if self.takes(edge, lane)}
+        if self.edges or self.edge_types or self.lanes:
+            return taken
+        junctions = {end for lane in taken.values() for end in network.edges[lane.edge].ends}
+        for edge in edges:
+            if set(edge.ends) <= junctions and not any(lane.vehicles for lane in edge.lanes):
+                taken.update((lane.id, lane) for lane in edge.lanes
+                             if lane.persons and lane.length < STUB)
+        return taken
+
     def reach(self, edge):
         """[m] beyond the lane's own width."""
         if self.open_space is not None:
@@ -220,8 +234,7 @@ class ZoneArea:
 
     def __init__(self, network, polygons, rule):
         self._network = network
-        zone = {lane.id: lane for edge in network.edges.values() for lane in edge.lanes
-                if rule.takes(edge, lane)}
+        zone = rule.lanes_of(network)
         if not zone:
             raise CheckError("the network has no shared space")
         self.lane_count = len(zone)

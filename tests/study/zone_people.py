@@ -105,8 +105,7 @@ def main():
         measured = {key: float(value) for key, value in
                     (line.rsplit(" ", 1) for line in text.splitlines() if line.startswith("person."))}
         rule, network = ZoneRule(), read_network(read_scenario(scenario).net_file)
-        edges = {edge.id for edge in network.edges.values()
-                 if any(rule.takes(edge, lane) for lane in edge.lanes)}
+        edges = {lane.edge for lane in rule.lanes_of(network).values()}
         fcd = read_fcd(str(folder / "fcd.xml.gz"))
         persons, _ = read_trips(folder / "tripinfo.xml", float(end))
         inside = rows_in_zone(fcd, edges)

@@ -204,7 +204,7 @@ std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& v
                                                const Fleet& fleet) const {
   if (!view.arrived || !may_be_given_back(guest.watch, plan_of(guest.id))) return std::nullopt;
   const Walked walked{guest.position, view.position, guest.radius, guest.preferred_speed,
-                      ends_trip(guest.stretch, sumo_.stages_left(guest.id))};
+                      ends_trip(guest.stretch, guest.watch.stages_left)};
   ReleasePlan plan = plan_release(network_, guest.stretch, walked, sumo_.lane(guest.id), dt);
   if (!may_hand_over(walked, place_of(network_, plan), fleet, dt, guest.kept)) return std::nullopt;
   return plan;

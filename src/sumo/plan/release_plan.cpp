@@ -110,20 +110,20 @@ bool ends_trip(const ZoneStretch& stretch, int stages_left) {
   return arrives && stages_left == 1;
 }
 
-bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& kept) {
-  const double room = radius + kVehicleSide;
+bool may_release(const Vec2& place, const Walked& walked, const Fleet& fleet, double dt,
+                 double& kept) {
+  const double room = walked.radius + kVehicleSide;
   if (fleet.approaches(place, room, kVehicleLook)) return false;
   const FleetVehicle* beside = fleet.waiting_beside(place, room);
-  if (beside == nullptr || kept >= kPatience) return true;
+  if (beside == nullptr || walked.ends_trip || kept >= kPatience) return true;
   if (beside->commanded >= 0.0 || beside->lets_go) kept += dt;
   return false;
 }
 
 bool may_hand_over(const Walked& walked, const std::optional<Vec2>& place, const Fleet& fleet,
                    double dt, double& kept) {
-  if (walked.ends_trip) kept = kPatience;
-  return may_release(walked.to, walked.radius, fleet, dt, kept) &&
-         (!place || may_release(*place, walked.radius, fleet, dt, kept));
+  return may_release(walked.to, walked, fleet, dt, kept) &&
+         (!place || may_release(*place, walked, fleet, dt, kept));
 }
 
 }  // namespace pedzone

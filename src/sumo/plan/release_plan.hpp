@@ -56,11 +56,13 @@ std::optional<Vec2> place_of(const Network& network, const ReleasePlan& plan);
 
 /// Whether a person may be given back at `place` [m]. SUMO walks people into vehicles: not beside
 /// one that moves or will. For one that waits for people a person does not wait for ever, since
-/// that may be the one it waits for: `kept` [s] counts how long it has.
-bool may_release(const Vec2& place, double radius, const Fleet& fleet, double dt, double& kept);
+/// that may be the one it waits for: `kept` [s] counts how long it has. Whose trip ends there waits
+/// for none that stands: it is walked nowhere.
+bool may_release(const Vec2& place, const Walked& walked, const Fleet& fleet, double dt,
+                 double& kept);
 
 /// Whether a person may be given back both where the crowd has walked it to and at `place` [m],
-/// where SUMO has it then. Whose trip ends there waits for none that stands: it is walked nowhere.
+/// where SUMO has it then.
 bool may_hand_over(const Walked& walked, const std::optional<Vec2>& place, const Fleet& fleet,
                    double dt, double& kept);
 

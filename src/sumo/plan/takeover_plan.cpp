@@ -33,7 +33,8 @@ double left_on_last(const Network& network, const ZoneStretch& stretch, const Ve
 
 bool worth_while(const Network& network, const ZoneStretch& stretch, int index,
                  const Vec2& position) {
-  return stretch.last != index || left_on_last(network, stretch, position) >= kWorthWhile;
+  return stretch.release == Release::kStepOver || stretch.last != index ||
+         left_on_last(network, stretch, position) >= kWorthWhile;
 }
 
 /// Whether people get from one place to another over a street of the zone.

@@ -1,14 +1,16 @@
 #include "sumo/plan/zone_route.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "zone/lane_geometry.hpp"
 
 namespace pedzone {
 namespace {
 
-constexpr double kLongStep = 3.0;  // [m] assumed: so far over a junction nobody watches the way
+constexpr double kShortStep = 1.0;   // [m] numerical: from the zone's wall to where an edge begins
+constexpr double kLongStep = 3.0;    // [m] assumed: so far over a junction nobody watches the way
+constexpr double kEntryInset = 0.3;  // [m] numerical: on the edge that is stepped over to
+constexpr double kWayRound = 1.5;    // numerical: a longer way than so many times the straight one
 
 /// Whether the person leaves `edge` towards `next` at the edge's end (true) or its beginning
 /// (false). Nothing when they do not meet, or when they meet at both ends and the person comes
@@ -91,24 +93,63 @@ std::optional<ZoneStretch> arrive_at(const Network& network, const std::vector<i
   return stretch;
 }
 
-/// Whether SUMO's persons pass from one edge to the other over a single walking area.
-bool share_walking_area(const Network& network, int a, int b) {
-  std::set<int> beside_a, beside_b;
+/// The walking areas that an edge is joined to.
+std::vector<int> walking_areas_beside(const Network& network, int edge) {
+  std::vector<int> areas;
   for (const Connection& connection : network.connections) {
-    const int from = network.lanes[connection.from].edge;
-    const int to = network.lanes[connection.to].edge;
-    for (const auto& [edge, area] : {std::pair(from, to), std::pair(to, from)}) {
-      if (network.edges[area].function != EdgeFunction::kWalkingArea) continue;
-      if (edge == a) beside_a.insert(area);
-      if (edge == b) beside_b.insert(area);
-    }
+    const int from = network.lanes[connection.from].edge, to = network.lanes[connection.to].edge;
+    if (from != edge && to != edge) continue;
+    const int other = from == edge ? to : from;
+    if (network.edges[other].function == EdgeFunction::kWalkingArea) areas.push_back(other);
   }
-  return std::any_of(beside_a.begin(), beside_a.end(),
-                     [&](int area) { return beside_b.contains(area); });
+  return areas;
 }
 
-/// Across the zone's last junction onto the edge after it. Nothing where SUMO would have to guess
-/// in which direction the person then walks.
+/// Whether SUMO's persons pass from one edge to the other over a single walking area.
+bool share_walking_area(const Network& network, int a, int b) {
+  const std::vector<int> areas = walking_areas_beside(network, a);
+  const std::vector<int> others = areas.empty() ? areas : walking_areas_beside(network, b);
+  return std::ranges::find_first_of(areas, others) != areas.end();
+}
+
+/// Across the lane's end at `position` [m] as far as the zone's walls let people; nothing where
+/// they end more than `farthest` [m] before it.
+std::optional<Destination> before_entry(const Zone& zone, const Lane& lane, double position,
+                                        double farthest) {
+  const Destination entry = across_lane(lane, position);
+  const Vec2 middle = 0.5 * (entry.a + entry.b);
+  const Vec2 inside = zone.walls.nearest_inside(middle, kWayClearance);
+  if ((inside - middle).norm() > farthest) return std::nullopt;
+  const auto to_side = [&](const Vec2& end) -> Vec2 {
+    const Vec2 at = zone.walls.nearest_inside(inside + (end - middle), kWayClearance);
+    return (at - inside).norm() <= (end - middle).norm() ? at : inside;
+  };
+  return Destination{to_side(entry.a), to_side(entry.b)};
+}
+
+/// Whether people get there from the edge's nearer end with no long way round.
+bool is_near_end(const Network& network, const Zone& zone, int edge, const Destination& there) {
+  const Polyline& shape = network.lanes[walking_lane(network, edge)].shape;
+  const Vec2 middle = 0.5 * (there.a + there.b);
+  const double front = (shape.front() - middle).norm(), back = (shape.back() - middle).norm();
+  const Vec2 end = front < back ? shape.front() : shape.back();
+  return zone.ways.distance(end, middle) <= kWayRound * std::min(front, back) + kShortStep;
+}
+
+/// The lane of an edge of the stretch that SUMO can put a person on for a moment; -1: none.
+int hop_within(const Network& network, const std::vector<int>& route, int first, int last) {
+  for (int i = first; i <= last; ++i) {
+    if (!is_too_short(network, route[i]) && is_first_occurrence(route, i)) {
+      return walking_lane(network, route[i]);
+    }
+  }
+  return -1;
+}
+
+/// Across the zone's last junction onto the edge after it, where the crowd can walk the person all
+/// the way: SUMO would squeeze it past vehicles that stand there. Behind an edge too short to be
+/// put on, also where the last metres are not the zone's. Nothing where SUMO would have to guess in
+/// which direction the person then walks.
 std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
                                      const std::vector<int>& route, int first, int last) {
   const int next = last + 1;
@@ -117,23 +158,20 @@ std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
   const auto forward = leaves_forward(network, route[last], route[next], route[next + 1]);
   if (lane < 0 || network.lanes[lane].length < 2.0 * kPortalInset || !forward) return {};
   if (!passes_through(network, route[last], route[next], route[next + 1])) return {};
-  if (!share_walking_area(network, route[last], route[next])) return {};
   ZoneStretch stretch;
   stretch.last = last;
   stretch.release = Release::kStepOver;
   stretch.lane = lane;
+  stretch.hop_lane = hop_within(network, route, first, last);
   stretch.forward = *forward;
   const double length = network.lanes[lane].length;
-  stretch.position = *forward ? kPortalInset : length - kPortalInset;
-  for (int i = first; i < last && stretch.hop_lane < 0; ++i) {
-    if (!is_too_short(network, route[i]) && is_first_occurrence(route, i)) {
-      stretch.hop_lane = walking_lane(network, route[i]);
-    }
-  }
-  const Vec2 entry = point_on_lane(network.lanes[lane], *forward ? 0.0 : length).point;
-  const Vec2 inside = zone.walls.nearest_inside(entry, kWayClearance);
-  if (stretch.hop_lane < 0 || (inside - entry).norm() > kLongStep) return {};
-  stretch.destination = {inside, inside};
+  stretch.position = *forward ? kEntryInset : length - kEntryInset;
+  const auto there = before_entry(zone, network.lanes[lane], *forward ? 0.0 : length,
+                                  is_too_short(network, route[last]) ? kLongStep : kShortStep);
+  if (stretch.hop_lane < 0 || !there) return {};
+  if (!share_walking_area(network, route[last], route[next])) return {};
+  if (!is_near_end(network, zone, route[last], *there)) return {};
+  stretch.destination = *there;
   return stretch;
 }
 
@@ -165,9 +203,7 @@ std::optional<ZoneStretch> plan_stretch(const Network& network, const Zone& zone
   const int end = static_cast<int>(route.size());
   while (last + 1 < end && linked(zone, route[last], route[last + 1])) ++last;
   if (last + 1 < end) {
-    if (is_too_short(network, route[last])) {
-      if (const auto stretch = step_over(network, zone, route, first, last)) return stretch;
-    }
+    if (const auto stretch = step_over(network, zone, route, first, last)) return stretch;
   }
   for (; last >= first; --last) {
     if (is_too_short(network, route[last])) continue;

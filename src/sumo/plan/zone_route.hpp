@@ -4,7 +4,8 @@
 //   route:   e0      e1      e2      e3      e4
 //   zone:           [--------- zone --------]
 //   stretch:         first          last    next
-//                    taken over     released ~1 m before the end of `last`; SUMO walks on
+//                    taken over     released ~1 m before the end of `last`; SUMO walks on.
+//                                   Where the zone has the junction, too: at the begin of `next`
 #pragma once
 
 #include <optional>
@@ -33,7 +34,8 @@ enum class Release {
   kLeave,        ///< the route goes on: moveTo the last lane, near its end
   kArrive,       ///< the walk ends in the zone: moveTo the arrival position
   kRemoveStage,  ///< a route of one edge with one lane: no lane to hop over
-  kStepOver,     ///< the zone ends with edges too short to be put on: moveTo the edge after it
+  kStepOver,     ///< the zone has the junction, too, or ends with edges too short to be put on:
+                 ///< moveTo the edge after it
 };
 
 /// The part of a route that pedzone walks.

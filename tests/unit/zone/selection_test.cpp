@@ -199,6 +199,24 @@ TEST(Selection, the_speed_limit_of_shared_lanes_is_20_kilometres_per_hour) {
   }
 }
 
+TEST(Selection, stubs_of_footways_between_junctions_of_the_zone_come_with_it) {
+  Scene scene;
+  scene.add({"west", {{0, 0}, {50, 0}}, "highway.pedestrian", "A", "B"});
+  scene.add({"east", {{60, 0}, {110, 0}}, "highway.pedestrian", "C", "D"});
+  const auto add_footway = [&](const std::string& id, double length, const std::string& to,
+                               bool vehicles = false) {
+    Street street{id, {{54, 0}, {54 + length, 0}}, "highway.footway", "B", to};
+    street.vehicles = vehicles;
+    street.speed = 13.9;
+    scene.add(street);
+  };
+  add_footway("stub", 0.2, "C");
+  add_footway("long", 2.5, "C");
+  add_footway("astray", 0.2, "X");
+  add_footway("road", 0.2, "C", true);
+  EXPECT_THAT(edge_ids(scene.network(), scene.zone()), ElementsAre("east", "stub", "west"));
+}
+
 TEST(Selection, edges_without_types_are_brought_in_by_their_ids) {
   Scene scene;
   scene.add({"in", {{0, 0}, {50, 0}}});

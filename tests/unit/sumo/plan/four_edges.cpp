@@ -46,6 +46,22 @@ int FourEdges::add_edge(const std::string& id, const std::string& from, const st
 
 void FourEdges::link(int a, int b) { zone.links.insert({std::min(a, b), std::max(a, b)}); }
 
+void FourEdges::has_space(const Ring& outline) {
+  const Region space{Polygon{outline, {}}};
+  zone.walls = WallIndex(space);
+  zone.ways = WayFinder(space, kWayClearance);
+}
+
+int FourEdges::add_walking_area() {
+  const int area = add_edge(":D_w0", "", "", 150, 152);
+  network.edges[area].function = EdgeFunction::kWalkingArea;
+  connect(lane_of(e2), lane_of(area));
+  connect(lane_of(area), lane_of(e3));
+  network.lanes[lane_of(e3)].shape.front().x() = 152.0;
+  has_space({{50, -2}, {152, -2}, {152, 2}, {50, 2}});
+  return add_edge("e4", "E", "F", 200, 250);
+}
+
 void FourEdges::connect(int from_lane, int to_lane) {
   network.connections.push_back({from_lane, to_lane});
 }

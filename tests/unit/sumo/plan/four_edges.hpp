@@ -20,6 +20,11 @@ struct FourEdges {
   void link(int a, int b);
   /// Vehicles pass from a lane to another.
   void connect(int from_lane, int to_lane);
+  /// What of the zone is walkable.
+  void has_space(const Ring& outline);
+  /// People pass over it between e2 and e3, which begins 2 m later, and the zone has it, too.
+  /// Returns an edge that they come to after e3.
+  int add_walking_area();
   int lane_of(int edge) const { return network.edges[edge].lanes[0]; }
   std::vector<Zone> zones() const { return {zone}; }
 

@@ -99,7 +99,9 @@ TEST_F(ReleasePlanTest, tells_where_sumo_has_the_person_then) {
 
 class MayRelease : public testing::Test, protected test::FourEdges {
  protected:
-  bool ask(double dt = 0.1) { return may_release(kPlace, kRadius, fleet_, dt, held_); }
+  bool ask(double dt = 0.1) {
+    return may_release(kPlace, {kPlace, kPlace, kRadius, 1.2}, fleet_, dt, held_);
+  }
 
   /// The only vehicle: its front `before` [m] before the place.
   FleetVehicle& vehicle(double before, double speed) {

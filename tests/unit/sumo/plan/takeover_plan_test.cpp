@@ -64,6 +64,15 @@ TEST_F(TakeoverPlanTest, person_as_good_as_through_stays_sumos) {
   EXPECT_TRUE(plan(e1));
 }
 
+TEST_F(TakeoverPlanTest, unless_it_would_step_over_the_zones_last_junction) {
+  add_walking_area();
+  walker_.edges = {"e0", "e1", "e2", "e3", "e4"};
+  walker_.position = {149.8, 0.0};
+  const auto found = plan(e2);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->stretch.release, Release::kStepOver);
+}
+
 TEST_F(TakeoverPlanTest, person_whose_plan_has_changed_goes_on_however_short_the_rest) {
   walker_.position = {149.0, 0.0};
   EXPECT_FALSE(plan(e2));

@@ -99,11 +99,64 @@ TEST_F(ZoneRouteTest, steps_over_the_last_junction_where_the_zone_ends_with_a_sh
   EXPECT_EQ(stretch->last, 2);
   EXPECT_EQ(network.lanes[stretch->lane].id, "path_0");
   EXPECT_EQ(network.lanes[stretch->hop_lane].id, "e1_0");
-  EXPECT_DOUBLE_EQ(stretch->position, kPortalInset);
+  EXPECT_LT(stretch->position, kPortalInset);
   EXPECT_LE(stretch->destination.a.x(), 152.0);
   EXPECT_GT(stretch->destination.a.x(), 151.0);
   // Where the walk ends on that edge SUMO would guess the direction.
   EXPECT_EQ(plan_stretch(network, zone, {e1, e2, stub, path}, 0, 20.0)->release, Release::kLeave);
+}
+
+class StepOver : public ZoneRouteTest {
+ protected:
+  Release release() const {
+    return plan_stretch(network, zone, {e0, e1, e2, e3, e4_}, 1, 20.0)->release;
+  }
+
+  const int e4_ = add_walking_area();
+};
+
+TEST_F(StepOver, across_a_junction_of_the_zone) {
+  const auto stretch = plan_stretch(network, zone, {e0, e1, e2, e3, e4_}, 1, 20.0);
+  ASSERT_TRUE(stretch);
+  EXPECT_EQ(stretch->release, Release::kStepOver);
+  EXPECT_EQ(stretch->last, 2);
+  EXPECT_EQ(network.lanes[stretch->lane].id, "e3_0");
+  EXPECT_EQ(network.lanes[stretch->hop_lane].id, "e1_0");
+  EXPECT_LT(stretch->position, kPortalInset);
+  const Destination& there = stretch->destination;
+  EXPECT_NEAR(there.a.x(), 152.0 - kWayClearance, 0.01);
+  EXPECT_GT(std::abs(there.a.y() - there.b.y()), 3.0) << "as wide as the lane";
+}
+
+TEST_F(StepOver, by_way_of_the_last_edge_where_that_is_all) {
+  const auto stretch = plan_stretch(network, zone, {e0, e1, e2, e3, e4_}, 2, 20.0);
+  ASSERT_TRUE(stretch);
+  EXPECT_EQ(stretch->release, Release::kStepOver);
+  EXPECT_EQ(network.lanes[stretch->hop_lane].id, "e2_0");
+}
+
+TEST_F(StepOver, not_where_the_junction_is_not_the_zones) {
+  has_space({{50, -2}, {150.5, -2}, {150.5, 2}, {50, 2}});
+  EXPECT_EQ(release(), Release::kLeave);
+}
+
+TEST_F(StepOver, not_where_only_a_long_way_leads_there) {
+  has_space({{50, -2},
+             {150, -2},
+             {150, 20},
+             {151, 20},
+             {151, -2},
+             {152, -2},
+             {152, 22},
+             {149, 22},
+             {149, 2},
+             {50, 2}});
+  EXPECT_EQ(release(), Release::kLeave);
+}
+
+TEST_F(StepOver, not_where_other_than_a_walking_area_lies_between) {
+  network.connections.pop_back();
+  EXPECT_EQ(release(), Release::kLeave);
 }
 
 TEST_F(ZoneRouteTest, is_not_planned_on_a_short_edge_alone) {
