@@ -10,12 +10,11 @@
 namespace pedzone {
 namespace {
 
-constexpr double kApart = 15.0;     // [m] assumed: a shorter walk is none
-constexpr int kDraws = 50;          // numerical: then the longest of them is taken
-constexpr double kShortEdge = 2.0;  // [m] persons put on shorter ones can make SUMO abort
-constexpr double kInset = 1.0;      // [m] from the ends of an edge, where junctions begin
-constexpr double kSide = 0.4;       // [m] assumed: half the distance of two who walk abreast
-constexpr double kRow = 0.9;        // [m] assumed: from one row of a group to the next
+constexpr double kApart = 15.0;  // [m] assumed: a shorter walk is none
+constexpr int kDraws = 50;       // numerical: then the longest of them is taken
+constexpr double kInset = 1.0;   // [m] from the ends of an edge, where junctions begin
+constexpr double kSide = 0.4;    // [m] assumed: half the distance of two who walk abreast
+constexpr double kRow = 0.9;     // [m] assumed: from one row of a group to the next
 
 const Zone& zone_named(const DemandInput& input, const PanelSpec& spec) {
   const auto found = std::ranges::find(input.zones, spec.zone, &Zone::id);
@@ -28,8 +27,7 @@ std::set<int> zone_edges(const DemandInput& input, const PanelSpec& spec) {
   std::set<int> edges;
   const auto add = [&](const Zone& zone) {
     for (const int edge : zone.edges) {
-      const int lane = walking_lane(input.network, edge);
-      if (lane >= 0 && input.network.lanes[lane].length >= kShortEdge) edges.insert(edge);
+      if (!is_too_short(input.network, edge)) edges.insert(edge);
     }
   };
   if (!spec.zone.empty()) {

@@ -13,4 +13,9 @@ int walking_lane(const Network& network, int edge) {
   return shared;
 }
 
+bool is_too_short(const Network& network, int edge) {
+  const int lane = walking_lane(network, edge);
+  return lane < 0 || network.lanes[lane].length < kShortEdge;
+}
+
 }  // namespace pedzone

@@ -6,13 +6,13 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "zone/links.hpp"
 
 namespace pedzone {
 namespace {
 
 constexpr std::string_view kPedestrianStreet = "highway.pedestrian";
 constexpr std::string_view kLivingStreet = "highway.living_street";
-constexpr double kStub = 2.0;  // [m] numerical: on shorter edges nobody is taken over or given back
 
 /// A lane for persons only beside lanes for vehicles.
 bool is_sidewalk(const Network& network, const Lane& lane) {
@@ -109,10 +109,8 @@ class NamedSelection {
 /// path to nearly nothing, people would be SUMO's for a step in the middle of the zone.
 bool is_stub(const Network& network, int edge, const std::set<std::string>& junctions) {
   const Edge& its = network.edges[edge];
-  const int walking = walking_lane(network, edge);
-  return walking >= 0 && network.lanes[walking].length < kStub &&
-         std::ranges::none_of(its.lanes, [&](int lane) { return network.lanes[lane].vehicles; }) &&
-         junctions.contains(its.from) && junctions.contains(its.to);
+  return its.function == EdgeFunction::kNormal && !is_road(network, edge) &&
+         is_too_short(network, edge) && junctions.contains(its.from) && junctions.contains(its.to);
 }
 
 void add_stubs(const Network& network, const std::vector<bool>& taken, Selection& selection) {
@@ -122,10 +120,7 @@ void add_stubs(const Network& network, const std::vector<bool>& taken, Selection
   }
   std::set<int> edges(selection.edges.begin(), selection.edges.end());
   for (int edge = 0; edge < static_cast<int>(network.edges.size()); ++edge) {
-    if (taken[edge] || network.edges[edge].function != EdgeFunction::kNormal ||
-        !is_stub(network, edge, junctions) || !edges.insert(edge).second) {
-      continue;
-    }
+    if (taken[edge] || !is_stub(network, edge, junctions) || !edges.insert(edge).second) continue;
     selection.lanes.push_back(walking_lane(network, edge));
   }
   selection.edges.assign(edges.begin(), edges.end());

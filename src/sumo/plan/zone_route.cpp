@@ -7,10 +7,9 @@
 namespace pedzone {
 namespace {
 
-constexpr double kShortStep = 1.0;   // [m] numerical: from the zone's wall to where an edge begins
-constexpr double kLongStep = 3.0;    // [m] assumed: so far over a junction nobody watches the way
-constexpr double kEntryInset = 0.3;  // [m] numerical: on the edge that is stepped over to
-constexpr double kWayRound = 1.5;    // numerical: a longer way than so many times the straight one
+constexpr double kShortStep = 1.0;  // [m] numerical: from the zone's wall to where an edge begins
+constexpr double kLongStep = 3.0;   // [m] assumed: so far over a junction nobody watches the way
+constexpr double kWayRound = 1.5;   // numerical: a longer way than so many times the straight one
 
 /// Whether the person leaves `edge` towards `next` at the edge's end (true) or its beginning
 /// (false). Nothing when they do not meet, or when they meet at both ends and the person comes
@@ -176,11 +175,6 @@ std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
 }
 
 }  // namespace
-
-bool is_too_short(const Network& network, int edge) {
-  const int lane = walking_lane(network, edge);
-  return lane < 0 || network.lanes[lane].length < kShortEdge;
-}
 
 bool is_first_occurrence(const std::vector<int>& route, int index) {
   return std::find(route.begin(), route.begin() + index, route[index]) == route.begin() + index;

@@ -17,17 +17,12 @@
 
 namespace pedzone {
 
-/// Edges shorter than this are never the place of a takeover or release: persons put on them or
-/// taken from them make SUMO 1.15 abort in MSPModel_Striping::moveToNextLane (measured: 7 of 36
-/// runs with them, 0 of 60 without).
-constexpr double kShortEdge = 2.0;  // [m]
-
-/// Whether the edge is so short, or has no lane for people at all.
-bool is_too_short(const Network& network, int edge);
-
 /// How far before the end of the last edge a person goes back to SUMO. [m] numerical: leaves
 /// SUMO's model a lane to be on before the junction.
 constexpr double kPortalInset = 1.0;
+
+/// How far on the edge that it steps over to it goes back to SUMO. [m] numerical
+constexpr double kEntryInset = 0.3;
 
 /// How a walk is given back.
 enum class Release {

@@ -99,7 +99,7 @@ TEST_F(ZoneRouteTest, steps_over_the_last_junction_where_the_zone_ends_with_a_sh
   EXPECT_EQ(stretch->last, 2);
   EXPECT_EQ(network.lanes[stretch->lane].id, "path_0");
   EXPECT_EQ(network.lanes[stretch->hop_lane].id, "e1_0");
-  EXPECT_LT(stretch->position, kPortalInset);
+  EXPECT_DOUBLE_EQ(stretch->position, kEntryInset);
   EXPECT_LE(stretch->destination.a.x(), 152.0);
   EXPECT_GT(stretch->destination.a.x(), 151.0);
   // Where the walk ends on that edge SUMO would guess the direction.
@@ -122,7 +122,7 @@ TEST_F(StepOver, across_a_junction_of_the_zone) {
   EXPECT_EQ(stretch->last, 2);
   EXPECT_EQ(network.lanes[stretch->lane].id, "e3_0");
   EXPECT_EQ(network.lanes[stretch->hop_lane].id, "e1_0");
-  EXPECT_LT(stretch->position, kPortalInset);
+  EXPECT_DOUBLE_EQ(stretch->position, kEntryInset);
   const Destination& there = stretch->destination;
   EXPECT_NEAR(there.a.x(), 152.0 - kWayClearance, 0.01);
   EXPECT_GT(std::abs(there.a.y() - there.b.y()), 3.0) << "as wide as the lane";
