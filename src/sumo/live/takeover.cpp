@@ -19,6 +19,7 @@ Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
       sumo_(sumo),
       striping_share_(striping_share(dawdling)),
       zone_of_edge_(zones_of_edges(network, zones)),
+      entries_(entries_of_zones(network, zone_of_edge_)),
       bystanders_(zones),
       seen_(zones.size()) {}
 
@@ -153,7 +154,7 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id, int s
   const int zone = zone_of(edge_id);
   if (zone < 0) {  // whoever comes back is looked at again
     if (const auto past = past_.find(id); past != past_.end()) past->second.refused_edge = -1;
-    return false;
+    return consider_entry(id, edge_id, known_position, fleet);
   }
   const int edge = network_.edge_index.at(edge_id);
   PersonPast& past = past_[id];
@@ -166,6 +167,29 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id, int s
       plan_takeover(network_, zones_[zone], edge, *walker, known_position != nullptr, fleet, past);
   if (!plan || !add_guest(*walker, zone, *plan, fleet)) return true;
   totals_.take_over(past, known_position != nullptr);
+  return true;
+}
+
+/// False where nobody comes to a zone from that edge.
+bool Takeover::consider_entry(const std::string& id, const std::string& edge_id,
+                              const Vec2* known_position, const Fleet& fleet) {
+  constexpr double kNearEnd = 3.0;  // [m] numerical: farther away SUMO need not be asked
+  const auto edge = network_.edge_index.find(edge_id);
+  if (edge == network_.edge_index.end() || !entries_[edge->second]) return false;
+  const bool was_moved = known_position != nullptr;
+  const Polyline& shape = network_.lanes[walking_lane(network_, edge->second)].shape;
+  const Vec2& at = bystanders_.find(id)->position;
+  const bool near = (shape.front() - at).norm() < kNearEnd || (shape.back() - at).norm() < kNearEnd;
+  if (!was_moved && (!near || is_declared(id))) return true;
+  auto walker = sumo_.walker(id);
+  if (!walker) return true;
+  if (was_moved) walker->position = *known_position;
+  PersonPast& past = past_[id];
+  const auto entry = plan_entry(network_, zones_, zone_of_edge_, edge->second, *walker, was_moved,
+                                dt_, fleet, past);
+  if (entry && add_guest(*walker, entry->zone, entry->plan, fleet)) {
+    totals_.take_over(past, was_moved);
+  }
   return true;
 }
 
@@ -234,6 +258,7 @@ void Takeover::list_jams(double time) {
 
 void Takeover::write(double time, double dt, const Fleet& fleet) {
   list_jams(time);
+  dt_ = dt;
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     totals_.walk(guest.position, view, guest.preferred_speed, dt);

@@ -1,7 +1,8 @@
 // Takeover and release: persons of SUMO become pedzone's while they walk in a zone.
 //
 // The recipe is the only one of many measured that neither aborts SUMO 1.15 nor strands anybody:
-//   take over   on an ordinary edge of the zone, in a walking stage: moveToXY with no edge and
+//   take over   on an ordinary edge of the zone, or in the last step before a walking area from
+//               which the zone begins, in a walking stage: moveToXY with no edge and
 //               matchThreshold -1 in every step, so that SUMO's lane model skips the person.
 //               From a walking area it ends SUMO after the release ("Disconnected walk"), also
 //               with moveTo the edge's lane first: it keeps the inner edge (tried);
@@ -101,6 +102,8 @@ class Takeover {
   void take_new(double time, const Fleet& fleet);
   bool consider(const std::string& id, const std::string& edge, int stages_left,
                 const Vec2* known_position, const Fleet& fleet);
+  bool consider_entry(const std::string& id, const std::string& edge, const Vec2* known_position,
+                      const Fleet& fleet);
   bool add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan& plan, const Fleet& fleet);
   std::optional<ReleasePlan> hand_over(Guest& guest, const PersonView& view, double dt,
                                        const Fleet& fleet) const;
@@ -115,6 +118,8 @@ class Takeover {
   SumoPersons& sumo_;
   double striping_share_;          ///< of top speed, see takeover_plan.hpp
   std::vector<int> zone_of_edge_;  ///< -1: SUMO's
+  std::vector<bool> entries_;      ///< of edges: people come from there to a zone
+  double dt_ = 0.0;                ///< [s] of the last step
   Bystanders bystanders_;
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "core/random.hpp"
 #include "zone/lane_geometry.hpp"
@@ -9,8 +10,9 @@
 namespace pedzone {
 namespace {
 
-constexpr double kWorthWhile = 1.5;  // [m] numerical: a shorter way to the portal stays SUMO's
-constexpr double kStray = 1.0;       // [m] numerical: SUMO's place may lie so far outside the area
+constexpr double kWorthWhile = 1.5;   // [m] numerical: a shorter way to the portal stays SUMO's
+constexpr double kBeforeEntry = 0.2;  // [m] numerical: so far before an edge's end
+constexpr double kStray = 1.0;        // [m] numerical: SUMO's place may lie so far outside the area
 
 /// The route index of `edge` after `last`; -1 when it is not there or there more than once, for
 /// then SUMO does not tell which passage this is.
@@ -90,6 +92,19 @@ std::optional<TakeoverPlan> plan_walk(const Network& network, const Zone& zone,
   return plan;
 }
 
+/// Whether SUMO may have the person beyond the end of route[index] within a step of `dt` [s], on
+/// a walking area from which the route goes on with the next edge.
+bool is_about_to_leave(const Network& network, const std::vector<int>& route, int index,
+                       const WalkerSeen& walker, double dt) {
+  const int edge = route[index], next = route[index + 1];
+  const auto forward = leaves_forward(network, index > 0 ? route[index - 1] : -1, edge, next);
+  if (!forward) return false;
+  const Lane& lane = network.lanes[walking_lane(network, edge)];
+  const double at = project_on_lane(lane, walker.position).offset;
+  const double left = *forward ? lane.length - at : at;
+  return left <= walker.speed * dt + kBeforeEntry && share_walking_area(network, edge, next);
+}
+
 /// The middle of a destination's width, so narrow that a body there is within the street.
 Destination with_room(const Destination& portal, double radius) {
   const Vec2 along = portal.b - portal.a;
@@ -143,6 +158,43 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
   const bool departs = index == 0 && walker.speed == 0.0;
   plan->place_freely = !walked_until_now && (departs || fleet.touches(plan->start, walker.radius));
   return plan;
+}
+
+std::vector<bool> entries_of_zones(const Network& network, const std::vector<int>& zone_of_edge) {
+  std::set<std::string> junctions;
+  for (std::size_t e = 0; e < zone_of_edge.size(); ++e) {
+    if (zone_of_edge[e] >= 0) junctions.insert({network.edges[e].from, network.edges[e].to});
+  }
+  std::vector<bool> entries(network.edges.size());
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    const Edge& edge = network.edges[e];
+    entries[e] = edge.function == EdgeFunction::kNormal && zone_of_edge[e] < 0 &&
+                 !is_too_short(network, static_cast<int>(e)) &&
+                 (junctions.contains(edge.from) || junctions.contains(edge.to));
+  }
+  return entries;
+}
+
+std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zone>& zones,
+                                    const std::vector<int>& zone_of_edge, int edge,
+                                    const WalkerSeen& walker, bool walked_until_now, double dt,
+                                    const Fleet& fleet, PersonPast& past) {
+  const std::size_t number = plan_number(walker.stages_left, walker.edges);
+  const std::vector<int> route = edge_indices(network, walker.edges);
+  const int index = only_index(route, edge, past.plan == number ? past.last : -1);
+  const int next = index + 1;
+  if (index < 0 || next >= static_cast<int>(route.size()) || route[next] < 0) return std::nullopt;
+  const int zone = zone_of_edge[route[next]];
+  if (zone < 0) return std::nullopt;
+  if (!walked_until_now && !is_about_to_leave(network, route, index, walker, dt)) {
+    return std::nullopt;
+  }
+  auto plan = plan_walk(network, zones[zone], route, next, walker);
+  if (!plan) return std::nullopt;
+  if (past.plan != number) past.last = -1;
+  past.plan = plan->plan = number;
+  plan->place_freely = !walked_until_now && fleet.touches(plan->start, walker.radius);
+  return EntryPlan{zone, *plan};
 }
 
 Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius,

@@ -59,6 +59,24 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
                                           const WalkerSeen& walker, bool walked_until_now,
                                           const Fleet& fleet, PersonPast& past);
 
+/// Whether people can come from an edge to a junction of a zone's edges. No edge of a zone is one.
+std::vector<bool> entries_of_zones(const Network& network, const std::vector<int>& zone_of_edge);
+
+/// The walk of a person that comes into a zone.
+struct EntryPlan {
+  int zone = 0;  ///< index into the zones
+  TakeoverPlan plan;
+};
+
+/// Plans the walk of a person that is at the end of `edge`, before a zone, and comes from there
+/// onto a walking area: SUMO would squeeze it past vehicles that stand there, and from there nobody
+/// can be taken over. Nothing where it is not within a step of `dt` [s] of that end, or goes
+/// elsewhere. `walked_until_now`: as of plan_takeover(); it is then beyond that end.
+std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zone>& zones,
+                                    const std::vector<int>& zone_of_edge, int edge,
+                                    const WalkerSeen& walker, bool walked_until_now, double dt,
+                                    const Fleet& fleet, PersonPast& past);
+
 /// What becomes of a person once the crowd has it.
 enum class Entry {
   kWalks,

@@ -11,25 +11,6 @@ constexpr double kShortStep = 1.0;  // [m] numerical: from the zone's wall to wh
 constexpr double kLongStep = 3.0;   // [m] assumed: so far over a junction nobody watches the way
 constexpr double kWayRound = 1.5;   // numerical: a longer way than so many times the straight one
 
-/// Whether the person leaves `edge` towards `next` at the edge's end (true) or its beginning
-/// (false). Nothing when they do not meet, or when they meet at both ends and the person comes
-/// from the end: SUMO would then take it forward.
-std::optional<bool> leaves_forward(const Network& network, int before, int edge, int next) {
-  const Edge& here = network.edges[edge];
-  const Edge& there = network.edges[next];
-  const bool at_end = here.to == there.from || here.to == there.to;
-  const bool at_begin = here.from == there.from || here.from == there.to;
-  if (at_end && at_begin) {
-    if (before < 0) return std::nullopt;
-    const Edge& previous = network.edges[before];
-    const bool came_from_begin = here.from == previous.from || here.from == previous.to;
-    return came_from_begin ? std::optional(true) : std::nullopt;
-  }
-  if (at_end) return true;
-  if (at_begin) return false;
-  return std::nullopt;
-}
-
 /// Whether a person comes through `next` from one end to the other on its way from `edge` to
 /// `after`. Where it would turn round on it, SUMO 1.15 walks it off the wrong end.
 bool passes_through(const Network& network, int edge, int next, int after) {
@@ -104,13 +85,6 @@ std::vector<int> walking_areas_beside(const Network& network, int edge) {
   return areas;
 }
 
-/// Whether SUMO's persons pass from one edge to the other over a single walking area.
-bool share_walking_area(const Network& network, int a, int b) {
-  const std::vector<int> areas = walking_areas_beside(network, a);
-  const std::vector<int> others = areas.empty() ? areas : walking_areas_beside(network, b);
-  return std::ranges::find_first_of(areas, others) != areas.end();
-}
-
 /// Across the lane's end at `position` [m] as far as the zone's walls let people; nothing where
 /// they end more than `farthest` [m] before it.
 std::optional<Destination> before_entry(const Zone& zone, const Lane& lane, double position,
@@ -175,6 +149,28 @@ std::optional<ZoneStretch> step_over(const Network& network, const Zone& zone,
 }
 
 }  // namespace
+
+std::optional<bool> leaves_forward(const Network& network, int before, int edge, int next) {
+  const Edge& here = network.edges[edge];
+  const Edge& there = network.edges[next];
+  const bool at_end = here.to == there.from || here.to == there.to;
+  const bool at_begin = here.from == there.from || here.from == there.to;
+  if (at_end && at_begin) {
+    if (before < 0) return std::nullopt;
+    const Edge& previous = network.edges[before];
+    const bool came_from_begin = here.from == previous.from || here.from == previous.to;
+    return came_from_begin ? std::optional(true) : std::nullopt;
+  }
+  if (at_end) return true;
+  if (at_begin) return false;
+  return std::nullopt;
+}
+
+bool share_walking_area(const Network& network, int a, int b) {
+  const std::vector<int> areas = walking_areas_beside(network, a);
+  const std::vector<int> others = areas.empty() ? areas : walking_areas_beside(network, b);
+  return std::ranges::find_first_of(areas, others) != areas.end();
+}
 
 bool is_first_occurrence(const std::vector<int>& route, int index) {
   return std::find(route.begin(), route.begin() + index, route[index]) == route.begin() + index;

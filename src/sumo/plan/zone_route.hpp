@@ -50,6 +50,14 @@ std::vector<int> edge_indices(const Network& network, const std::vector<std::str
 /// Whether the route uses its edge `index` there for the first time: moveTo takes that place.
 bool is_first_occurrence(const std::vector<int>& route, int index);
 
+/// Whether the person leaves `edge` towards `next` at the edge's end (true) or its beginning
+/// (false). Nothing when they do not meet, or when they meet at both ends and the person comes
+/// from the end: SUMO would then take it forward. `before`: the edge that it comes from; -1: none.
+std::optional<bool> leaves_forward(const Network& network, int before, int edge, int next);
+
+/// Whether SUMO's persons pass from one edge to the other over a single walking area.
+bool share_walking_area(const Network& network, int a, int b);
+
 /// Plans the stretch of a walk that begins on route[first], which must be an edge of the zone. It
 /// goes on as long as the zone links the route's edges: where a signalled crossing lies between
 /// two of them, SUMO walks the person across.

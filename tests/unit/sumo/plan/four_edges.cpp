@@ -52,11 +52,16 @@ void FourEdges::has_space(const Ring& outline) {
   zone.ways = WayFinder(space, kWayClearance);
 }
 
-int FourEdges::add_walking_area() {
-  const int area = add_edge(":D_w0", "", "", 150, 152);
+void FourEdges::put_walking_area_between(int before, int after) {
+  const double x = network.lanes[lane_of(before)].shape.back().x();
+  const int area = add_edge(":" + network.edges[before].to + "_w0", "", "", x, x + 2.0);
   network.edges[area].function = EdgeFunction::kWalkingArea;
-  connect(lane_of(e2), lane_of(area));
-  connect(lane_of(area), lane_of(e3));
+  connect(lane_of(before), lane_of(area));
+  connect(lane_of(area), lane_of(after));
+}
+
+int FourEdges::add_walking_area() {
+  put_walking_area_between(e2, e3);
   network.lanes[lane_of(e3)].shape.front().x() = 152.0;
   has_space({{50, -2}, {152, -2}, {152, 2}, {50, 2}});
   return add_edge("e4", "E", "F", 200, 250);

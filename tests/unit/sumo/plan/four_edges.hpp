@@ -20,6 +20,8 @@ struct FourEdges {
   void link(int a, int b);
   /// Vehicles pass from a lane to another.
   void connect(int from_lane, int to_lane);
+  /// People pass over a walking area between the two.
+  void put_walking_area_between(int before, int after);
   /// What of the zone is walkable.
   void has_space(const Ring& outline);
   /// People pass over it between e2 and e3, which begins 2 m later, and the zone has it, too.

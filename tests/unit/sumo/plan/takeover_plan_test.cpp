@@ -97,6 +97,81 @@ TEST_F(TakeoverPlanTest, person_arriving_in_the_zone_counts_the_way_to_its_arriv
   EXPECT_TRUE(plan(e1)) << "beyond it: it walks back";
 }
 
+class Entering : public TakeoverPlanTest {
+ protected:
+  Entering() {
+    put_walking_area_between(e0, e1);
+    walker_.position = {49.7, 0.0};
+  }
+
+  std::optional<EntryPlan> enter(double dt = 0.1, bool walked_until_now = false) {
+    const std::vector<Zone> zones{zone};
+    return plan_entry(network, zones, zones_of_edges(network, zones), e0, walker_, walked_until_now,
+                      dt, fleet_, past_);
+  }
+};
+
+TEST_F(Entering, person_is_taken_over_before_sumo_has_it_on_a_walking_area) {
+  const auto entry = enter();
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(entry->zone, 0);
+  EXPECT_EQ(entry->plan.stretch.last, 2);
+  EXPECT_NEAR(entry->plan.start.x(), 50.0, 0.01) << "where the zone's area begins";
+  EXPECT_EQ(entry->plan.plan, past_.plan);
+}
+
+TEST_F(Entering, not_sooner_than_in_the_last_step_before_it) {
+  walker_.position = {49.6, 0.0};
+  EXPECT_FALSE(enter(0.1));
+  EXPECT_TRUE(enter(0.2));
+}
+
+TEST_F(Entering, against_the_direction_of_the_edge_too) {
+  zone.edges = {e0};
+  zone.lanes = {lane_of(e0)};
+  zone.links.clear();
+  has_space({{0, -2}, {50, -2}, {50, 2}, {0, 2}});
+  walker_.edges = {"e1", "e0"};
+  walker_.arrival_position = 10.0;
+  walker_.position = {50.2, 0.0};
+  const std::vector<Zone> zones{zone};
+  const std::vector<int> of_edges = zones_of_edges(network, zones);
+  EXPECT_TRUE(plan_entry(network, zones, of_edges, e1, walker_, false, 0.1, fleet_, past_));
+  walker_.position = {51.0, 0.0};
+  EXPECT_FALSE(plan_entry(network, zones, of_edges, e1, walker_, false, 0.1, fleet_, past_));
+}
+
+TEST_F(Entering, not_where_the_walk_does_not_lead_into_the_zone) {
+  walker_.edges = {"e0"};
+  EXPECT_FALSE(enter()) << "it ends before";
+  walker_.edges = {"e0", "e3"};
+  EXPECT_FALSE(enter());
+}
+
+TEST_F(Entering, not_where_other_than_a_walking_area_lies_between) {
+  network.connections.pop_back();
+  EXPECT_FALSE(enter());
+}
+
+TEST_F(Entering, who_walks_beyond_already_goes_on) {
+  walker_.position = {54.0, 0.0};
+  network.connections.clear();
+  EXPECT_FALSE(enter());
+  EXPECT_TRUE(enter(0.1, true));
+}
+
+TEST_F(Entering, people_come_from_edges_at_the_zones_junctions) {
+  const int brief = add_edge("brief", "D", "G", 150, 151);
+  const int far = add_edge("far", "H", "I", 300, 350);
+  const std::vector<bool> entries =
+      entries_of_zones(network, zones_of_edges(network, std::vector<Zone>{zone}));
+  EXPECT_TRUE(entries[e0]);
+  EXPECT_TRUE(entries[e3]);
+  EXPECT_FALSE(entries[e1]) << "of the zone";
+  EXPECT_FALSE(entries[brief]) << "nobody is taken over there";
+  EXPECT_FALSE(entries[far]);
+}
+
 TEST_F(TakeoverPlanTest, person_that_comes_twice_by_an_edge_is_left_where_sumo_does_not_tell_when) {
   walker_.edges = {"e1", "e0", "e1", "e2", "e3"};
   EXPECT_FALSE(plan(e1)) << "the first passage or the second?";
