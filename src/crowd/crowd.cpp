@@ -237,7 +237,7 @@ void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
   std::erase_if(present, [](const VehicleState& vehicle) { return !is_finite(vehicle); });
   if (state_->persons.walking > 0) {
     for (VehicleState& vehicle : present) {
-      vehicle.apart = keeps_apart(state_->zone.walls, vehicle);
+      vehicle.ground = ground_ahead(state_->zone.walls, vehicle);
     }
   }
   walk(*state_, dt);

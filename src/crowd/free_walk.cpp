@@ -13,19 +13,29 @@
 namespace pedzone {
 namespace {
 
-constexpr double kGap = 1.0;    // [m] assumed: left between bodies that hurry towards each other
+constexpr double kGap = 1.0;  // [m] assumed: left between bodies that hurry towards each other
+constexpr double kFasterThanPeople = 3.0;  // [m/s] assumed
 constexpr double kAhead = 1.0;  // [m] assumed: what somebody heads for is farther than the step
 
 /// A vehicle that people may mind within the step.
 struct Traffic {
-  Vec2 centre;
+  const VehicleState* vehicle;
   float noticed;   ///< [m] within which it is seen, or its horn is heard
   float loudness;  ///< as of VehicleShape; 0: its horn is all that is heard
   double around;   ///< [m] more: its body, its claim, its way within the step
 
-  /// [m] from its centre, within which somebody of that hearing [m] may mind it.
-  double reach(float hearing) const {
-    return static_cast<double>(std::max(noticed, hearing * loudness)) + around;
+  /// Whether somebody of that hearing [m] may mind it, from there or a step's `way` [m] on.
+  bool may_matter(const Vec2& from, float hearing, double way) const {
+    const double reach = static_cast<double>(std::max(noticed, hearing * loudness)) + around + way;
+    const bool near = (vehicle->centre - from).squaredNorm() < reach * reach;
+    return near && vehicle->concerns(from) && !leaves_behind(from, way);
+  }
+
+  /// Whether it has driven past somebody there, faster than people walk.
+  bool leaves_behind(const Vec2& from, double way) const {
+    const Vec2 ahead = unit(vehicle->heading);
+    const double gap = (vehicle->centre - from).dot(ahead) - 0.5 * vehicle->length;
+    return vehicle->velocity.dot(ahead) > kFasterThanPeople && gap > kGap + way;
   }
 };
 
@@ -33,11 +43,11 @@ std::vector<Traffic> traffic_of(const CrowdState& crowd, double dt) {
   const Senses senses = senses_of(crowd.zone.parameters, crowd.model->vehicle_form());
   std::vector<Traffic> traffic;
   for (const VehicleState& vehicle : crowd.vehicles) {
-    if (vehicle.apart) continue;
+    if (vehicle.apart()) continue;
     const double speed = vehicle.velocity.norm();
     const double body = 0.5 * std::hypot(vehicle.length, vehicle.width);
     traffic.push_back(
-        {vehicle.centre, std::max(senses.vehicle_sight, vehicle.horn ? kHornReach : 0.0F),
+        {&vehicle, std::max(senses.vehicle_sight, vehicle.horn ? kHornReach : 0.0F),
          vehicle.horn ? 0.0F : loudness_of(static_cast<float>(speed), vehicle.electric),
          body + vehicle.claim + speed * dt});
   }
@@ -118,7 +128,7 @@ std::vector<std::uint8_t> find_free(CrowdState& crowd, double dt) {
       const double way = longest_way(crowd, i, dt);
       const float hearing = hearing_of(crowd, i);
       const auto minds = [&](const Traffic& vehicle) {
-        return (vehicle.centre - crowd.position(i)).norm() < vehicle.reach(hearing) + way;
+        return vehicle.may_matter(crowd.position(i), hearing, way);
       };
       free[i] = walks_undisturbed(crowd, i) && room_ahead(crowd, i, way) &&
                         nobody_within_reach(crowd, i, way, most, widest, dt) &&

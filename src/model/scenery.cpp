@@ -67,7 +67,7 @@ void Scenery::prepare_vehicles() {
         const LatticePoint& c = vehicles_[i].centre;
         return LatticeBox{c.x - reach, c.y - reach, c.x + reach, c.y + reach};
       },
-      [&](std::size_t i, const LatticeBox&) { return !snapshot_.vehicles[i].apart; });
+      [&](std::size_t i, const LatticeBox&) { return !snapshot_.vehicles[i].apart(); });
 }
 
 Walker Scenery::walker(std::size_t i) const {

@@ -35,6 +35,8 @@ class Scenery {
   }
   /// Whether the person minds that vehicle, if it perceives it.
   bool minds(std::size_t person, std::size_t vehicle) const {
+    const Persons& persons = *snapshot_.persons;
+    if (!snapshot_.vehicles[vehicle].concerns({persons.x[person], persons.y[person]})) return false;
     return snapshot_.attention == nullptr || snapshot_.attention->minds(person, vehicle);
   }
 

@@ -1,6 +1,7 @@
 // Who is where, and how fast, at one moment. Frozen while people decide.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,9 @@ struct Persons {
   }
 };
 
+/// [m] assumed: nobody walks farther in the time that people look ahead (`discomfortHorizon`).
+inline constexpr double kGroundReach = 10.0;
+
 /// A vehicle: its rectangle and how that moves.
 struct VehicleState {
   Vec2 centre = Vec2::Zero();    ///< [m] of the rectangle
@@ -62,13 +66,24 @@ struct VehicleState {
   double lag = 0.0;              ///< [m] ≥ 0 it may be behind here: braked since the step began
   double slower = 0.0;           ///< [m/s] ≥ 0 at which that grows
   double starts = 0.0;           ///< [m] ≥ 0 it stands, and may drive off so far in the step
-  double length = 5.0, width = 1.8;  ///< [m]
-  std::uint64_t key = 0;             ///< of its id, while it is the same vehicle
-  bool electric = false;             ///< no engine is heard
-  bool horn = false;                 ///< sounds its horn
-  bool invites = false;              ///< signals "after you": people need not give way
-  bool apart = false;                ///< it drives beside the ground that people walk on, not on
-                                     ///< it: nobody minds it. Found by the crowd
+  double length = 5.0, width = 1.8;           ///< [m]
+  std::uint64_t key = 0;                      ///< of its id, while it is the same vehicle
+  bool electric = false;                      ///< no engine is heard
+  bool horn = false;                          ///< sounds its horn
+  bool invites = false;                       ///< signals "after you": people need not give way
+  Eigen::AlignedBox2d ground = everywhere();  ///< [m] where it is about to drive on the ground that
+                                              ///< people walk on. Found by the crowd
+
+  static Eigen::AlignedBox2d everywhere() {
+    constexpr double kFar = 1e12;  // [m] numerical
+    return {Vec2::Constant(-kFar), Vec2::Constant(kFar)};
+  }
+  /// Whether it drives beside that ground, not on it: nobody minds it.
+  bool apart() const { return ground.isEmpty(); }
+  /// Whether somebody there could get into its way while it looks ahead.
+  bool concerns(const Vec2& point) const {
+    return ground.squaredExteriorDistance(point) <= kGroundReach * kGroundReach;
+  }
 };
 
 struct Snapshot {

@@ -228,7 +228,7 @@ void list_slow_vehicles(const CrowdState& crowd, std::vector<std::uint32_t>& slo
   slow.clear();
   for (std::uint32_t v = 0; v < crowd.vehicles.size(); ++v) {
     const VehicleState& vehicle = crowd.vehicles[v];
-    if (lets_squeeze_past(vehicle.velocity.norm()) && !vehicle.apart) slow.push_back(v);
+    if (lets_squeeze_past(vehicle.velocity.norm()) && !vehicle.apart()) slow.push_back(v);
   }
 }
 

@@ -96,6 +96,20 @@ TEST(FreeWalk, ends_where_a_vehicle_can_be_seen) {
   }
 }
 
+TEST(FreeWalk, goes_on_behind_a_vehicle_that_has_driven_past) {
+  const auto decisions_behind = [](double from, double speed, int steps = 3) {
+    Footway footway;
+    footway.walk(10, 2, 190);
+    footway.scene.vehicles.push_back(vehicle_at({10 + from, 2}, 0.0, speed));
+    return footway.decisions_of(1, steps);
+  };
+  EXPECT_EQ(decisions_behind(8.0, 5.0), 1);
+  EXPECT_EQ(decisions_behind(8.0, 1.0), 10) << "it may catch up";
+  EXPECT_EQ(decisions_behind(8.0, -5.0), 10) << "it comes back";
+  EXPECT_EQ(decisions_behind(8.0, 3.1, 2), 1);
+  EXPECT_EQ(decisions_behind(3.1, 3.1, 2), 10) << "it is at hand";
+}
+
 TEST(FreeWalk, ends_where_a_vehicle_can_be_heard) {
   // Farther than it is seen: 45 m. The zone says 8 m of hearing.
   for (const double hearing : {8.0, 50.0}) {
