@@ -105,6 +105,14 @@ bool is_about_to_leave(const Network& network, const std::vector<int>& route, in
   return left <= walker.speed * dt + kBeforeEntry && share_walking_area(network, edge, next);
 }
 
+/// What is remembered of another plan than its present one does not count.
+void note_plan(const WalkerSeen& walker, PersonPast& past) {
+  const std::size_t number = plan_number(walker.stages_left, walker.edges);
+  if (past.plan == number) return;
+  past.plan = number;
+  past.last = -1;
+}
+
 /// The middle of a destination's width, so narrow that a body there is within the street.
 Destination with_room(const Destination& portal, double radius) {
   const Vec2 along = portal.b - portal.a;
@@ -133,11 +141,7 @@ std::vector<int> zones_of_edges(const Network& network, const std::vector<Zone>&
 std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zone, int edge,
                                           const WalkerSeen& walker, bool walked_until_now,
                                           const Fleet& fleet, PersonPast& past) {
-  const std::size_t number = plan_number(walker.stages_left, walker.edges);
-  if (past.plan != number) {
-    past.plan = number;
-    past.last = -1;
-  }
+  note_plan(walker, past);
   past.refused_edge = edge;  // unless all goes well below
   // In the step after a takeover SUMO still walks the person, but does not pass it on to its next
   // lane. Beyond the end of a short edge it hides that end from those who come after it: they walk
@@ -152,7 +156,7 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
     return std::nullopt;
   }
   past.refused_edge = -1;
-  plan->plan = number;
+  plan->plan = past.plan;
   // SUMO walks people through vehicles. Whom it brings here inside one is put beside it. (Whom the
   // crowd walked until now is where the crowd put it.)
   const bool departs = index == 0 && walker.speed == 0.0;
@@ -179,9 +183,9 @@ std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zo
                                     const std::vector<int>& zone_of_edge, int edge,
                                     const WalkerSeen& walker, bool walked_until_now, double dt,
                                     const Fleet& fleet, PersonPast& past) {
-  const std::size_t number = plan_number(walker.stages_left, walker.edges);
+  note_plan(walker, past);
   const std::vector<int> route = edge_indices(network, walker.edges);
-  const int index = only_index(route, edge, past.plan == number ? past.last : -1);
+  const int index = only_index(route, edge, past.last);
   const int next = index + 1;
   if (index < 0 || next >= static_cast<int>(route.size()) || route[next] < 0) return std::nullopt;
   const int zone = zone_of_edge[route[next]];
@@ -191,8 +195,7 @@ std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zo
   }
   auto plan = plan_walk(network, zones[zone], route, next, walker);
   if (!plan) return std::nullopt;
-  if (past.plan != number) past.last = -1;
-  past.plan = plan->plan = number;
+  plan->plan = past.plan;
   plan->place_freely = !walked_until_now && fleet.touches(plan->start, walker.radius);
   return EntryPlan{zone, *plan};
 }
