@@ -185,6 +185,8 @@ double hold_back(const CrowdState& crowd, std::uint32_t person, const VehicleSta
     for (const double share : {0.5, 1.0}) {
       keep(flanks_if_started(later, share * later.starts), beside);
     }
+    // Who comes to its front is seen there, and the vehicle stays: a step later they may pass.
+    keep(body_if_started(later, later.starts), straight);
   }
   return way;
 }

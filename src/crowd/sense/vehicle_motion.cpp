@@ -92,12 +92,18 @@ Rectangle body_shifted(const VehicleState& vehicle, double ahead) {
   return body;
 }
 
-Rectangle flanks_if_started(const VehicleState& vehicle, double ahead) {
+Rectangle body_if_started(const VehicleState& vehicle, double ahead) {
   const auto rear = rear_on_way(vehicle);
   const double most = rear ? length_of(vehicle.way) - *rear - vehicle.length : 0.0;
-  const double way = std::min({ahead, most, vehicle.length});
-  if (way <= 0.0) return rectangle_of(vehicle);
-  Rectangle body = body_on_way(vehicle, *rear + way);
+  const double way = std::min(ahead, most);
+  return way > 0.0 ? body_on_way(vehicle, *rear + way) : rectangle_of(vehicle);
+}
+
+Rectangle flanks_if_started(const VehicleState& vehicle, double ahead) {
+  Rectangle body = body_if_started(vehicle, std::min(ahead, vehicle.length));
+  const Vec2 front = body.centre + body.axis * body.half.x();
+  const Vec2 stands = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
+  const double way = (front - stands).norm();
   body.centre -= body.axis * (0.5 * way);
   body.half.x() -= 0.5 * way;
   return body;

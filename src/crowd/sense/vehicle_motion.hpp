@@ -19,6 +19,9 @@ VehicleState moved_on(const VehicleState& vehicle, double dt);
 /// Its body `ahead` [m] farther along its way than it is; < 0: behind.
 Rectangle body_shifted(const VehicleState& vehicle, double ahead);
 
+/// The body of a standing vehicle once it has driven off by `ahead` [m], or to the end of its way.
+Rectangle body_if_started(const VehicleState& vehicle, double ahead);
+
 /// The part of a standing vehicle's body beside which people stand now, once it has driven off by
 /// `ahead` [m]: on a bend it cuts the corner.
 Rectangle flanks_if_started(const VehicleState& vehicle, double ahead);

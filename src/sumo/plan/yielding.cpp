@@ -106,7 +106,8 @@ bool Yielding::braked_just_now(const FleetVehicle& vehicle, double time) const {
 
 /// Slows those behind one that brakes late, and those behind them: SUMO's vehicles keep a distance
 /// that is enough if nobody brakes harder than it likes to.
-void Yielding::keep_behind_late_brakers(std::span<FleetVehicle> vehicles, double time, double dt,
+void Yielding::keep_behind_late_brakers(std::span<FleetVehicle> vehicles,
+                                        const SafeSpeeds& safe_speeds, double time, double dt,
                                         std::vector<std::optional<YieldOrder>>& planned) {
   for (bool found = true; found;) {
     found = false;
@@ -117,9 +118,16 @@ void Yielding::keep_behind_late_brakers(std::span<FleetVehicle> vehicles, double
       if (!braked_just_now(leader, time)) continue;
       const auto& order = planned[vehicle.leader->index];
       const double likes = std::max(0.0, leader.speed - leader.traits.decel * dt);
-      const double needed = needed_deceleration_behind(vehicle, vehicle.leader->gap, leader.traits,
-                                                       order ? order->speed : likes, dt);
-      if (needed <= vehicle.traits.decel) continue;
+      const double next = order ? order->speed : likes, gap = vehicle.leader->gap;
+      const double needed = needed_deceleration_behind(vehicle, gap, leader.traits, next, dt);
+      if (needed <= vehicle.traits.decel) {
+        // SUMO takes the leader to brake as it likes to, and might let this one speed up.
+        const double room = std::max(0.0, gap - vehicle.traits.min_gap);
+        if (order && order->emergency) {
+          slow_to(safe_speeds.follow(vehicle, room, next), vehicle, dt, planned[i]);
+        }
+        continue;
+      }
       vehicle.pull = -needed;
       planned[i] = YieldOrder{std::max(0.0, vehicle.speed - needed * dt), true};
       note(vehicle, time);
@@ -189,7 +197,7 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
   }
   keep_junctions_clear(vehicles, safe_speeds, dt, planned);
   keep_lane_ends_free(vehicles, outside, safe_speeds, dt, planned);
-  keep_behind_late_brakers(vehicles, time, dt, planned);
+  keep_behind_late_brakers(vehicles, safe_speeds, time, dt, planned);
   std::vector<SpeedOrder> orders;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     if (planned[i]) command(vehicles[i], *planned[i], orders);

@@ -64,7 +64,8 @@ class Yielding {
                            const SafeSpeeds& safe_speeds, double dt,
                            std::vector<std::optional<YieldOrder>>& planned);
   bool braked_just_now(const FleetVehicle& vehicle, double time) const;
-  void keep_behind_late_brakers(std::span<FleetVehicle> vehicles, double time, double dt,
+  void keep_behind_late_brakers(std::span<FleetVehicle> vehicles, const SafeSpeeds& safe_speeds,
+                                double time, double dt,
                                 std::vector<std::optional<YieldOrder>>& planned);
   void command(FleetVehicle& vehicle, const YieldOrder& order, std::vector<SpeedOrder>& out);
   std::optional<YieldOrder> plan_stop(FleetVehicle& vehicle, double dt);

@@ -9,8 +9,9 @@ from SUMO's own messages and outputs:
 - emergency brakings, summed over all runs: at most plain SUMO's + 10 %
 - no vehicle collides with another, and none is teleported that plain SUMO does not teleport
 - everybody arrives, and nobody walks longer than 3 times plain SUMO's time + 20 s
-In one run of six something of this may be wrong: one walk in 24 runs takes too long, and with steps
-of 1 s two cars meet in one run of 36.
+In one run of twelve something of this may be wrong. Of 180 runs in steps of 1 s (seeds 1 to 90, with
+footways and without) four are: in two somebody has to cross a street's end, where a vehicle departs
+every 3 s, and in two two cars meet.
 Contacts of people whom pedzone walks are told, at insertions and others: the latter are tails that
 swing over people where a vehicle turns round, by some centimetres.
 """
@@ -150,7 +151,7 @@ def main():
                     ours, plain = ours + figures[0], plain + figures[1]
                     runs, wrong = runs + 1, wrong + bool(figures[2])
     print(f"emergency brakings {plain} -> {ours}; of {runs} runs {wrong} are wrong")
-    return 1 if ours > 1.1 * plain or wrong > runs / 6 else 0
+    return 1 if ours > 1.1 * plain or wrong > runs / 12 else 0
 
 
 if __name__ == "__main__":

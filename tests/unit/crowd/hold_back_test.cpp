@@ -65,5 +65,18 @@ TEST_F(HoldBack, from_the_flank_of_one_that_may_drive_off_on_a_bend) {
   EXPECT_LT(walked_to(beside, vehicle), standing - 0.05) << "it would cut the corner";
 }
 
+TEST_F(HoldBack, from_before_one_that_may_drive_off) {
+  VehicleState vehicle = vehicle_at({30, 10}, 0.0, 0.0);
+  const Polyline way{{27.5, 10.0}, {32.5, 10.0}, {60.0, 10.0}};
+  vehicle.way = way;
+  const double ahead = 30.0 + kFront + 2.0;
+  EXPECT_NEAR(walked_to(ahead, vehicle), 9.5, 0.05) << "it stands";
+  vehicle.starts = 2.6;
+  EXPECT_NEAR(walked_to(ahead, vehicle), 10.0 - kHalfWidth - kRadius, kRounding);
+  EXPECT_NEAR(walked_to(ahead, vehicle, 9.8), 11.3, 0.05) << "who is there already walks on";
+  vehicle.starts = 1.0;
+  EXPECT_NEAR(walked_to(ahead, vehicle), 9.5, 0.05) << "it does not get so far";
+}
+
 }  // namespace
 }  // namespace pedzone::test

@@ -62,7 +62,16 @@ TEST_F(JunctionClearance, is_not_kept_for_one_elsewhere) {
   EXPECT_FALSE(first()) << "before it on its lane: SUMO's matter";
   vehicles_ = before;
   vehicles_[1].front.x() = 30.0;
+  vehicles_[1].way = {{25.0, 0.0}, {30.0, 0.0}, {60.0, 0.0}};
   EXPECT_FALSE(first()) << "past its way";
+}
+
+TEST_F(JunctionClearance, is_kept_by_one_that_comes_for_one_that_people_hold) {
+  vehicles_[1].speed = 0.0;
+  vehicles_[1].commanded = 0.0;
+  EXPECT_TRUE(first()) << "it would have driven on";
+  vehicles_[0].junction.begin = 0.0;
+  EXPECT_FALSE(first()) << "both are inside: they might wait for each other";
 }
 
 TEST_F(JunctionClearance, is_sumos_matter_where_people_held_nobody) {
@@ -83,6 +92,24 @@ TEST_F(JunctionClearance, is_kept_by_one_of_two_inside) {
   EXPECT_TRUE(first()) << "it has farther to go";
   vehicles_[0].junction.end = 1.0;
   EXPECT_FALSE(first());
+  vehicles_[0].speed = 0.0;
+  EXPECT_TRUE(first()) << "it stands, so that the other does not wait for it";
+}
+
+TEST_F(JunctionClearance, is_kept_for_one_that_will_drive_across) {
+  FleetVehicle& inside = vehicles_[1];
+  inside.front.x() = -5.0;
+  inside.way = {{-10.0, 0.0}, {-5.0, 0.0}, {60.0, 0.0}};
+  inside.junction.end = 8.0;
+  const auto ahead = first();
+  ASSERT_TRUE(ahead) << "it gets there within 2 s";
+  EXPECT_NEAR(ahead->distance, 6.0 - 0.9, 0.3);
+  inside.junction.end = 2.0;
+  EXPECT_FALSE(first()) << "its way leaves the junction before";
+  inside.junction.end = 8.0;
+  inside.speed = 0.5;
+  inside.traits.accel = 0.5;
+  EXPECT_FALSE(first()) << "it takes longer";
 }
 
 TEST_F(JunctionClearance, slows_a_vehicle_as_it_likes_to_brake) {

@@ -232,6 +232,17 @@ TEST_F(QueueTest, is_left_alone_where_the_first_brakes_as_it_likes_to) {
   EXPECT_LT(queue_[1].commanded, 0.0);
 }
 
+TEST_F(QueueTest, does_not_speed_up_behind_one_that_brakes_hard) {
+  queue_.resize(2);
+  queue_[1].speed = 0.0;
+  const SafeSpeeds safe{[](const FleetVehicle& v, double) { return v.speed > 0.0 ? 0.0 : 9.0; },
+                        [](const FleetVehicle&, double, double speed) { return 0.1 * speed; }};
+  const std::vector<PersonAhead> stepped_in{{{3.5, 0.0}, {0.0, 0.0}, 0.24}};
+  yielding_.plan(queue_, stepped_in, {}, safe, 0.0, kSecond);
+  ASSERT_EQ(yielding_.late_brakings().size(), 1U);
+  EXPECT_NEAR(queue_[1].commanded, 0.1 * queue_[0].commanded, 1e-9) << "safe behind what is left";
+}
+
 TEST_F(YieldingTest, does_not_touch_one_that_others_drive_whomever_it_runs_into) {
   vehicle_.traits.external = true;
   yielding_.stop("shuttle");
