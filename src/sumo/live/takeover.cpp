@@ -173,13 +173,15 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id, int s
 /// False where nobody comes to a zone from that edge.
 bool Takeover::consider_entry(const std::string& id, const std::string& edge_id,
                               const Vec2* known_position, const Fleet& fleet) {
-  constexpr double kNearEnd = 3.0;  // [m] numerical: farther away SUMO need not be asked
+  constexpr double kFastest = 3.0;  // [m/s] numerical: who is farther away need not be asked for
   const auto edge = network_.edge_index.find(edge_id);
   if (edge == network_.edge_index.end() || !entries_[edge->second]) return false;
   const bool was_moved = known_position != nullptr;
-  const Polyline& shape = network_.lanes[walking_lane(network_, edge->second)].shape;
+  const Lane& lane = network_.lanes[walking_lane(network_, edge->second)];
   const Vec2& at = bystanders_.find(id)->position;
-  const bool near = (shape.front() - at).norm() < kNearEnd || (shape.back() - at).norm() < kNearEnd;
+  const double reach = kFastest * dt_ + 0.5 * lane.width;
+  const auto is_near = [&](const Vec2& end) { return (end - at).norm() < reach; };
+  const bool near = is_near(lane.shape.front()) || is_near(lane.shape.back());
   if (!was_moved && (!near || is_declared(id))) return true;
   auto walker = sumo_.walker(id);
   if (!walker) return true;
