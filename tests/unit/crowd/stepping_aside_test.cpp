@@ -113,6 +113,32 @@ TEST(SteppingAside, who_holds_up_a_vehicle_from_beside_does_not_wait_for_it) {
   EXPECT_GT(street.view(0).position.x(), 1.0) << "it could not drive past";
 }
 
+TEST(SteppingAside, nobody_waits_before_a_vehicle_for_who_comes_out_where_there_is_room_aside) {
+  const Zone widens = zone_of(Ring{{-30.0, -1.35},
+                                   {0.2, -1.35},
+                                   {0.2, -5.0},
+                                   {30.0, -5.0},
+                                   {30.0, 5.0},
+                                   {0.2, 5.0},
+                                   {0.2, 1.35},
+                                   {-30.0, 1.35}});
+  const Polyline way{{-4.0, 0.0}, {0.0, 0.0}, {40.0, 0.0}};
+  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
+  vehicle.way = way;
+  vehicle.claim = 8.0;
+  Scene scene(widens);
+  const std::size_t waits =
+      scene.add({1.0, 0.0}, Destination{{-20.0, 0.0}, {-20.0, 0.0}}, 1.3, kPi);
+  constexpr double kHardly = 0.01;  // [m/s]
+  scene.add({-0.5, 1.17}, Destination{{20.0, 0.0}, {20.0, 0.0}}, kHardly, 0.0);
+  for (double t = 0.0; t < 6.0; t += 0.1) {
+    scene.vehicles = {vehicle};
+    scene.step();
+  }
+  EXPECT_GT(std::abs(scene.people[waits].view.position.y()), 1.0 + kRadius)
+      << "the vehicle can drive on, and make room for both";
+}
+
 /// A street of 3.2 m with a corner, between walls: a van with its front at the corner is about to
 /// turn left. Its rear will sweep all the room on the inner side.
 class TightCorner : public ::testing::Test {
