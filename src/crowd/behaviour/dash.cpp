@@ -5,6 +5,7 @@
 
 #include "core/random.hpp"
 #include "crowd/sense/danger.hpp"
+#include "crowd/sense/vehicle_motion.hpp"
 #include "crowd/state/parallel.hpp"
 
 namespace pedzone {
@@ -54,7 +55,7 @@ void propose_dashes(const CrowdState& crowd, Proposals& proposals, Attention& at
     const VehicleState* vehicle = nearest_moving(crowd, i);
     if (vehicle == nullptr) continue;
     const Vec2 here = crowd.position(i);
-    const Vec2 front = vehicle->centre + unit(vehicle->heading) * (0.5 * vehicle->length);
+    const Vec2 front = front_of(*vehicle);
     const double time = (front - here).norm() / crowd.persons.preferred_speed[i];
     proposals.propose(i, towards(front + vehicle->velocity * time - here, Behaviour::kDash));
     attention.ignore(i, static_cast<std::size_t>(vehicle - crowd.vehicles.data()));

@@ -69,7 +69,8 @@ class Passing {
     const auto comes = somebody_comes(lateral);
     if (comes && beside() && goes_back(*comes)) aim = u() - kAimAhead;
     if (comes && !beside()) {  // leaves the end free
-      // ... not in the way of a vehicle that they may wait for, and that waits for this one.
+      // ... but not in the room that the vehicle claims: it would wait for this one, and they for
+      // it. Who is out of that room, at its rear, does not leave the end free then, either.
       if (vehicle_.claim > 0.0 && !lacks_wide_side(crowd_, i_, vehicle_)) return std::nullopt;
       aim = std::min(u(), entry - kAside);
       lateral = 0.0;

@@ -25,7 +25,7 @@ Lookout::Lookout(const CrowdState& crowd) : crowd_(crowd) {
 
 bool Lookout::sees(std::size_t i, std::uint32_t v) const {
   const VehicleState& vehicle = crowd_.vehicles[v];
-  const Vec2 front = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
+  const Vec2 front = front_of(vehicle);
   return in_view(i, front, v) || in_view(i, vehicle.centre, v);
 }
 

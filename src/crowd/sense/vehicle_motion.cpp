@@ -22,9 +22,8 @@ Vec2 turned(const Vec2& v, double angle) {
 /// [m] that the rear has gone along the way; nothing where the vehicle is not on it.
 std::optional<double> rear_on_way(const VehicleState& vehicle) {
   if (vehicle.way.size() < 3) return std::nullopt;
-  const Vec2 front = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
   const Vec2 expected = point_on(vehicle.way, vehicle.gone + vehicle.length).point;
-  if ((front - expected).norm() > kOnWay) return std::nullopt;
+  if ((front_of(vehicle) - expected).norm() > kOnWay) return std::nullopt;
   return vehicle.gone;
 }
 
@@ -102,8 +101,7 @@ Rectangle body_if_started(const VehicleState& vehicle, double ahead) {
 Rectangle flanks_if_started(const VehicleState& vehicle, double ahead) {
   Rectangle body = body_if_started(vehicle, std::min(ahead, vehicle.length));
   const Vec2 front = body.centre + body.axis * body.half.x();
-  const Vec2 stands = vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
-  const double way = (front - stands).norm();
+  const double way = (front - front_of(vehicle)).norm();
   body.centre -= body.axis * (0.5 * way);
   body.half.x() -= 0.5 * way;
   return body;

@@ -30,6 +30,11 @@ inline Rectangle rectangle_of(const VehicleState& vehicle) {
   return {vehicle.centre, unit(vehicle.heading), {0.5 * vehicle.length, 0.5 * vehicle.width}};
 }
 
+/// The middle of its front bumper.
+inline Vec2 front_of(const VehicleState& vehicle) {
+  return vehicle.centre + unit(vehicle.heading) * (0.5 * vehicle.length);
+}
+
 /// Distance [m] from a point to the vehicle's rectangle; 0 inside.
 inline double distance_to(const VehicleState& vehicle, const Vec2& point) {
   return rectangle_of(vehicle).distance(point);

@@ -120,18 +120,16 @@ void Yielding::keep_behind_late_brakers(std::span<FleetVehicle> vehicles,
       const double likes = std::max(0.0, leader.speed - leader.traits.decel * dt);
       const double next = order ? order->speed : likes, gap = vehicle.leader->gap;
       const double needed = needed_deceleration_behind(vehicle, gap, leader.traits, next, dt);
-      if (needed <= vehicle.traits.decel) {
+      if (needed > vehicle.traits.decel) {
+        vehicle.pull = -needed;
+        planned[i] = YieldOrder{std::max(0.0, vehicle.speed - needed * dt), true};
+        note(vehicle, time);
+        found = true;
+      } else if (order && order->emergency) {
         // SUMO takes the leader to brake as it likes to, and might let this one speed up.
         const double room = std::max(0.0, gap - vehicle.traits.min_gap);
-        if (order && order->emergency) {
-          slow_to(safe_speeds.follow(vehicle, room, next), vehicle, dt, planned[i]);
-        }
-        continue;
+        slow_to(safe_speeds.follow(vehicle, room, next), vehicle, dt, planned[i]);
       }
-      vehicle.pull = -needed;
-      planned[i] = YieldOrder{std::max(0.0, vehicle.speed - needed * dt), true};
-      note(vehicle, time);
-      found = true;
     }
   }
 }

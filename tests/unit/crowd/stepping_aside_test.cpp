@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <utility>
 
 #include "crowd/sense/side_room.hpp"
 #include "crowd/sense/vehicle_motion.hpp"
@@ -17,14 +18,17 @@ constexpr double kRadius = 0.24, kTurned = 0.12;  // [m]
 class NarrowStreet {
  public:
   NarrowStreet(double beside, double claim, double speed = 0.0)
-      : zone_(zone_of(box(-30.0, -1.0 - beside, 60.0, 1.0 + beside))), scene_(zone_) {
+      : NarrowStreet(zone_of(box(-30.0, -1.0 - beside, 60.0, 1.0 + beside)), claim, speed) {}
+  /// Of another shape.
+  NarrowStreet(Zone zone, double claim, double speed = 0.0)
+      : zone_(std::move(zone)), scene_(zone_) {
     vehicle_ = vehicle_at({-2.0, 0.0}, 0.0, speed, 4.0, 2.0);
     vehicle_.way = way_;
     vehicle_.claim = claim;
   }
 
-  std::size_t add(const Vec2& from, const Vec2& to) {
-    return scene_.add(from, Destination{to, to}, 1.3, 0.0);
+  std::size_t add(const Vec2& from, const Vec2& to, double speed = 1.3) {
+    return scene_.add(from, Destination{to, to}, speed, 0.0);
   }
   void run(double seconds) {
     for (double t = 0.0; t < seconds; t += 0.1) {
@@ -114,28 +118,14 @@ TEST(SteppingAside, who_holds_up_a_vehicle_from_beside_does_not_wait_for_it) {
 }
 
 TEST(SteppingAside, nobody_waits_before_a_vehicle_for_who_comes_out_where_there_is_room_aside) {
-  const Zone widens = zone_of(Ring{{-30.0, -1.35},
-                                   {0.2, -1.35},
-                                   {0.2, -5.0},
-                                   {30.0, -5.0},
-                                   {30.0, 5.0},
-                                   {0.2, 5.0},
-                                   {0.2, 1.35},
-                                   {-30.0, 1.35}});
-  const Polyline way{{-4.0, 0.0}, {0.0, 0.0}, {40.0, 0.0}};
-  VehicleState vehicle = vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0);
-  vehicle.way = way;
-  vehicle.claim = 8.0;
-  Scene scene(widens);
-  const std::size_t waits =
-      scene.add({1.0, 0.0}, Destination{{-20.0, 0.0}, {-20.0, 0.0}}, 1.3, kPi);
+  const Ring widens_at_its_front{{-30.0, -1.35}, {0.2, -1.35}, {0.2, -5.0}, {30.0, -5.0},
+                                 {30.0, 5.0},    {0.2, 5.0},   {0.2, 1.35}, {-30.0, 1.35}};
   constexpr double kHardly = 0.01;  // [m/s]
-  scene.add({-0.5, 1.17}, Destination{{20.0, 0.0}, {20.0, 0.0}}, kHardly, 0.0);
-  for (double t = 0.0; t < 6.0; t += 0.1) {
-    scene.vehicles = {vehicle};
-    scene.step();
-  }
-  EXPECT_GT(std::abs(scene.people[waits].view.position.y()), 1.0 + kRadius)
+  NarrowStreet street(zone_of(widens_at_its_front), 8.0);
+  street.add({1.0, 0.0}, {-20.0, 0.0});
+  street.add({-0.5, 1.17}, {20.0, 0.0}, kHardly);
+  street.run(6.0);
+  EXPECT_GT(std::abs(street.view(0).position.y()), 1.0 + kRadius)
       << "the vehicle can drive on, and make room for both";
 }
 
