@@ -78,10 +78,10 @@ double room_beside_claims(const CrowdState& crowd, std::size_t i) {
   return crowd.persons.radius[i] + kBeside;
 }
 
-bool lacks_wide_side(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
+bool can_leave_claim(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
   if (vehicle.claim <= 0.0) return false;
   const auto place = place_in_claim(vehicle, crowd.position(i), room_beside_claims(crowd, i));
-  return place && wide_side(crowd, i, vehicle, *place) == 0.0;
+  return place && wide_side(crowd, i, vehicle, *place) != 0.0;
 }
 
 void order_claims(const CrowdState& crowd, std::vector<std::uint32_t>& claimants) {

@@ -46,8 +46,8 @@ void visit_claims(const CrowdState& crowd, std::size_t i, const Visit& visit) {
   }
 }
 
-/// Whether row i is in the vehicle's claim and finds no room to step out of it with straight
+/// Whether row i is in the vehicle's claim and finds room to step out of it with straight
 /// shoulders.
-bool lacks_wide_side(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle);
+bool can_leave_claim(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle);
 
 }  // namespace pedzone

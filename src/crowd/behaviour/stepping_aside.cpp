@@ -70,8 +70,8 @@ class Passing {
     if (comes && beside() && goes_back(*comes)) aim = u() - kAimAhead;
     if (comes && !beside()) {  // leaves the end free
       // ... but not in the room that the vehicle claims: it would wait for this one, and they for
-      // it. Who is out of that room, at its rear, does not leave the end free then, either.
-      if (vehicle_.claim > 0.0 && !lacks_wide_side(crowd_, i_, vehicle_)) return std::nullopt;
+      // it.
+      if (can_leave_claim(crowd_, i_, vehicle_)) return std::nullopt;
       aim = std::min(u(), entry - kAside);
       lateral = 0.0;
     }
@@ -189,7 +189,7 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
                                              const VehicleState& vehicle, bool in_claim,
                                              const Decision& decided) {
   if (!in_claim) return clear_of(crowd, i, vehicle, decided);
-  if (!lacks_wide_side(crowd, i, vehicle)) return std::nullopt;
+  if (can_leave_claim(crowd, i, vehicle)) return std::nullopt;
   const Vec2 here = crowd.position(i);
   const double margin = room_beside_claims(crowd, i);
   const auto place =

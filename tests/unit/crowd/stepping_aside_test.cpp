@@ -129,6 +129,15 @@ TEST(SteppingAside, nobody_waits_before_a_vehicle_for_who_comes_out_where_there_
       << "the vehicle can drive on, and make room for both";
 }
 
+TEST(SteppingAside, behind_a_vehicle_that_claims_room_who_comes_out_finds_the_end_free) {
+  NarrowStreet street(0.35, 8.0);
+  constexpr double kHardly = 0.01;  // [m/s]
+  const std::size_t waits = street.add({-4.5, 0.9}, {20.0, 0.0});
+  street.add({-3.5, 1.17}, {-20.0, 0.0}, kHardly);
+  street.run(2.0);  // then it finds the other side
+  EXPECT_LT(street.view(waits).position.x(), -4.0 - kRadius - 0.65) << "0.7 m are left free";
+}
+
 /// A street of 3.2 m with a corner, between walls: a van with its front at the corner is about to
 /// turn left. Its rear will sweep all the room on the inner side.
 class TightCorner : public ::testing::Test {
