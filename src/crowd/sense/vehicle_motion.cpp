@@ -45,6 +45,14 @@ std::optional<double> place_on_way(const VehicleState& vehicle) {
   return forwards ? rear : std::nullopt;
 }
 
+/// [m] that the rear of one that is `rear` [m] along its way has gone `ahead` [m] on; nothing where
+/// its front is beyond the way's end then. There is nothing to be beyond where it leaves.
+std::optional<double> farther_on_way(const VehicleState& vehicle, double rear, double ahead) {
+  const double last = length_of(vehicle.way) - vehicle.length;
+  if (rear + ahead <= last) return rear + ahead;
+  return vehicle.leaves ? std::optional(std::max(rear, last)) : std::nullopt;
+}
+
 }  // namespace
 
 Rectangle body_on_way(const VehicleState& vehicle, double travelled) {
@@ -63,10 +71,9 @@ VehicleState moved_on(const VehicleState& vehicle, double dt) {
   later.lag += vehicle.slower * dt;
   later.lead = std::max(0.0, vehicle.lead - vehicle.velocity.norm() * dt);
   if (const auto rear = place_on_way(vehicle)) {
-    const double travelled = *rear + vehicle.velocity.norm() * dt;
-    if (travelled + vehicle.length <= length_of(vehicle.way)) {
-      const Rectangle body = body_on_way(vehicle, travelled);
-      later.gone = travelled;
+    if (const auto travelled = farther_on_way(vehicle, *rear, vehicle.velocity.norm() * dt)) {
+      const Rectangle body = body_on_way(vehicle, *travelled);
+      later.gone = *travelled;
       later.centre = body.centre;
       later.heading = angle_of(body.axis);
       later.velocity = turned(vehicle.velocity, later.heading - vehicle.heading);
@@ -82,9 +89,8 @@ VehicleState moved_on(const VehicleState& vehicle, double dt) {
 
 Rectangle body_shifted(const VehicleState& vehicle, double ahead) {
   const auto rear = place_on_way(vehicle);
-  if (rear && *rear + ahead + vehicle.length <= length_of(vehicle.way)) {
-    return body_on_way(vehicle, std::max(0.0, *rear + ahead));
-  }
+  const auto travelled = rear ? farther_on_way(vehicle, *rear, ahead) : std::nullopt;
+  if (travelled) return body_on_way(vehicle, std::max(0.0, *travelled));
   Rectangle body = rectangle_of(vehicle);
   const double speed = vehicle.velocity.norm();
   if (speed > kStanding) body.centre += vehicle.velocity * (ahead / speed);

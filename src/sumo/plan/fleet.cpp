@@ -88,6 +88,7 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
   state.claim = vehicle.claim;
   state.claimed = vehicle.slowed;
   state.way = vehicle.way;
+  state.leaves = vehicle.leaves;
   if (vehicle.traits.external || vehicle.reverses || !goes_on(vehicle) || dt <= 0.0) {
     state.velocity = vehicle.velocity;
     state.yaw_rate = vehicle.yaw_rate;

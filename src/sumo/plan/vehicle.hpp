@@ -63,6 +63,7 @@ struct FleetVehicle : VehicleSeen {
   double yaw_rate = 0.0;         ///< [rad/s] of a steered one (steering.hpp)
   std::vector<int> behind;       ///< lanes that it came by to its present one, the last first
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
+  bool leaves = false;           ///< where its way ends its trip does, or before
   JunctionAhead junction;
   double tight_end =
       std::numeric_limits<double>::infinity();  ///< [m] from the front to the end of

@@ -154,6 +154,7 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
     offset = 0.0;
     lane = next_lane(lane, vehicle.route, index);
   }
+  vehicle.leaves = left > 0.0 && index + 1 == static_cast<int>(vehicle.route.size());
   vehicle.zone = std::max(0, zone);
 }
 

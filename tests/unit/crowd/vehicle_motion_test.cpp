@@ -54,6 +54,19 @@ TEST(VehicleMotion, keeps_to_a_way_so_sharp_that_its_middle_goes_backwards) {
   EXPECT_TRUE(vehicle.centre.isApprox(then.centre, 1e-6)) << vehicle.centre.transpose();
 }
 
+TEST(VehicleMotion, goes_no_farther_than_where_it_leaves_the_network) {
+  VehicleState vehicle = vehicle_at({2.0, 0.0}, 0.0, 15.0, 4.0, 2.0);
+  const Polyline ends{{0.0, 0.0}, {4.0, 0.0}, {9.0, 0.0}};
+  vehicle.way = ends;
+  for (const bool leaves : {false, true}) {
+    vehicle.leaves = leaves;
+    VehicleState later = vehicle;
+    for (int k = 0; k < 10; ++k) later = moved_on(later, 0.1);
+    EXPECT_NEAR(front_of(later).x(), leaves ? 9.0 : 19.0, 1e-9);
+    EXPECT_NEAR(body_shifted(vehicle, 8.0).centre.x(), leaves ? 7.0 : 10.0, 1e-9);
+  }
+}
+
 TEST(VehicleMotion, that_reverses_leaves_its_way) {
   VehicleState vehicle = vehicle_at({2.0, 0.0}, 0.0, -2.0, 4.0, 2.0);
   const Polyline corner{{0.0, 0.0}, {4.0, 0.0}, {4.0, 30.0}};

@@ -20,6 +20,8 @@ TEST_F(WayAheadTest, is_as_long_as_braking_takes_and_30_m) {
 TEST_F(WayAheadTest, ends_with_the_route) {
   route_ = {e0, e1};
   EXPECT_NEAR(one(car(90.0, 0.0)).way.back().x(), 100.0, 1e-9);
+  EXPECT_TRUE(one(car(90.0, 0.0)).leaves);
+  EXPECT_FALSE(one(car(60.0, 0.0)).leaves) << "its trip goes on beyond the way that is built";
 }
 
 TEST_F(WayAheadTest, keeps_to_the_side_on_which_the_vehicle_drives) {
