@@ -1,14 +1,17 @@
 #include "sumo/plan/lane_end.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
 
-constexpr double kStripe = 0.65;    // [m] SUMO's pedestrian.striping.stripe-width, as it is set
-constexpr double kRoom = 6.0;       // [m] assumed: left before the lane's end for who comes
+constexpr double kStripe = 0.65;  // [m] SUMO's pedestrian.striping.stripe-width, as it is set
+// [m] left before the lane's end for who comes or leaves: SUMO lets nobody walk on who is less than
+// 5 m before a vehicle, and takes people back 3 m before the end at most.
+constexpr double kRoom = 8.0;
 constexpr double kWaits = 8.0;      // [m] assumed: so far beyond the end people are who want in
 constexpr double kAway = 0.5;       // numerical: cos of 60 degrees
 constexpr double kStraight = 0.98;  // numerical: cos of 11 degrees
@@ -19,6 +22,12 @@ bool wants_in(const PersonAhead& person, const LinePoint& end) {
   if (beyond.norm() > kWaits || beyond.dot(end.direction) < 0.0) return false;
   const double speed = person.velocity.norm();
   return speed < kHaltingSpeed || person.velocity.dot(beyond) < kAway * speed * beyond.norm();
+}
+
+/// [m] from the vehicle's rear to its lane's end; nothing where its way does not go so far.
+std::optional<double> way_to_end(const FleetVehicle& vehicle) {
+  const double way = vehicle.traits.length + vehicle.tight_end;
+  return way > length_of(vehicle.way) ? std::nullopt : std::optional(way);
 }
 
 }  // namespace
@@ -36,11 +45,21 @@ bool leaves_no_stripe(const Lane& lane, const VehicleTraits& traits) {
 double way_to_room(const FleetVehicle& vehicle) { return vehicle.tight_end - kRoom; }
 
 bool comes_in(const FleetVehicle& vehicle, std::span<const PersonAhead> outside) {
-  const double way = vehicle.traits.length + vehicle.tight_end;
-  if (way > length_of(vehicle.way)) return false;
-  const LinePoint end = point_on(vehicle.way, way);
+  const auto way = way_to_end(vehicle);
+  if (!way) return false;
+  const LinePoint end = point_on(vehicle.way, *way);
   return std::ranges::any_of(outside,
                              [&](const PersonAhead& person) { return wants_in(person, end); });
+}
+
+bool goes_out(const FleetVehicle& vehicle, std::span<const PersonAhead> people) {
+  const auto way = way_to_end(vehicle);
+  if (!way) return false;
+  return std::ranges::any_of(people, [&](const PersonAhead& person) {
+    if (person.exit_lane != vehicle.lane) return false;
+    const double at = project_on(vehicle.way, person.position).offset;
+    return at > vehicle.traits.length && at > *way - kRoom;
+  });
 }
 
 }  // namespace pedzone

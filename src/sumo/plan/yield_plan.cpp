@@ -13,8 +13,10 @@ constexpr double kMoment = 1.0;   // [s] assumed: a driver expects people to wal
 constexpr double kSample = 0.25;  // [m] numerical: sampling of the swept area
 constexpr double kCleared = 2.0;  // [m/s] numerical: faster than this a jam is over
 constexpr double kClaimAfter =
-    2.0;                          // [s] assumed: slowed for so long, a vehicle asks people for room
-constexpr double kClaim = 8.0;    // [m] recorded onset of avoidance, median
+    2.0;                        // [s] assumed: slowed for so long, a vehicle asks people for room
+constexpr double kClaim = 8.0;  // [m] recorded onset of avoidance, median
+constexpr double kDriveOff = 3.0;      // [s] assumed: people leave it the room for so long at most
+constexpr double kHasDrivenOff = 0.5;  // assumed: at this share of what it may drive it has
 constexpr double kObeyed = 0.05;  // [m/s] numerical: slower than told by more, traffic holds it
 constexpr double kEase = 5.0;     // [m/s³] assumed: from braking to driving off in less than 1.5 s
 constexpr double kTouch = 0.01;   // [m] numerical
@@ -83,8 +85,26 @@ double look_ahead(const FleetVehicle& vehicle, const Parameters& parameters) {
   return std::max(usual, room_behind(vehicle, parameters.yield_gap));
 }
 
-/// After people have held it: it is let go step by step.
+/// Whether something else than what it was told makes it slow.
+bool is_held_by_traffic(const FleetVehicle& vehicle) {
+  return vehicle.commanded >= 0.0 && vehicle.commanded > vehicle.speed + kObeyed;
+}
+
+/// Whether it has claimed room, and has not yet driven off into it.
+bool drives_off(const FleetVehicle& vehicle) {
+  const double off = std::min(kCleared, kHasDrivenOff * vehicle.allowed_speed);
+  return vehicle.slowed > kClaimAfter && vehicle.speed < off && !is_held_by_traffic(vehicle);
+}
+
+/// After people have held it: it is let go step by step. Until it has driven off it claims the room
+/// that they made, for no longer than it took them: they would step in again before it, and hold it
+/// up as before.
 std::optional<YieldOrder> let_go(FleetVehicle& vehicle, double dt) {
+  if (drives_off(vehicle)) {
+    vehicle.slowed = std::min(vehicle.slowed, kClaimAfter + kDriveOff) - dt;
+    vehicle.claim = kClaim;
+    return comfortable_order(vehicle, vehicle.allowed_speed, dt);
+  }
   vehicle.slowed = 0.0;
   if (vehicle.commanded < 0.0 || vehicle.pull + kEase * dt >= vehicle.traits.accel) return {};
   return comfortable_order(vehicle, vehicle.allowed_speed, dt);
@@ -203,9 +223,9 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
     if (most >= vehicle.allowed_speed) return let_go(vehicle, dt);
     return comfortable_order(vehicle, most, dt);
   }
-  const bool is_commanded = vehicle.commanded >= 0.0;
-  const bool by_traffic = is_commanded && vehicle.commanded > vehicle.speed + kObeyed;
-  if (is_commanded && !by_traffic && vehicle.speed < kHaltingSpeed) vehicle.blocked_time += dt;
+  const bool by_traffic = is_held_by_traffic(vehicle);
+  const bool by_people = vehicle.commanded >= 0.0 && !by_traffic;
+  if (by_people && vehicle.speed < kHaltingSpeed) vehicle.blocked_time += dt;
   if (vehicle.speed > kCleared) vehicle.blocked_time = 0.0;
   vehicle.creeping = vehicle.blocked_time >= parameters.creep_after;
   double safe = safe_speed(vehicle, *ahead, parameters, safe_speeds, dt);

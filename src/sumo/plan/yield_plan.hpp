@@ -18,6 +18,7 @@ struct PersonAhead {
   double radius = 0.24;
   std::optional<Zebra> zebra = {};  ///< that it is on or about to enter, from where it comes
   double narrower = 0.0;            ///< [m] that the shoulders take off the radius as it holds them
+  int exit_lane = -1;               ///< from the end of which SUMO walks it on; -1: of none
 };
 
 /// Whether people are taken for as wide as with straight shoulders, or as they hold them now.

@@ -58,15 +58,16 @@ void Yielding::keep_junctions_clear(std::span<FleetVehicle> vehicles, const Safe
   }
 }
 
-/// Whether the vehicle leaves one of SUMO's people room at its lane's end: where it could stop in
-/// comfort when somebody came, until nobody comes any more, or it has stood for long.
-bool Yielding::leaves_room(const FleetVehicle& vehicle, std::span<const PersonAhead> outside,
-                           double dt) {
+/// Whether the vehicle leaves room at its lane's end for who comes into the zone or leaves it
+/// there: where it could stop in comfort when somebody came, until nobody comes any more, or it has
+/// stood for long.
+bool Yielding::leaves_room(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                           std::span<const PersonAhead> outside, double dt) {
   if (!gives_way(vehicle) || std::isinf(vehicle.tight_end)) {
     at_end_.erase(vehicle.id);
     return false;
   }
-  const bool comes = comes_in(vehicle, outside);
+  const bool comes = comes_in(vehicle, outside) || goes_out(vehicle, people);
   const auto found = at_end_.find(vehicle.id);
   if (found == at_end_.end()) {
     if (!comes || way_to_room(vehicle) < braking_distance(vehicle) + vehicle.speed * dt) {
@@ -83,14 +84,16 @@ bool Yielding::leaves_room(const FleetVehicle& vehicle, std::span<const PersonAh
   return false;
 }
 
-/// Stops those that would keep SUMO's people out of the zone.
+/// Stops those that would keep SUMO's people out of the zone, or in it.
 void Yielding::keep_lane_ends_free(std::span<FleetVehicle> vehicles,
+                                   std::span<const PersonAhead> people,
                                    std::span<const PersonAhead> outside,
                                    const SafeSpeeds& safe_speeds, double dt,
                                    std::vector<std::optional<YieldOrder>>& planned) {
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     FleetVehicle& vehicle = vehicles[i];
-    if (!leaves_room(vehicle, outside, dt) || (planned[i] && planned[i]->emergency)) continue;
+    if (!leaves_room(vehicle, people, outside, dt) || (planned[i] && planned[i]->emergency))
+      continue;
     const double safe = safe_speeds.stop(vehicle, std::max(0.0, way_to_room(vehicle)));
     slow_to(safe, vehicle, dt, planned[i]);
   }
@@ -194,7 +197,7 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
                      : plan_for_people(vehicle, people, safe_speeds, time, dt);
   }
   keep_junctions_clear(vehicles, safe_speeds, dt, planned);
-  keep_lane_ends_free(vehicles, outside, safe_speeds, dt, planned);
+  keep_lane_ends_free(vehicles, people, outside, safe_speeds, dt, planned);
   keep_behind_late_brakers(vehicles, safe_speeds, time, dt, planned);
   std::vector<SpeedOrder> orders;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {

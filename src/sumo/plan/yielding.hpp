@@ -59,10 +59,11 @@ class Yielding {
                                             const SafeSpeeds& safe_speeds, double time, double dt);
   static void keep_junctions_clear(std::span<FleetVehicle> vehicles, const SafeSpeeds& safe_speeds,
                                    double dt, std::vector<std::optional<YieldOrder>>& planned);
-  bool leaves_room(const FleetVehicle& vehicle, std::span<const PersonAhead> outside, double dt);
-  void keep_lane_ends_free(std::span<FleetVehicle> vehicles, std::span<const PersonAhead> outside,
-                           const SafeSpeeds& safe_speeds, double dt,
-                           std::vector<std::optional<YieldOrder>>& planned);
+  bool leaves_room(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
+                   std::span<const PersonAhead> outside, double dt);
+  void keep_lane_ends_free(std::span<FleetVehicle> vehicles, std::span<const PersonAhead> people,
+                           std::span<const PersonAhead> outside, const SafeSpeeds& safe_speeds,
+                           double dt, std::vector<std::optional<YieldOrder>>& planned);
   bool braked_just_now(const FleetVehicle& vehicle, double time) const;
   void keep_behind_late_brakers(std::span<FleetVehicle> vehicles, const SafeSpeeds& safe_speeds,
                                 double time, double dt,

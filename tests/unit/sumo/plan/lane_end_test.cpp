@@ -28,7 +28,7 @@ class LaneEndTest : public test::FleetTest {
 
 TEST_F(LaneEndTest, is_tight_where_less_than_a_stripe_is_left_on_either_side) {
   EXPECT_NEAR(wide(2.16).tight_end, 40.0, 1e-9);
-  EXPECT_NEAR(way_to_room(wide(2.16)), 34.0, 1e-9);
+  EXPECT_NEAR(way_to_room(wide(2.16)), 32.0, 1e-9);
   EXPECT_TRUE(std::isinf(wide(1.8).tight_end)) << "SUMO walks people past it";
 }
 
@@ -47,9 +47,9 @@ TEST_F(LaneEndTest, is_not_where_the_vehicle_would_wait_in_a_bend_or_a_junction)
   Lane& lane = network.lanes[lane_of(e1)];
   lane.shape = {{50.0, -20.0}, {95.0, -20.0}, {95.0, -5.0}, {100.0, 0.0}};
   EXPECT_TRUE(std::isinf(wide(2.16).tight_end));
-  lane.shape = {{91.0, 0.0}, {100.0, 0.0}};  // 6 m before the end it would reach back into e0
+  lane.shape = {{89.0, 0.0}, {100.0, 0.0}};  // 8 m before the end it would reach back into e0
   EXPECT_TRUE(std::isinf(wide(2.16).tight_end));
-  lane.shape = {{89.0, 0.0}, {100.0, 0.0}};
+  lane.shape = {{87.0, 0.0}, {100.0, 0.0}};
   EXPECT_FALSE(std::isinf(wide(2.16).tight_end));
 }
 
@@ -64,6 +64,21 @@ TEST_F(LaneEndTest, is_wanted_by_who_waits_beyond_it_or_comes) {
   EXPECT_FALSE(comes_in(van, at({99.0, 1.0}))) << "is on the lane";
   EXPECT_FALSE(comes_in(van, at({109.0, 0.0}, {-1.3, 0.0}))) << "is far away";
   EXPECT_FALSE(comes_in(van, {}));
+}
+
+TEST_F(LaneEndTest, is_left_by_who_walks_on_from_there) {
+  VehicleSeen seen = car(90.0, 0.0);
+  seen.traits.width = 2.16;
+  const FleetVehicle van = one(seen);
+  const auto leaving = [&](double x, int lane) {
+    std::vector<PersonAhead> people = at({x, 0.5});
+    people[0].exit_lane = lane;
+    return goes_out(van, people);
+  };
+  EXPECT_TRUE(leaving(98.0, lane_of(e1)));
+  EXPECT_FALSE(leaving(91.5, lane_of(e1))) << "is not there yet";
+  EXPECT_FALSE(leaving(89.0, lane_of(e1))) << "is beside the van";
+  EXPECT_FALSE(leaving(98.0, lane_of(e2))) << "goes on in the zone";
 }
 
 }  // namespace

@@ -313,6 +313,35 @@ TEST(PlanYield, claims_no_room_in_a_junction_that_it_stays_out_of) {
   }
 }
 
+/// Held up by somebody until it claims room, who then leaves it; what it claims [m] after `later`
+/// [s]. `share`: of what it is told it drives.
+double claim_after(double later, double share, double accel = 2.6) {
+  const EvenBraking own;
+  FleetVehicle vehicle = driving(0.0);
+  vehicle.traits.accel = accel;
+  vehicle.commanded = 0.0;
+  const std::vector<PersonAhead> nobody, people{{{1.0, 0.0}, {0.0, 0.0}, 0.24}};
+  for (double time = 0.0; time < 3.0; time += 0.1) {
+    plan_yield(vehicle, people, Parameters(), own.speeds(), 0.1);
+  }
+  EXPECT_GT(vehicle.claim, 0.0);
+  for (double time = 0.0; time < later; time += 0.1) {
+    const auto order = plan_yield(vehicle, nobody, Parameters(), own.speeds(), 0.1);
+    vehicle.commanded = order ? order->speed : -1.0;
+    vehicle.speed = share * (order ? order->speed : vehicle.allowed_speed);
+  }
+  return vehicle.claim;
+}
+
+TEST(PlanYield, claims_the_room_that_people_made_until_it_has_driven_off) {
+  EXPECT_GT(claim_after(0.3, 1.0), 0.0) << "they would step in again";
+  EXPECT_EQ(claim_after(2.5, 1.0), 0.0) << "it drives";
+  EXPECT_EQ(claim_after(1.0, 0.0), 0.0) << "traffic holds it";
+  EXPECT_GT(claim_after(1.0, 0.99), 0.0);
+  EXPECT_GT(claim_after(0.5, 0.0, 0.1), 0.0) << "told so little, nobody knows what holds it";
+  EXPECT_EQ(claim_after(1.5, 0.0, 0.1), 0.0) << "nobody waits for it for ever";
+}
+
 TEST(PlanYield, drives_slowly_past_who_squeezes_past_with_turned_shoulders) {
   const auto speed_beside = [](const Vec2& place, double at_first = 0.0) {
     const EvenBraking own;

@@ -259,6 +259,15 @@ TEST_F(YieldingTest, leaves_room_at_the_end_of_a_lane_that_it_fills_while_somebo
   EXPECT_EQ(vehicle_.commanded, kOwnSpeed) << "nobody comes any more";
 }
 
+TEST_F(YieldingTest, leaves_room_at_the_end_of_a_lane_that_it_fills_for_who_leaves_there) {
+  vehicle_.tight_end = 10.0;
+  vehicle_.lane = 7;
+  std::vector<PersonAhead> people{{{8.0, 3.0}, {0.0, 0.0}, 0.24}};  // not in its way
+  EXPECT_THAT(plan(people), IsEmpty());
+  people[0].exit_lane = vehicle_.lane;
+  EXPECT_THAT(plan(people), ElementsAre(SpeedOrder{"shuttle", 0.9}));
+}
+
 TEST_F(YieldingTest, does_not_leave_room_for_ever) {
   vehicle_.tight_end = 10.0;
   vehicle_.speed = safe_ = 0.0;
@@ -270,7 +279,7 @@ TEST_F(YieldingTest, does_not_leave_room_for_ever) {
 
 TEST_F(YieldingTest, does_not_brake_hard_to_leave_room) {
   outside_ = {{{12.0, 0.0}, {0.0, 0.0}, 0.24}};
-  for (const double late : {6.05, 1.0}) {
+  for (const double late : {8.05, 1.0}) {
     vehicle_.tight_end = late;
     EXPECT_THAT(plan({}), IsEmpty()) << late << " m before its end";
   }
