@@ -80,8 +80,8 @@ TEST_F(BystandersTest, looks_again_when_somebody_can_have_come_near) {
   // At 40 m/s at most; the distance is a lower bound, so that it may be sooner.
   EXPECT_FALSE(Bystanders::is_due(person("far"), 7.05));
   EXPECT_TRUE(Bystanders::is_due(person("far"), 7.0 + (42.0 - 2.0 - 10.0) / 40.0 + 1e-6));
-  EXPECT_FALSE(Bystanders::is_due(person("away"), 7.9));
-  EXPECT_TRUE(Bystanders::is_due(person("away"), 8.0)) << "a program may move it anyhow";
+  EXPECT_FALSE(Bystanders::is_due(person("away"), 11.9));
+  EXPECT_TRUE(Bystanders::is_due(person("away"), 12.0)) << "a program may move it anyhow";
 }
 
 TEST_F(BystandersTest, guests_are_not_looked_at_until_they_are_given_back) {
