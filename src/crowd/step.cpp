@@ -102,6 +102,7 @@ void walk_substep(CrowdState& crowd, double dt) {
 
   cross_streets(crowd, dt, crowd.ways(), crowd.crossings_begun);
   order_claims(crowd, crowd.claimants);
+  list_slow_vehicles(crowd, crowd.slow_vehicles);
 
   // Every behaviour proposes; the most important one wins.
   Proposals& proposals = crowd.proposals;
@@ -126,7 +127,6 @@ void walk_substep(CrowdState& crowd, double dt) {
   restrain_adults(crowd, restraints);
   restrain_crossings(crowd, restraints);
   restraints.apply(crowd.decisions);
-  list_slow_vehicles(crowd, crowd.slow_vehicles);
   step_aside(crowd, crowd.decisions);
   lead_by_hand(crowd, crowd.decisions);
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <utility>
+#include <vector>
 
 #include "crowd/sense/claim_room.hpp"
 #include "crowd/sense/side_room.hpp"
@@ -48,9 +49,11 @@ class ClaimScene {
   std::size_t add(const Vec2& from, const Vec2& to) {
     return scene_.add(from, Destination{to, to}, 1.3, 0.0);
   }
+  void park(const VehicleState& other) { parked_.push_back(other); }
   void run(double seconds) {
     for (double t = 0.0; t < seconds; t += 0.1) {
-      scene_.vehicles = {shuttle_.vehicle};
+      scene_.vehicles = parked_;
+      scene_.vehicles.push_back(shuttle_.vehicle);
       scene_.step();
     }
   }
@@ -61,6 +64,7 @@ class ClaimScene {
 
  private:
   Claimant shuttle_;
+  std::vector<VehicleState> parked_;
   Zone zone_;
   Scene scene_;
 };
@@ -100,6 +104,14 @@ TEST(Claim, without_room_beside_people_walk_ahead_of_the_vehicle) {
   const std::size_t person = scene.add({2.0, 0.0}, {-20.0, 0.0});
   scene.run(4.0);
   EXPECT_GT(scene.view(person).position.x(), 5.0);
+}
+
+TEST(Claim, nobody_steps_out_to_where_another_vehicle_stands) {
+  ClaimScene scene(6.0);
+  scene.park(vehicle_at({1.0, 2.2}, kPi, 0.0, 9.0, 2.0));  // from y = 1.2 on
+  const std::size_t person = scene.add({1.0, 0.6}, {1.0, 5.0});
+  scene.run(10.0);
+  EXPECT_FALSE(scene.in_the_way(person)) << scene.view(person).position.transpose();
 }
 
 /// A bus turns right. Its rear will sweep all the room on the inside, up to the zone's border; who
