@@ -54,10 +54,21 @@ bool has_room(const SideRoom& room, const VehicleState& vehicle, const Vec2& to,
   });
 }
 
+/// Whether the straight way there leads through another vehicle.
+bool leads_through_others(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
+                          const Vec2& to) {
+  const double way = (to - from).norm();
+  return std::ranges::any_of(room.vehicles, [&](const VehicleState& other) {
+    return &other != &vehicle && !is_far(other, from, way) &&
+           runs_through(rectangle_of(other), from, to);
+  });
+}
+
 /// Whether it fits there and gets there.
 bool fits(const SideRoom& room, const VehicleState& vehicle, const Vec2& from, const Vec2& to,
           double turned) {
-  return room.walls.sees(from, to) && has_room(room, vehicle, to, turned);
+  return room.walls.sees(from, to) && has_room(room, vehicle, to, turned) &&
+         !leads_through_others(room, vehicle, from, to);
 }
 
 /// Whether somebody is on the straight way of a turned body.

@@ -212,6 +212,23 @@ TEST(SideRoom, is_clear_where_nobody_stands_on_the_way_there) {
   EXPECT_TRUE(to.dot(along) <= 0.0 || std::abs(cross(along, to)) >= 2.0 * kTurned);
 }
 
+TEST(SideRoom, is_clear_where_no_other_vehicle_stands_on_the_way_there) {
+  const WallIndex open(Region{Polygon{box(-20.0, -20.0, 20.0, 20.0), {}}});
+  const Polyline left{{-4.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 30.0}};
+  std::vector<VehicleState> vehicles{vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0)};
+  vehicles[0].way = left;
+  const Vec2 here(-0.5, 1.4);
+  const BodyBeside body{kRadius, kTurned};
+  const auto nearest = place_clear({open, vehicles}, vehicles[0], here, body, 0.5 * kPi);
+  ASSERT_TRUE(nearest);
+  const Vec2 way = *nearest - here, middle = here + 0.5 * way;
+  vehicles.push_back(vehicle_at(middle, angle_of(left_of(way)), 0.0, 1.0, 0.1));
+  const auto place = place_clear({open, vehicles}, vehicles[0], here, body, 0.5 * kPi);
+  ASSERT_TRUE(place);
+  EXPECT_FALSE(swings_over(vehicles[0], *place, kRadius));
+  EXPECT_FALSE(runs_through(rectangle_of(vehicles[1]), here, *place));
+}
+
 TEST(SideRoom, is_not_where_another_vehicle_stands) {
   const WallIndex open(Region{Polygon{box(-20.0, -5.0, 20.0, 5.0), {}}});
   std::vector<VehicleState> vehicles{vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0),
