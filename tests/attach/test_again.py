@@ -93,12 +93,12 @@ class Again(AttachedCase):
             if "v" in vehicles:
                 seen.append(traci.vehicle.getSpeedMode("v"))
                 if len(seen) == 1:
-                    traci.vehicle.setSpeedMode("v", 30)
+                    traci.vehicle.setSpeedMode("v", 23)  # no right of way
                 if traci.vehicle.getPosition("v")[0] > 60:
                     free = t > 60
                     traci.person.moveToXY("visitor", "", 75.0, 30.0 if free else -4.0, 90, 2, -1)
             if t == 79:
-                assert 27 in seen and seen[-1] == 30, seen
+                assert 27 in seen and seen[-1] == 23, seen
             """, end=80, routes=f"""<routes>{STANDS}
             <vehicle id="v" depart="20" departSpeed="max"><route edges="west shared east"/></vehicle>
             </routes>""")
