@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "crowd/sense/claim_room.hpp"
-#include "crowd/sense/vehicle_motion.hpp"
 #include "crowd/state/parallel.hpp"
 
 namespace pedzone {
@@ -19,20 +18,6 @@ constexpr double kLookAhead = 1.2;  // [m] assumed: a person stops so far before
 constexpr double kLookStep = 0.3;   // [m] numerical
 constexpr double kCrossing = 3.0;   // [m] assumed: nobody steps across nearer to the bumper
 
-/// Whether another vehicle that stands, or nearly so, is in the way of a body of that `reach` [m].
-bool is_barred(const CrowdState& crowd, const VehicleState& vehicle, const Vec2& from,
-               const Vec2& to, double reach) {
-  return std::ranges::any_of(crowd.slow_vehicles, [&](std::uint32_t v) {
-    const VehicleState& other = crowd.vehicles[v];
-    const double near = 0.5 * (other.length + other.width) + (to - from).norm() + reach;
-    if (&other == &vehicle || (other.centre - from).squaredNorm() > near * near) return false;
-    Rectangle body = rectangle_of(other);
-    // Who is beside it may step away from it.
-    body.half += Vec2::Constant(std::min(reach, 0.5 * body.distance(from)));
-    return runs_through(body, from, to);
-  });
-}
-
 /// The side to which there is room to step out of the claim, the nearer one first: 1 left, -1
 /// right, 0 none. Inside a bend the rear sweeps more than the front: who stepped out there would
 /// hold the vehicle up all the same.
@@ -43,9 +28,14 @@ double wide_side(const CrowdState& crowd, std::size_t i, const VehicleState& veh
   const double nearer = place.lateral < 0.0 ? -1.0 : 1.0;
   const Vec2 outward = left_of(place.along) * nearer;
   const double border = 0.5 * vehicle.width + room_beside_claims(crowd, i);
+  const auto is_barred = [&](const Vec2& out) {
+    return std::ranges::any_of(crowd.slow_vehicles, [&](std::uint32_t v) {
+      const VehicleState& other = crowd.vehicles[v];
+      return &other != &vehicle && leads_through(other, here, here + out, 0.5 * radius);
+    });
+  };
   const auto is_free = [&](const Vec2& out) {
-    return crowd.zone.walls.free_line(here, here + out, 0.5 * radius) &&
-           !is_barred(crowd, vehicle, here, here + out, 0.5 * radius) &&
+    return crowd.zone.walls.free_line(here, here + out, 0.5 * radius) && !is_barred(out) &&
            !holds_up(vehicle, here + out, radius);
   };
   if (is_free(outward * (border - std::abs(place.lateral)))) return nearer;

@@ -54,21 +54,13 @@ bool has_room(const SideRoom& room, const VehicleState& vehicle, const Vec2& to,
   });
 }
 
-/// Whether the straight way there leads through another vehicle.
-bool leads_through_others(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
-                          const Vec2& to) {
-  const double way = (to - from).norm();
-  return std::ranges::any_of(room.vehicles, [&](const VehicleState& other) {
-    return &other != &vehicle && !is_far(other, from, way) &&
-           runs_through(rectangle_of(other), from, to);
-  });
-}
-
-/// Whether it fits there and gets there.
+/// Whether it fits there and gets there: other vehicles are as good as walls.
 bool fits(const SideRoom& room, const VehicleState& vehicle, const Vec2& from, const Vec2& to,
           double turned) {
-  return room.walls.sees(from, to) && has_room(room, vehicle, to, turned) &&
-         !leads_through_others(room, vehicle, from, to);
+  if (!room.walls.sees(from, to) || !has_room(room, vehicle, to, turned)) return false;
+  return std::ranges::none_of(room.vehicles, [&](const VehicleState& other) {
+    return &other != &vehicle && leads_through(other, from, to, 0.0);
+  });
 }
 
 /// Whether somebody is on the straight way of a turned body.
@@ -137,6 +129,13 @@ std::array<Vec2, kDirections + 4> ways_out(const VehicleState& vehicle, const Ve
 }
 
 }  // namespace
+
+bool leads_through(const VehicleState& vehicle, const Vec2& from, const Vec2& to, double reach) {
+  if (is_far(vehicle, from, (to - from).norm() + reach)) return false;
+  Rectangle body = rectangle_of(vehicle);
+  body.half += Vec2::Constant(std::min(reach, 0.5 * body.distance(from)));
+  return runs_through(body, from, to);
+}
 
 double least_distance(const VehicleState& vehicle, const Vec2& point) {
   double least = distance_to(vehicle, point);

@@ -61,6 +61,10 @@ bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius);
 std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
                                 const BodyBeside& body, double heading);
 
+/// Whether the straight way of a body that reaches `reach` [m] to its sides leads through the
+/// vehicle, as it is now. Who is nearer to it than that may still step away from it.
+bool leads_through(const VehicleState& vehicle, const Vec2& from, const Vec2& to, double reach);
+
 /// A way along a standing vehicle from one end to the other.
 struct SideWay {
   double lateral = 0.0;  ///< [m] from the vehicle's axis, positive to the left

@@ -70,8 +70,8 @@ TEST_F(Gaps, on_the_far_lane_need_the_time_across_both) {
 }
 
 TEST_F(Gaps, roll_a_far_car_that_passes_before_the_person_is_there_does_not_count) {
-  add({false, 10.0,
-       10.0});  // its rear is past after 1.7 s; the person comes after 4.2 s at the earliest
+  // Its rear is past after 1.7 s; the person comes after 4.2 s at the earliest.
+  add({false, 10.0, 10.0});
   EXPECT_TRUE(look().enough);
   walk_.from = 0.0;  // there in 1.3 s
   EXPECT_FALSE(look().enough);
