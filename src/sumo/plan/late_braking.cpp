@@ -12,12 +12,14 @@ constexpr double kMoment = 0.1;  // [s] numerical: bodies are compared so often
 constexpr double kReach = 2.0;   // [m] numerical: bodies of persons, and a body's swing in a bend
 constexpr int kHalvings = 4;     // numerical: of the span from decel to emergency_decel
 
-/// Whether the vehicle's front runs into a person on its way from `before` to `body`. The person
-/// was at `then` [m], and is at `now`.
+/// Whether the vehicle runs into a person on its way from `before` to `body`: with its front, or
+/// with a flank that swings over where the person is. The person was at `then` [m], and is at
+/// `now`; who walks into a flank by itself is not run into.
 bool runs_into(const Rectangle& before, const Vec2& then, const Rectangle& body, const Vec2& now,
                double radius) {
   if (body.signed_distance(now) >= radius) return false;
-  return (then - before.centre).dot(before.axis) > before.half.x();
+  if ((then - before.centre).dot(before.axis) > before.half.x()) return true;
+  return before.signed_distance(then) >= radius && body.signed_distance(then) < radius;
 }
 
 /// Whether it runs into anybody, braking with `deceleration` [m/s²] from now on.

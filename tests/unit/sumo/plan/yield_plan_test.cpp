@@ -132,6 +132,23 @@ TEST(PlanYield, does_not_brake_hard_for_who_walks_against_its_side) {
   EXPECT_TRUE(!order || !order->emergency);
 }
 
+TEST(PlanYield, brakes_hard_for_who_stands_where_its_flank_will_swing) {
+  // Its front comes past the person; its flank cuts the corner that follows.
+  const auto told_before = [](const std::vector<Vec2>& way) {
+    FleetVehicle vehicle = test::shuttle(way);
+    vehicle.speed = 6.0;
+    vehicle.allowed_speed = 30.0;
+    const double beside = 0.5 * vehicle.traits.width + 0.24 + 0.05;
+    const std::vector<PersonAhead> people = {{{0.2, -beside}, {0.0, 0.0}, 0.24}};
+    return plan_yield(vehicle, people, Parameters(), EvenBraking().speeds(), 0.1);
+  };
+  const auto turns = told_before({{1.0, 0.0}, {20.0, -11.0}});
+  ASSERT_TRUE(turns);
+  EXPECT_TRUE(turns->emergency);
+  const auto straight = told_before({{200.0, 0.0}});
+  EXPECT_TRUE(!straight || !straight->emergency);
+}
+
 TEST(PlanYield, brakes_as_hard_as_it_needs_to) {
   // From 8 m/s, contact after 4.76 m: 8² / (2 · 4.76) = 6.7 m/s², less what SUMO's steps add.
   const auto order = told({{5.0, 0.0}, {0.0, 0.0}, 0.24}, 0.1);
