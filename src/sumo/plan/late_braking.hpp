@@ -9,10 +9,11 @@ namespace pedzone {
 
 struct PersonAhead;
 
-/// [m/s²] The least braking, kept up to the standstill, with which the vehicle's front touches none
-/// of `people` if they walk on as they do: the type's decel where that is enough, its
-/// emergency_decel where nothing is. `dt` [s]: of the step, in which SUMO drives at one speed.
-/// Who walks against the vehicle's side is not helped by braking and does not count.
+/// [m/s²] The least braking, kept up to the standstill, with which neither the vehicle's front nor
+/// a flank that swings in a bend touches any of `people` if they walk on as they do: the type's
+/// decel where that is enough, its emergency_decel where nothing is. `dt` [s]: of the step, in
+/// which SUMO drives at one speed. Who walks against the vehicle's side is not helped by braking
+/// and does not count.
 double needed_deceleration(const FleetVehicle& vehicle, std::span<const PersonAhead> people,
                            double dt);
 
