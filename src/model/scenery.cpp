@@ -27,7 +27,7 @@ void Scenery::prepare(const Snapshot& snapshot, VehicleForm form, double reach) 
   const double field =
       snapshot.attention ? snapshot.attention->widest_field : parameters.field_of_view;
   grid_.build(*snapshot.persons, origin_, std::min(parameters.sight, reach), field * kDegree);
-  prepare_vehicles();
+  prepare_vehicles(minds_discomfort(parameters, form));
 }
 
 void Scenery::prepare_walls() {
@@ -47,10 +47,11 @@ void Scenery::prepare_walls() {
   known_reach_ = reach;
 }
 
-void Scenery::prepare_vehicles() {
+void Scenery::prepare_vehicles(bool gains_are_seen) {
   vehicles_.clear();
   for (const VehicleState& vehicle : snapshot_.vehicles) {
     vehicles_.push_back(shape_of(vehicle, origin_));
+    if (gains_are_seen) expect_gain(vehicles_.back(), vehicle.gain);
   }
   const double hearing =
       snapshot_.attention ? snapshot_.attention->farthest_hearing : snapshot_.parameters->hearing;

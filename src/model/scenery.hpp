@@ -42,7 +42,7 @@ class Scenery {
 
  private:
   void prepare_walls();
-  void prepare_vehicles();
+  void prepare_vehicles(bool gains_are_seen);
 
   Snapshot snapshot_;
   Senses senses_;

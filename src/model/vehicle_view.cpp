@@ -108,6 +108,14 @@ VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin) 
   return s;
 }
 
+void expect_gain(VehicleShape& shape, double gain) {
+  if (!shape.moving() || !(gain > 0.0)) return;
+  const float expected = shape.speed + static_cast<float>(gain);
+  shape.vx *= expected / shape.speed;
+  shape.vy *= expected / shape.speed;
+  shape.speed = expected;
+}
+
 VehicleView view_of(const VehicleShape& shape, const Walker& person) {
   VehicleView view;
   view.shape = &shape;

@@ -40,6 +40,10 @@ struct VehicleShape {
 
 VehicleShape shape_of(const VehicleState& vehicle, const LatticeOrigin& origin);
 
+/// Makes it faster by `gain` [m/s] ≥ 0, unless it stands: people expect a vehicle that speeds up to
+/// go on so. Measured on recordings: src/validation/README.md.
+void expect_gain(VehicleShape& shape, double gain);
+
 /// [m] how far a horn is heard, by anybody. Assumed.
 inline constexpr float kHornReach = 60.0F;
 

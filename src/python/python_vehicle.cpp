@@ -19,7 +19,7 @@ namespace {
 void check(const VehicleState& state) {
   for (const double number :
        {state.centre.x(), state.centre.y(), state.heading, state.velocity.x(), state.velocity.y(),
-        state.yaw_rate, state.claim, state.claimed, state.length, state.width}) {
+        state.yaw_rate, state.gain, state.claim, state.claimed, state.length, state.width}) {
     finite_number(number, "a number of a vehicle");
   }
   if (!(state.length > 0.0 && state.width > 0.0)) {
@@ -90,6 +90,8 @@ void bind_vehicles(py::module_& module) {
   bind_vector(bound, "velocity", &VehicleState::velocity, "(x, y) [m/s] of the centre.");
   bind_member(bound, "heading", &VehicleState::heading, "[rad] counter-clockwise from +x.");
   bind_member(bound, "yaw_rate", &VehicleState::yaw_rate, "[rad/s]");
+  bind_member(bound, "gain", &VehicleState::gain,
+              "[m/s] >= 0: so much faster people expect it to drive in the next second.");
   bind_member(bound, "length", &VehicleState::length, "[m] > 0");
   bind_member(bound, "width", &VehicleState::width, "[m] > 0");
   bind_member(bound, "claim", &VehicleState::claim,

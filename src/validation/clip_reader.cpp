@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/xml.hpp"
 #include "validation/clip.hpp"
+#include "world/speed_gain.hpp"
 
 namespace pedzone {
 namespace {
@@ -158,8 +159,8 @@ void ClipFile::add_vehicle(Clip& clip, const Row& row) {
   vehicle.states.push_back(state);
 }
 
-/// Velocities and yaw rates as somebody present sees them: from the past, except in the first
-/// frame.
+/// Velocities, yaw rates and gains of speed as somebody present sees them: from the past, except in
+/// the first frame.
 void set_velocities(VehicleTrack& vehicle) {
   const int count = static_cast<int>(vehicle.states.size());
   for (int i = 0; i < count; ++i) {
@@ -172,6 +173,11 @@ void set_velocities(VehicleTrack& vehicle) {
     const double time = (to - from) * kFrame;
     now.velocity = (b.centre - a.centre) / time;
     now.yaw_rate = wrap_angle(b.heading - a.heading) / time;
+  }
+  SpeedGain gain(vehicle.states.front().velocity.norm());
+  for (VehicleState& now : vehicle.states) {
+    gain.follow(now.velocity.norm(), kFrame);
+    now.gain = gain.ahead();
   }
 }
 

@@ -55,6 +55,8 @@ struct VehicleState {
   double heading = 0.0;          ///< [rad]
   Vec2 velocity = Vec2::Zero();  ///< [m/s] of the centre; against the heading: reversing
   double yaw_rate = 0.0;         ///< [rad/s]
+  double gain = 0.0;             ///< [m/s] ≥ 0 so much faster than `velocity` people expect it
+                                 ///< to drive in the next second, since it speeds up
   double claim = 0.0;            ///< [m] [0, 50] a vehicle that people hold up asks for so
                                  ///< much room ahead of its front bumper, along its way
   double claimed = 0.0;          ///< [s] for how long it has asked: people mind who has

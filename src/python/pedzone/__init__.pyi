@@ -53,6 +53,7 @@ class Vehicle:
     velocity: tuple[float, float]
     heading: float
     yaw_rate: float
+    gain: float
     length: float
     width: float
     claim: float

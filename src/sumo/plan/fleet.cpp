@@ -29,6 +29,8 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.commanded = old.commanded;
   vehicle.left_alone = old.commanded >= 0.0 ? 0.0 : old.left_alone + dt;
   vehicle.pull = old.pull;
+  vehicle.gain = old.gain;
+  vehicle.gain.follow(vehicle.speed, dt);
   const bool told = old.commanded >= 0.0 && old.commanded < kHaltingSpeed;
   vehicle.waits = !told && std::max(old.speed, vehicle.speed) < kHaltingSpeed;
   const Vec2 moved = vehicle.centre() - old.centre();
@@ -92,6 +94,7 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
   if (vehicle.traits.external || vehicle.reverses || !goes_on(vehicle) || dt <= 0.0) {
     state.velocity = vehicle.velocity;
     state.yaw_rate = vehicle.yaw_rate;
+    state.gain = vehicle.gain.ahead();
   } else {
     const NextSpeed next = next_speed(vehicle, dt);
     const Rectangle body = body_after(vehicle, next.expected * dt);
@@ -100,6 +103,9 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
         moved.norm() > 0.0 ? Vec2(moved.normalized() * next.expected) : Vec2(Vec2::Zero());
     state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
     state.slower = next.expected - next.least;
+    // The velocity is what it will drive in the step: in a long one the gain is in it.
+    const double shown = next.expected - vehicle.speed;
+    if (shown >= 0.0) state.gain = std::max(0.0, vehicle.gain.ahead() - shown);
     if (!vehicle.stopped) (vehicle.waits ? state.starts : state.lead) = next.most * dt;
   }
   state.key = person_key(vehicle.id);
@@ -162,6 +168,7 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     FleetVehicle vehicle;
     static_cast<VehicleSeen&>(vehicle) = std::move(told);
     vehicle.velocity = unit(vehicle.heading) * vehicle.speed;
+    vehicle.gain = SpeedGain(vehicle.speed);
     const auto found = previous_index_.find(vehicle.id);
     const FleetVehicle* const before =
         found == previous_index_.end() ? nullptr : &previous_[found->second];

@@ -9,6 +9,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/rectangle.hpp"
+#include "world/speed_gain.hpp"
 
 namespace pedzone {
 
@@ -61,6 +62,7 @@ struct LeaderAhead {
 struct FleetVehicle : VehicleSeen {
   Vec2 velocity = Vec2::Zero();  ///< [m/s] from its last two places: reversing and side-slip too
   double yaw_rate = 0.0;         ///< [rad/s] of a steered one (steering.hpp)
+  SpeedGain gain;                ///< as people see it
   std::vector<int> behind;       ///< lanes that it came by to its present one, the last first
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
   bool leaves = false;           ///< where its way ends its trip does, or before

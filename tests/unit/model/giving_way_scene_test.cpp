@@ -65,6 +65,26 @@ TEST(GivingWay, gives_a_parked_vehicle_no_more_room_than_in_the_paper) {
   EXPECT_GT(barred, 0);
 }
 
+TEST(GivingWay, expects_a_vehicle_that_speeds_up_to_go_on_so) {
+  int told_apart = 0;
+  for (double y = -20.0; y <= -4.0; y += 0.5) {
+    Scene slow = walker_and(vehicle({6.0, y}, kPi / 2.0, 2.0));
+    Scene fast = walker_and(vehicle({6.0, y}, kPi / 2.0, 2.5));
+    Scene gains = slow;
+    gains.vehicles[0].gain = 0.5;
+    const Decision expected = fast.first(), decided = gains.first();
+    EXPECT_EQ(decided.direction, expected.direction) << y;
+    EXPECT_EQ(decided.speed, expected.speed) << y;
+    const Decision before = slow.first();
+    told_apart += before.direction != expected.direction || before.speed != expected.speed;
+    for (const char* of_the_papers : {"plain", "heuristic-original"}) {
+      slow.model_name = gains.model_name = of_the_papers;
+      expect_same(gains.first(), slow.first());
+    }
+  }
+  EXPECT_GT(told_apart, 3);
+}
+
 /// A person's key whose own standard normal number is near z.
 std::uint64_t key_of_caution(double z) {
   for (std::uint64_t key = 1;; ++key) {

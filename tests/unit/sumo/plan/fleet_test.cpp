@@ -248,6 +248,39 @@ TEST_F(FleetTest, shows_people_how_sure_it_is_where_a_vehicle_gets_to) {
   EXPECT_EQ(state(vehicle, 1.0).starts, 0.0) << "at its own stop";
 }
 
+TEST_F(FleetTest, shows_people_that_a_vehicle_speeds_up) {
+  for (const double dt : {0.1, 0.2, 1.0}) {
+    Fleet fleet(network, zones());
+    std::vector<VehicleState> states;
+    const auto look = [&](double speed) {
+      VehicleSeen seen = car(60.0, speed);
+      seen.traits.accel = 1.5;
+      seen.allowed_speed = 50.0;
+      fleet.update({seen}, dt);
+      fleet.states(dt, states);
+      return states.at(0);
+    };
+    EXPECT_EQ(look(3.0).gain, 0.0) << "just seen";
+    double speed = 3.0;
+    for (double time = 0.0; time < 6.0; time += dt) look(speed += 1.5 * dt);
+    const VehicleState faster = look(speed += 1.5 * dt);
+    const double mean = speed + 0.5 * 1.5;  // of the next second
+    EXPECT_NEAR(faster.velocity.norm() + faster.gain, std::max(mean, speed + 1.5 * dt), 0.01) << dt;
+    for (double time = 0.0; time < 3.0; time += dt) look(speed -= 1.5 * dt);
+    EXPECT_EQ(look(speed).gain, 0.0) << "it has braked";
+  }
+}
+
+TEST_F(FleetTest, shows_people_no_gain_of_one_that_is_told_to_brake) {
+  FleetVehicle vehicle = one(car(60.0, 5.0));
+  vehicle.gain = SpeedGain(3.0);
+  vehicle.gain.follow(5.0, 1.0);
+  vehicle.commanded = 5.1;
+  EXPECT_GT(state(vehicle, 0.1).gain, 0.3);
+  vehicle.commanded = 4.9;
+  EXPECT_EQ(state(vehicle, 0.1).gain, 0.0);
+}
+
 TEST_F(FleetTest, shows_people_where_a_vehicle_turns) {
   FleetVehicle vehicle = one(car(60.0, 5.0));
   vehicle.way = {{56.0, 0.0}, {60.0, 0.0}, {60.0, 30.0}};
