@@ -1,6 +1,7 @@
 #include "sumo/plan/stand_off.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "world/speeds.hpp"
 
@@ -14,26 +15,50 @@ constexpr double kBorder = 5.0;     // [m] assumed: a crossing beside a zone is 
 constexpr double kTry = 2.0;        // [s] assumed: one that can creep past does so by then
 constexpr double kSample = 0.5;     // [m] numerical
 constexpr double kGap = 0.3;        // [m] assumed: kept to other vehicles
+constexpr double kNoNearer = 0.05;  // [m] numerical: a way is made of chords
 constexpr double kMargin = 0.05;    // [m] as a creeping vehicle's
 constexpr double kDrives = 0.2;     // [m/s] numerical: told so much or more, it is to drive
 
-bool meets(const Rectangle& body, const FleetVehicle& other) {
+/// [m] between the bodies, or less: the other's ends are taken to be round.
+double clearance(const Rectangle& body, const FleetVehicle& other) {
   const Rectangle its = body_of(other);
+  double least = body.signed_distance(other.front);
   for (double along = -its.half.x(); along <= its.half.x(); along += kSample) {
-    if (body.signed_distance(its.centre + its.axis * along) < its.half.y() + kGap) return true;
+    least = std::min(least, body.signed_distance(its.centre + its.axis * along));
   }
-  return body.signed_distance(other.front) < its.half.y() + kGap;
+  return least - its.half.y();
 }
 
+/// Whether it gets too near to no other. One that is near already may stay so near.
 bool free_of_vehicles(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles) {
   return std::none_of(vehicles.begin(), vehicles.end(), [&](const FleetVehicle& other) {
     const double reach = kFreeWay + vehicle.traits.length + other.traits.length;
     if (other.id == vehicle.id || (other.front - vehicle.front).norm() > reach) return false;
+    const double enough = std::min(kGap, clearance(body_of(vehicle), other) - kNoNearer);
     for (double travelled = kSample; travelled <= kFreeWay; travelled += kSample) {
-      if (meets(body_after(vehicle, travelled), other)) return true;
+      if (clearance(body_after(vehicle, travelled), other) < enough) return true;
     }
     return false;
   });
+}
+
+bool is_inside(const FleetVehicle& vehicle) {
+  return vehicle.junction.junction >= 0 && vehicle.junction.begin <= 0.0;
+}
+
+/// Whether it is inside a junction with others that all stand, after people have held one of them.
+/// Not where another is told to drive: two that are let go at once might meet.
+bool is_in_gridlock(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles) {
+  if (!is_inside(vehicle)) return false;
+  bool others = false, held = std::isfinite(vehicle.left_alone);
+  for (const FleetVehicle& other : vehicles) {
+    if (other.id == vehicle.id || !is_inside(other)) continue;
+    if (other.junction.junction != vehicle.junction.junction) continue;
+    if (other.speed > kHaltingSpeed || other.commanded >= kDrives) return false;
+    others = true;
+    held = held || std::isfinite(other.left_alone);
+  }
+  return others && held;
 }
 
 }  // namespace
@@ -52,7 +77,8 @@ bool StandOffs::meets_zone(const FleetVehicle& vehicle) const {
   return false;
 }
 
-/// What ends a stand-off with people beside a vehicle at a zone; to wait where it may be none.
+/// What ends a stand-off with people beside a vehicle at a zone, or with other vehicles in a
+/// junction there; to wait where it may be none.
 StandOffs::Way StandOffs::way_out(const FleetVehicle& vehicle,
                                   std::span<const FleetVehicle> vehicles,
                                   std::span<const PersonAhead> people) const {
@@ -62,7 +88,8 @@ StandOffs::Way StandOffs::way_out(const FleetVehicle& vehicle,
   const bool beside = std::any_of(people.begin(), people.end(), [&](const PersonAhead& person) {
     return body.signed_distance(person.position) < kBeside;
   });
-  return beside && free_of_vehicles(vehicle, vehicles) ? Way::kPass : Way::kWait;
+  const bool stuck = beside || is_in_gridlock(vehicle, vehicles);
+  return stuck && free_of_vehicles(vehicle, vehicles) ? Way::kPass : Way::kWait;
 }
 
 /// The way out, or to wait anew where it has been tried for long enough.

@@ -1,7 +1,11 @@
-// Vehicles and SUMO's own people that wait for each other for ever at a zone's border. SUMO stops
-// a vehicle for anybody on a walking area before it, also for whom it would pass, and keeps people
-// from a lane with a vehicle on it, and from a crossing before one that means to drive. Inside the
-// zone people make way; there SUMO walks them.
+// Who would wait for each other for ever by SUMO's rules.
+// Vehicles and SUMO's own people at a zone's border: SUMO stops a vehicle for anybody on a walking
+// area before it, also for whom it would pass, and keeps people from a lane with a vehicle on it,
+// and from a crossing before one that means to drive. Inside the zone people make way; there SUMO
+// walks them.
+// Vehicles inside a junction whose ways join: one stops for the other, which has the right of way,
+// and that one for the first, which is ahead of it. Among SUMO's own vehicles nobody comes so late;
+// but people hold some of them.
 #pragma once
 
 #include <span>
@@ -20,15 +24,15 @@ class StandOffs {
   explicit StandOffs(const std::vector<Zone>& zones) : zones_(zones) {}
 
   /// Before SUMO's next step of `dt` [s]: what a vehicle in or at a zone is told that has stood for
-  /// creepAfter beside one of `people` (all near the zone). Where its way is free of people and
-  /// vehicles it creeps past. If SUMO keeps it standing for 2 s all the same, it waits again: it
-  /// may find a gap with its own speed that it does not with this one. Where somebody stands in its
-  /// way it lets people go first, for creepAfter at most before it waits again: while it is told to
-  /// stand, SUMO opens crossings to them, and pedzone gives people back beside it. To be called
-  /// after Yielding::plan; vehicles that this slows down are left alone, those that it lets drive
-  /// while SUMO has them stand are not. A vehicle that meanwhile has gone (it teleports), or is
-  /// driven by another program, gets its own speed back as soon as it is among `vehicles` again and
-  /// pedzone's to tell.
+  /// creepAfter beside one of `people` (all near the zone), or with others in a junction where all
+  /// stand. Where its way is free of people and vehicles it creeps past. If SUMO keeps it standing
+  /// for 2 s all the same, it waits again: it may find a gap with its own speed that it does not
+  /// with this one. Where somebody stands in its way it lets people go first, for creepAfter at
+  /// most before it waits again: while it is told to stand, SUMO opens crossings to them, and
+  /// pedzone gives people back beside it. To be called after Yielding::plan; vehicles that this
+  /// slows down are left alone, those that it lets drive while SUMO has them stand are not. A
+  /// vehicle that meanwhile has gone (it teleports), or is driven by another program, gets its own
+  /// speed back as soon as it is among `vehicles` again and pedzone's to tell.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, double dt);
 

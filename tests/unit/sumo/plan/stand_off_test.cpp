@@ -53,6 +53,51 @@ TEST_F(StandOffTest, vehicle_creeps_past_people_after_seconds_and_not_after_step
   }
 }
 
+/// Two inside a junction who stand beside each other, their ways join ahead of the first; nobody is
+/// near, but people have held the second.
+class GridlockTest : public StandOffTest {
+ protected:
+  GridlockTest() {
+    people_.clear();
+    vehicles_.push_back(standing("car", 77.0));
+    vehicles_[1].front.y() = 1.95;  // nearer than one would come
+    vehicles_[1].way = {{73.0, 1.95}, {77.0, 1.95}, {82.0, 0.0}, {110.0, 0.0}};
+    for (FleetVehicle& vehicle : vehicles_) vehicle.junction = {.junction = 3, .end = 5.0};
+    vehicles_[1].left_alone = 60.0;
+  }
+};
+
+TEST_F(GridlockTest, is_ended_by_the_one_whose_way_is_free) {
+  EXPECT_THAT(wait(100.0),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kPass}, SpeedOrder{"van", creep_}));
+  EXPECT_NEAR(time_, creep_after_, 0.2);
+}
+
+TEST_F(GridlockTest, is_ended_by_one_of_two_at_a_time) {
+  vehicles_[1].way = {{73.0, 1.95}, {77.0, 1.95}, {110.0, 1.95}};
+  EXPECT_THAT(wait(100.0),
+              ElementsAre(SpeedOrder{"van", SpeedMode::kPass}, SpeedOrder{"van", creep_}));
+}
+
+TEST_F(GridlockTest, is_none_where_people_held_nobody_or_another_drives_or_is_elsewhere) {
+  const std::vector<FleetVehicle> before = vehicles_;
+  const auto expect_none = [&](const char* why) {
+    stand_offs_.emplace(zones_);
+    EXPECT_THAT(wait(3.0 * creep_after_), IsEmpty()) << why;
+    vehicles_ = before;
+  };
+  vehicles_[1].left_alone = std::numeric_limits<double>::infinity();
+  expect_none("people held nobody: SUMO's matter");
+  vehicles_[1].speed = 1.0;
+  expect_none("the other drives");
+  vehicles_[1].junction.junction = 4;
+  expect_none("the other is elsewhere");
+  vehicles_[1].junction.begin = 1.0;
+  expect_none("the other has not come in");
+  vehicles_[0].junction.begin = 1.0;
+  expect_none("it has not come in itself");
+}
+
 TEST_F(StandOffTest, ends_when_nobody_is_beside_any_more) {
   wait(100.0);
   vehicles_[0].commanded = kOwnSpeed;  // as Yielding leaves it
