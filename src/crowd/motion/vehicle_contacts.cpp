@@ -131,6 +131,21 @@ double put(std::uint32_t person, const Vec2& at, Moves& moves) {
   return way;
 }
 
+/// Whether another vehicle than that of `hit` is nearer to `at` [m] in `dt` [s] than bodies keep
+/// from it, and nearer than to `here`.
+bool is_near_another(const CrowdState& crowd, const VehicleHit& hit, const Vec2& here,
+                     const Vec2& at, double dt) {
+  const double reach = crowd.persons.radius[hit.person] + kGap;
+  for (std::uint32_t v = 0; v < crowd.vehicles.size(); ++v) {
+    const VehicleState& other = crowd.vehicles[v];
+    const double away = other.length + other.width + reach + other.velocity.norm() * dt;
+    if (v == hit.vehicle || (other.centre - at).squaredNorm() > away * away) continue;
+    const Rectangle its = rectangle_of(moved_on(other, dt));
+    if (its.distance(at) < std::min(reach, its.distance(here) - kNoGap)) return true;
+  }
+  return false;
+}
+
 /// Moves the person out of the way of where the vehicle gets to (`later`), by at most `longest`
 /// [m]; what came of it.
 VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, const VehicleState& later,
@@ -144,8 +159,13 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, const Vehic
   const double speed = vehicle.velocity.norm();
   const double radius = speed < kStaticSpeed ? turned : straight;
   const double least = lets_squeeze_past(speed) ? turned : straight;
-  const Vec2 at = moved_out(crowd.walls_of(hit.person), turned, around(later), here,
-                            radius + gap_to(later), least, longest);
+  const auto out = [&](double gap) {
+    return moved_out(crowd.walls_of(hit.person), turned, around(later), here, radius + gap, least,
+                     longest);
+  };
+  Vec2 at = out(gap_to(later));
+  // Room that one may need when it turns moves nobody under another.
+  if (at != here && is_near_another(crowd, hit, here, at, dt)) at = out(kGap);
   VehiclePush push{persons.key[hit.person], vehicle.key};
   push.way = put(hit.person, at, moves);
   push.speed = push.way / dt;

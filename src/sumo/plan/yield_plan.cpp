@@ -1,6 +1,8 @@
 #include "sumo/plan/yield_plan.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 #include "sumo/plan/late_braking.hpp"
 #include "sumo/plan/right_of_way.hpp"
@@ -20,7 +22,9 @@ constexpr double kHasDrivenOff = 0.5;  // assumed: at this share of what it may 
 constexpr double kObeyed = 0.05;  // [m/s] numerical: slower than told by more, traffic holds it
 constexpr double kEase = 5.0;     // [m/s³] assumed: from braking to driving off in less than 1.5 s
 constexpr double kTouch = 0.01;   // [m] numerical
-constexpr double kCreepMargin = 0.05;  // [m] numerical: a creeping vehicle passes people close
+constexpr double kEdgesPastAfter = 60.0;  // [s] assumed: three times creepAfter
+constexpr double kFreeAhead = 1.0;        // [m] assumed: it stops for who steps before it meanwhile
+constexpr double kCreepMargin = 0.05;     // [m] numerical: a creeping vehicle passes people close
 
 /// Whether the body comes within `margin` of a person when its front has gone `travelled`.
 bool touches(const FleetVehicle& vehicle, double travelled, const Vec2& person, double reach) {
@@ -153,6 +157,18 @@ bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> 
   });
 }
 
+/// Whether nobody it stands for is before it, and it has stood for very long: who is beside it,
+/// where it is about to turn, has nowhere to go. It goes on, no faster than people are squeezed
+/// past: they get out of its way as it comes.
+bool edges_past(const FleetVehicle& vehicle, std::span<const PersonAhead> people) {
+  if (vehicle.blocked_time < kEdgesPastAfter) return false;
+  std::vector<PersonAhead> before;
+  std::ranges::copy_if(people, std::back_inserter(before), [&](const PersonAhead& person) {
+    return !is_past(vehicle, person.position);
+  });
+  return !first_in_way(vehicle, before, kCreepMargin, kFreeAhead);
+}
+
 }  // namespace
 
 double SafeSpeeds::before(const FleetVehicle& vehicle, const Obstruction& ahead, double gap) const {
@@ -240,6 +256,7 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
           safe, speed_beside(vehicle, people, *ahead, distance, pass, parameters, safe_speeds, dt));
     }
   }
+  if (edges_past(vehicle, people)) safe = kSqueezeSpeed;
   safe = std::min(safe, most);
   if (safe >= vehicle.allowed_speed) return let_go(vehicle, dt);
   // People who made room for one that traffic holds would wait for nothing, and for each other.

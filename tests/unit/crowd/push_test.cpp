@@ -87,6 +87,18 @@ TEST_F(Push, moves_nobody_into_somebody_else) {
   EXPECT_GE(nearest, 2.0 * 0.5 * kRadius - 0.01);
 }
 
+TEST_F(Push, moves_nobody_under_another_vehicle_for_room_to_turn) {
+  Scene scene(zone_, 1, standing_model());
+  scene.add({40, 10}, point(70, 10), 1.34, 0.0);
+  VehicleState turns = vehicle_at({40, 8}, 0.0, 0.5);  // 0.86 m from the body
+  turns.yaw_rate = 1.6;
+  scene.vehicles = {vehicle_at({40, 11.24}, 0.0, 1.0), turns};  // the other passes 0.1 m beside it
+  for (int k = 0; k < 3; ++k) {
+    scene.step(kStep);
+    EXPECT_GE(scene.least_vehicle_gap(), 0.05 - 1e-3) << k;
+  }
+}
+
 TEST_F(Push, is_told_of_a_step_as_of_its_substeps) {
   for (const double dt : {0.1, 1.0}) {
     Scene scene(zone_, 1, standing_model());

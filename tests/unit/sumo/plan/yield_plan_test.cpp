@@ -149,6 +149,30 @@ TEST(PlanYield, brakes_hard_for_who_stands_where_its_flank_will_swing) {
   EXPECT_TRUE(!straight || !straight->emergency);
 }
 
+TEST(PlanYield, edges_past_who_is_beside_it_and_does_not_get_away) {
+  const Parameters parameters;
+  const EvenBraking own;
+  FleetVehicle vehicle = test::shuttle({{1.0, 0.0}, {1.0, 200.0}});  // its tail will swing
+  vehicle.allowed_speed = 10.0;
+  vehicle.commanded = 0.0;
+  std::vector<PersonAhead> people{{{-0.8, 1.2}, {0.0, 0.0}, 0.24}};
+  double most = 0.0, time = 0.0;
+  const auto wait_until = [&](double end) {
+    for (; time < end; time += 0.5) {
+      const auto order = plan_yield(vehicle, people, parameters, own.speeds(), 0.5);
+      most = std::max(most, order ? order->speed : vehicle.allowed_speed);
+    }
+  };
+  wait_until(59.0);
+  EXPECT_EQ(most, 0.0);
+  wait_until(62.0);
+  EXPECT_NEAR(most, kSqueezeSpeed, 1e-9);
+  most = 0.0;
+  people.push_back({{0.4, 0.0}, {0.0, 0.0}, 0.24});
+  wait_until(70.0);
+  EXPECT_EQ(most, 0.0) << "not past who is before it";
+}
+
 TEST(PlanYield, brakes_as_hard_as_it_needs_to) {
   // From 8 m/s, contact after 4.76 m: 8² / (2 · 4.76) = 6.7 m/s², less what SUMO's steps add.
   const auto order = told({{5.0, 0.0}, {0.0, 0.0}, 0.24}, 0.1);
