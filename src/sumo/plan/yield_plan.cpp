@@ -256,7 +256,7 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
           safe, speed_beside(vehicle, people, *ahead, distance, pass, parameters, safe_speeds, dt));
     }
   }
-  if (edges_past(vehicle, people)) safe = kSqueezeSpeed;
+  if (edges_past(vehicle, people)) safe = std::max(safe, kSqueezeSpeed);
   safe = std::min(safe, most);
   if (safe >= vehicle.allowed_speed) return let_go(vehicle, dt);
   // People who made room for one that traffic holds would wait for nothing, and for each other.

@@ -171,6 +171,9 @@ TEST(PlanYield, edges_past_who_is_beside_it_and_does_not_get_away) {
   people.push_back({{0.4, 0.0}, {0.0, 0.0}, 0.24});
   wait_until(70.0);
   EXPECT_EQ(most, 0.0) << "not past who is before it";
+  people = {{{2.0, 0.0}, {0.0, 0.0}, 0.24}};
+  wait_until(71.0);
+  EXPECT_GT(most, kSqueezeSpeed) << "it creeps as before where it may";
 }
 
 TEST(PlanYield, brakes_as_hard_as_it_needs_to) {
