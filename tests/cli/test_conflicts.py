@@ -125,8 +125,12 @@ class Conflicts(RefusalChecks, unittest.TestCase):
                           for name in ("run.csv", "fcd.csv")]
         (run, measured), (run_all, measured_all) = tables["zones"], tables["all"]
         self.assertGreater(len(run), 5)
-        # A few pairs are at a limit: by directions, which the file does not have.
-        self.assertLess(len(run ^ measured), 0.35 * len(run))
+        # A few pairs are at a limit: by directions, which the file does not have. The file has more,
+        # since a run sees who is near the zone only; whom pedzone walked it may do so before and after.
+        self.assertLess(len(run - measured), 0.2 * len(run))
+        walked = {row["id"] for row in self.rows("walked.csv")}
+        self.assertLessEqual({person for person, _ in run | measured}, walked)
+        self.assertGreater(len({person for person, _ in measured_all} - walked), 0)
         self.assertLess(run, run_all)
         self.assertLess(measured, measured_all)
 
