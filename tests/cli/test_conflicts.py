@@ -121,16 +121,26 @@ class Conflicts(RefusalChecks, unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             whose = "everybody" if of == "all" else "people whom pedzone walked"
             self.assertIn(f"conflicts of {whose}", done.stdout)
-            tables[of] = [{(row["person"], row["vehicle"]) for row in self.rows(name)}
+            tables[of] = [{(row["person"], row["vehicle"]): row for row in self.rows(name)}
                           for name in ("run.csv", "fcd.csv")]
+        found = tables["zones"][1]
+
+        def taken_over(pair):
+            at = found[pair]["minTTC_time"] if pair in found else ""
+            return at != "" and abs(float(at) - walked[pair[0]]) < 0.15
+        tables = {of: [set(rows) for rows in both] for of, both in tables.items()}
         (run, measured), (run_all, measured_all) = tables["zones"], tables["all"]
         self.assertGreater(len(run), 5)
-        # A few pairs are at a limit: by directions, which the file does not have. The file has more,
-        # since a run sees who is near the zone only; whom pedzone walked it may do so before and after.
+        walked = {}
+        for row in self.rows("walked.csv"):
+            walked.setdefault(row["id"], float(row["time"]))
+        self.assertLessEqual({person for person, _ in run | measured}, set(walked))
+        self.assertGreater(len({person for person, _ in measured_all} - set(walked)), 0)
         self.assertLess(len(run - measured), 0.2 * len(run))
-        walked = {row["id"] for row in self.rows("walked.csv")}
-        self.assertLessEqual({person for person, _ in run | measured}, walked)
-        self.assertGreater(len({person for person, _ in measured_all} - walked), 0)
+        # A few pairs are at a limit: by directions, which the file does not have. When pedzone takes
+        # somebody over the file has the direction of the step before, that of SUMO.
+        self.assertLess(len({pair for pair in run ^ measured if not taken_over(pair)}),
+                        0.35 * len(run))
         self.assertLess(run, run_all)
         self.assertLess(measured, measured_all)
 
