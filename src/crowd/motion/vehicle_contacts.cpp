@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "crowd/sense/vehicle_motion.hpp"
@@ -131,19 +132,17 @@ double put(std::uint32_t person, const Vec2& at, Moves& moves) {
   return way;
 }
 
-/// Whether another vehicle than that of `hit` is nearer to `at` [m] in `dt` [s] than bodies keep
-/// from it, and nearer than to `here`.
-bool is_near_another(const CrowdState& crowd, const VehicleHit& hit, const Vec2& here,
-                     const Vec2& at, double dt) {
+/// Whether another vehicle that may reach the person than that of `hit` is nearer to `at` [m] in
+/// `dt` [s] than bodies keep from it, and nearer than to `here`.
+bool is_near_another(const CrowdState& crowd, std::span<const VehicleHit> hits,
+                     const VehicleHit& hit, const Vec2& here, const Vec2& at, double dt) {
   const double reach = crowd.persons.radius[hit.person] + kGap;
-  for (std::uint32_t v = 0; v < crowd.vehicles.size(); ++v) {
-    const VehicleState& other = crowd.vehicles[v];
-    const double away = other.length + other.width + reach + other.velocity.norm() * dt;
-    if (v == hit.vehicle || (other.centre - at).squaredNorm() > away * away) continue;
-    const Rectangle its = rectangle_of(moved_on(other, dt));
-    if (its.distance(at) < std::min(reach, its.distance(here) - kNoGap)) return true;
-  }
-  return false;
+  const auto own = std::ranges::equal_range(hits, hit.person, {}, &VehicleHit::person);
+  return std::ranges::any_of(own, [&](const VehicleHit& other) {
+    if (other.vehicle == hit.vehicle) return false;
+    const Rectangle its = rectangle_of(moved_on(crowd.vehicles[other.vehicle], dt));
+    return its.distance(at) < std::min(reach, its.distance(here) - kNoGap);
+  });
 }
 
 /// Moves the person out of the way of where the vehicle gets to (`later`), by at most `longest`
@@ -165,7 +164,7 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, const Vehic
   };
   Vec2 at = out(gap_to(later));
   // Room that one may need when it turns moves nobody under another.
-  if (at != here && is_near_another(crowd, hit, here, at, dt)) at = out(kGap);
+  if (at != here && is_near_another(crowd, moves.hits, hit, here, at, dt)) at = out(kGap);
   VehiclePush push{persons.key[hit.person], vehicle.key};
   push.way = put(hit.person, at, moves);
   push.speed = push.way / dt;

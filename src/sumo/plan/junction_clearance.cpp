@@ -48,8 +48,7 @@ void add_discs(const FleetVehicle& vehicle, std::vector<PersonAhead>& discs) {
 std::vector<const FleetVehicle*> in_junctions(std::span<const FleetVehicle> vehicles) {
   std::vector<const FleetVehicle*> inside;
   for (const FleetVehicle& vehicle : vehicles) {
-    const JunctionAhead& junction = vehicle.junction;
-    if (junction.junction < 0 || junction.begin > 0.0) continue;
+    if (!is_in_junction(vehicle)) continue;
     // One that stands by itself waits for somebody, and SUMO's vehicles mind it.
     if (!stands(vehicle) || vehicle.commanded >= 0.0) inside.push_back(&vehicle);
   }

@@ -42,17 +42,13 @@ bool free_of_vehicles(const FleetVehicle& vehicle, std::span<const FleetVehicle>
   });
 }
 
-bool is_inside(const FleetVehicle& vehicle) {
-  return vehicle.junction.junction >= 0 && vehicle.junction.begin <= 0.0;
-}
-
 /// Whether it is inside a junction with others that all stand, after people have held one of them.
 /// Not where another is told to drive: two that are let go at once might meet.
 bool is_in_gridlock(const FleetVehicle& vehicle, std::span<const FleetVehicle> vehicles) {
-  if (!is_inside(vehicle)) return false;
+  if (!is_in_junction(vehicle)) return false;
   bool others = false, held = std::isfinite(vehicle.left_alone);
   for (const FleetVehicle& other : vehicles) {
-    if (other.id == vehicle.id || !is_inside(other)) continue;
+    if (other.id == vehicle.id || !is_in_junction(other)) continue;
     if (other.junction.junction != vehicle.junction.junction) continue;
     if (other.speed > kHaltingSpeed || other.commanded >= kDrives) return false;
     others = true;

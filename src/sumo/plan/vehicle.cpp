@@ -18,6 +18,10 @@ double braking_distance(const FleetVehicle& vehicle) {
   return vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
 }
 
+bool is_in_junction(const FleetVehicle& vehicle) {
+  return vehicle.junction.junction >= 0 && vehicle.junction.begin <= 0.0;
+}
+
 bool goes_on(const FleetVehicle& vehicle) {
   return length_of(vehicle.way) > vehicle.traits.length + kRounding;
 }

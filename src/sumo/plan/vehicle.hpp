@@ -94,6 +94,9 @@ bool gives_way(const FleetVehicle& vehicle);
 /// [m] in which it stops as it likes to brake.
 double braking_distance(const FleetVehicle& vehicle);
 
+/// Whether its front is inside a junction.
+bool is_in_junction(const FleetVehicle& vehicle);
+
 /// Whether its way goes on ahead of its front.
 bool goes_on(const FleetVehicle& vehicle);
 
