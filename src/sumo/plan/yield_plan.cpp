@@ -22,7 +22,7 @@ constexpr double kHasDrivenOff = 0.5;  // assumed: at this share of what it may 
 constexpr double kObeyed = 0.05;  // [m/s] numerical: slower than told by more, traffic holds it
 constexpr double kEase = 5.0;     // [m/s³] assumed: from braking to driving off in less than 1.5 s
 constexpr double kTouch = 0.01;   // [m] numerical
-constexpr double kEdgesPastAfter = 60.0;  // [s] assumed: three times creepAfter
+constexpr double kEdgesPastAfter = 60.0;  // [s] assumed: three times creepAfter's default
 constexpr double kFreeAhead = 1.0;        // [m] assumed: it stops for who steps before it meanwhile
 constexpr double kCreepMargin = 0.05;     // [m] numerical: a creeping vehicle passes people close
 
@@ -161,7 +161,7 @@ bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> 
 /// where it is about to turn, has nowhere to go. It goes on, no faster than people are squeezed
 /// past: they get out of its way as it comes.
 bool edges_past(const FleetVehicle& vehicle, std::span<const PersonAhead> people) {
-  if (vehicle.blocked_time < kEdgesPastAfter) return false;
+  if (!vehicle.creeping || vehicle.blocked_time < kEdgesPastAfter) return false;
   std::vector<PersonAhead> before;
   std::ranges::copy_if(people, std::back_inserter(before), [&](const PersonAhead& person) {
     return !is_past(vehicle, person.position);

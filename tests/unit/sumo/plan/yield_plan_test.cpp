@@ -150,7 +150,7 @@ TEST(PlanYield, brakes_hard_for_who_stands_where_its_flank_will_swing) {
 }
 
 TEST(PlanYield, edges_past_who_is_beside_it_and_does_not_get_away) {
-  const Parameters parameters;
+  Parameters parameters;
   const EvenBraking own;
   FleetVehicle vehicle = test::shuttle({{1.0, 0.0}, {1.0, 200.0}});  // its tail will swing
   vehicle.allowed_speed = 10.0;
@@ -174,6 +174,11 @@ TEST(PlanYield, edges_past_who_is_beside_it_and_does_not_get_away) {
   people = {{{2.0, 0.0}, {0.0, 0.0}, 0.24}};
   wait_until(71.0);
   EXPECT_GT(most, kSqueezeSpeed) << "it creeps as before where it may";
+  parameters.creep_after = 200.0;
+  people = {{{-0.8, 1.2}, {0.0, 0.0}, 0.24}};
+  most = 0.0;
+  wait_until(80.0);
+  EXPECT_EQ(most, 0.0) << "not before it creeps";
 }
 
 TEST(PlanYield, brakes_as_hard_as_it_needs_to) {
