@@ -51,28 +51,28 @@ BodySizes::BodySizes() {
 }
 
 void BodySizes::read(const std::string& file) {
-  std::string distribution;  // that encloses the present element
-  int distribution_depth = -1;
-  visit_elements(file, "", [&](const XmlElement& element) {
-    if (element.depth() <= distribution_depth) distribution.clear();
-    const std::string_view name = element.name();
-    if (name == "vTypeDistribution") {
-      distribution = element.required("id");
-      distribution_depth = element.depth();
-      const auto members = split_words(element.value("vTypes").value_or(""));
-      if (!members.empty()) first_of_.try_emplace(distribution, members.front());
-    } else if (name == "vType") {
-      const std::string id(element.required("id"));
-      BodySize size = class_size(element.value("vClass").value_or("passenger"));
-      if (element.value("length")) size.length = element.number("length", kSizes);
-      if (element.value("width")) size.width = element.number("width", kSizes);
-      types_[id] = size;
-      if (!distribution.empty()) first_of_.try_emplace(distribution, id);
-    } else if (name == "person" || name == "personFlow") {
-      const auto type = element.value("type");
-      if (type) persons_[std::string(element.required("id"))] = *type;
-    }
-  });
+  visit_elements(file, "", [&](const XmlElement& element) { visit(element); });
+}
+
+void BodySizes::visit(const XmlElement& element) {
+  if (element.depth() <= distribution_depth_) distribution_.clear();
+  const std::string_view name = element.name();
+  if (name == "vTypeDistribution") {
+    distribution_ = element.required("id");
+    distribution_depth_ = element.depth();
+    const auto members = split_words(element.value("vTypes").value_or(""));
+    if (!members.empty()) first_of_.try_emplace(distribution_, members.front());
+  } else if (name == "vType") {
+    const std::string id(element.required("id"));
+    BodySize size = class_size(element.value("vClass").value_or("passenger"));
+    if (element.value("length")) size.length = element.number("length", kSizes);
+    if (element.value("width")) size.width = element.number("width", kSizes);
+    types_[id] = size;
+    if (!distribution_.empty()) first_of_.try_emplace(distribution_, id);
+  } else if (name == "person" || name == "personFlow") {
+    const auto type = element.value("type");
+    if (type) persons_[std::string(element.required("id"))] = *type;
+  }
 }
 
 std::optional<BodySize> BodySizes::of_type(std::string_view type) const {

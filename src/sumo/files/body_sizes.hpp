@@ -7,6 +7,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "core/xml_stream.hpp"
+
 namespace pedzone {
 
 struct BodySize {
@@ -24,6 +26,8 @@ class BodySizes {
   /// Takes in the types, and persons' types, of a route or additional file, which may be large.
   /// What a type leaves open is the default of its vClass. Throws InputError.
   void read(const std::string& file);
+  /// The same of one element after the other; those of a file in its order.
+  void visit(const XmlElement& element);
 
   /// Size of a type; nothing where it is not known. A type that a program has derived for one
   /// vehicle ("van@car7") is as large as what it comes from; a distribution as its first member.
@@ -36,6 +40,8 @@ class BodySizes {
   std::unordered_map<std::string, BodySize> types_;
   std::unordered_map<std::string, std::string> first_of_;  ///< distribution -> its first type
   std::unordered_map<std::string, std::string> persons_;   ///< person or flow -> type
+  std::string distribution_;                               ///< that encloses what is visited
+  int distribution_depth_ = -1;
 };
 
 }  // namespace pedzone

@@ -10,11 +10,13 @@
 #include <utility>
 
 #include "core/xml_stream.hpp"
+#include "sumo/files/body_sizes.hpp"
 
 namespace pedzone {
 namespace {
 
 constexpr double kBehindStart = 0.1;  // [m] SUMO 1.15: departPos base is this and the length
+constexpr std::string_view kUsualType = "DEFAULT_VEHTYPE";
 constexpr double kForEver = std::numeric_limits<double>::infinity();
 
 std::optional<double> number_of(std::optional<std::string_view> text) {
@@ -46,10 +48,6 @@ std::string first_word(std::string_view list) {
   return std::string(list.substr(begin, list.find(' ', begin) - begin));
 }
 
-struct Size {
-  double length = 5.0, width = 1.8;
-};
-
 /// [s] between two vehicles of a flow.
 std::optional<double> period_of(const XmlElement& flow, double begin, double end) {
   if (const auto period = number_of(flow.value("period"))) return period;
@@ -67,10 +65,8 @@ class Reader {
 
   void visit(const XmlElement& element) {
     const std::string_view name = element.name();
-    if (name == "vType") {
-      Size& size = sizes_[std::string(element.value("id").value_or(""))];
-      size.length = number_of(element.value("length")).value_or(size.length);
-      size.width = number_of(element.value("width")).value_or(size.width);
+    if (name.starts_with("vType")) {
+      sizes_.visit(element);
     } else if (name == "route") {
       const std::string first = first_word(element.value("edges").value_or(""));
       if (element.value("id")) {
@@ -103,8 +99,8 @@ class Reader {
     planned.flow = element.name() == "flow";
     Departure& departure = planned.departure;
     departure.vehicle = std::string(element.value("id").value_or(""));
-    const auto type = sizes_.find(std::string(element.value("type").value_or("")));
-    const Size size = type == sizes_.end() ? Size() : type->second;
+    const BodySize size = sizes_.of_type(element.value("type").value_or(kUsualType))
+                              .value_or(BodySize{departure.length, departure.width});
     departure.length = size.length;
     departure.width = size.width;
     const auto at = element.value("departPos");
@@ -163,7 +159,7 @@ class Reader {
 
   const Network& network_;
   std::set<int> edges_;
-  std::map<std::string, Size> sizes_;
+  BodySizes sizes_;
   std::map<std::string, std::string> routes_;  ///< first edges by id
   std::optional<Planned> waiting_;
   std::vector<Departure> departures_;

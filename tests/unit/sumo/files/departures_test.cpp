@@ -60,6 +60,22 @@ TEST_F(DeparturesTest, are_those_of_vehicles_and_trips_that_begin_on_the_edges) 
   EXPECT_EQ(std::tuple(found[2].length, found[2].width, found[2].lane), std::tuple(7.0, 2.0, 1));
 }
 
+TEST_F(DeparturesTest, are_as_long_and_wide_as_their_class_where_a_type_leaves_it_open) {
+  const auto found = read(R"(<vType id="DEFAULT_VEHTYPE" length="4"/>
+    <vType id="truck" vClass="truck"/><vType id="bus" vClass="bus" length="18"/>
+    <vTypeDistribution id="any"><vType id="van" vClass="delivery"/></vTypeDistribution>
+    <trip id="usual" depart="1" from="a" to="b"/>
+    <trip id="truck" type="truck" depart="2" from="a" to="b"/>
+    <trip id="bus" type="bus" depart="3" from="a" to="b"/>
+    <trip id="any" type="any" depart="4" from="a" to="b"/>)");
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(std::pair(found[0].length, found[0].width), std::pair(4.0, 1.8));
+  EXPECT_EQ(std::pair(found[1].length, found[1].width), std::pair(7.1, 2.4));
+  EXPECT_NEAR(found[1].position, 7.2, 1e-9);
+  EXPECT_EQ(std::pair(found[2].length, found[2].width), std::pair(18.0, 2.5));
+  EXPECT_EQ(std::pair(found[3].length, found[3].width), std::pair(6.5, 2.16));
+}
+
 TEST_F(DeparturesTest, are_those_of_a_flow_one_by_one) {
   for (const std::string rate : {R"(period="20")", R"(vehsPerHour="180")", R"(number="3")"}) {
     const auto found = read(R"(<flow id="f" begin="10" end="70" from="a" to="b" )" + rate + "/>");
