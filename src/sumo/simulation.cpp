@@ -238,7 +238,7 @@ void Simulation::Parts::walk_and_yield(double dt) {
   people.insert(people.end(), outside.begin(), outside.end());
   send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);
-  insertions.add_claims(session->time(), fleet, states);
+  insertions.add_claims(session->time(), dt, sumo.pending(), fleet, states);
   for (std::size_t z = 0; z < crowds.size(); ++z) crowds[z]->step(dt, fleet.states_near(z, states));
   for (const std::string& id : pushes.take(session->time(), dt)) yielding.stop(id);
   crossings.take(session->time());

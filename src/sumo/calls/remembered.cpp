@@ -44,7 +44,8 @@ const Variables kCounts{libsumo::VAR_TIME,
                         libsumo::VAR_TELEPORT_STARTING_VEHICLES_NUMBER,
                         libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER,
                         libsumo::VAR_DEPARTED_VEHICLES_IDS,
-                        libsumo::VAR_ARRIVED_VEHICLES_IDS};
+                        libsumo::VAR_ARRIVED_VEHICLES_IDS,
+                        libsumo::VAR_PENDING_VEHICLES};
 
 /// What SUMO has sent of a kind of object with its last step.
 template <typename Domain>
@@ -215,6 +216,9 @@ std::vector<std::string> Simulation::getDepartedIDList() {
 }
 std::vector<std::string> Simulation::getArrivedIDList() {
   return count<TraCIStringList>(libsumo::VAR_ARRIVED_VEHICLES_IDS);
+}
+std::vector<std::string> Simulation::getPendingVehicles() {
+  return count<TraCIStringList>(libsumo::VAR_PENDING_VEHICLES);
 }
 
 }  // namespace pedzone::remembered

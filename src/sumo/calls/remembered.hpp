@@ -64,6 +64,7 @@ struct Simulation : libtraci::Simulation {
   static int getEmergencyStoppingVehiclesNumber();
   static std::vector<std::string> getDepartedIDList();
   static std::vector<std::string> getArrivedIDList();
+  static std::vector<std::string> getPendingVehicles();
 };
 
 }  // namespace pedzone::remembered

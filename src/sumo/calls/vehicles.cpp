@@ -26,6 +26,9 @@ class VehicleCalls final : public SumoVehicles {
     ids.insert(ids.end(), gone.begin(), gone.end());
     return ids;
   }
+  std::vector<std::string> pending() const override {
+    return api::Simulation::getPendingVehicles();
+  }
 
   std::optional<Vec2> front(const std::string& id) const override {
     const auto position = Vehicle::getPosition(id);

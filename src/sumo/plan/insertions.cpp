@@ -1,8 +1,8 @@
 #include "sumo/plan/insertions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <string_view>
 #include <unordered_set>
 
 #include "core/random.hpp"
@@ -17,6 +17,8 @@ constexpr double kSample = 1.0;  // [m] numerical
 // [m] people keep so much less to each side than of a vehicle that drives past: who has room beside
 // it on a lane of 3.2 m is left where it is.
 constexpr double kSides = 0.25;
+// [s] assumed: SUMO may wait for a gap in traffic for long, and people have to get past meanwhile.
+constexpr double kClaimsFor = 20.0, kClaimsEvery = 30.0;
 
 /// From `begin` to `end` [m] along a lane, and straight on before its begin.
 Polyline along(const Lane& lane, double begin, double end) {
@@ -30,13 +32,51 @@ Polyline along(const Lane& lane, double begin, double end) {
   return way;
 }
 
+/// Whether a vehicle stands there.
+bool is_taken(const Polyline& way, const Fleet& fleet) {
+  return std::ranges::any_of(
+      way, [&](const Vec2& point) { return fleet.waiting_beside(point, kBar) != nullptr; });
+}
+
 }  // namespace
 
-void Insertions::add_claim(const Departure& departure, int lane, std::vector<VehicleState>& out) {
+Insertions::Insertions(const Network& network, std::vector<Departure> departures)
+    : network_(network), departures_(std::move(departures)) {
+  for (std::size_t k = 0; k < departures_.size(); ++k) index_.emplace(departures_[k].vehicle, k);
+}
+
+/// What is known of a vehicle. With SUMO's option --scale there are copies of one: car.1, car.2 ...
+const Departure* Insertions::planned(const std::string& vehicle) const {
+  auto found = index_.find(vehicle);
+  if (found == index_.end()) found = index_.find(vehicle.substr(0, vehicle.rfind('.')));
+  return found == index_.end() ? nullptr : &departures_[found->second];
+}
+
+/// Those whose place is claimed.
+std::vector<const Departure*> Insertions::expected(double time,
+                                                   const std::vector<std::string>& pending) const {
+  std::vector<const Departure*> all;
+  std::unordered_set<int> edges;
+  for (const std::string& vehicle : pending) {
+    const Departure* const departure = planned(vehicle);
+    if (departure == nullptr || !edges.insert(departure->edge).second) continue;
+    const double late = std::max(0.0, time - departure->time);
+    if (std::fmod(late, kClaimsEvery) < kClaimsFor) all.push_back(departure);
+  }
+  for (std::size_t k = next_; k < departures_.size(); ++k) {
+    if (departures_[k].time > time + kNotice) break;
+    all.push_back(&departures_[k]);
+  }
+  return all;
+}
+
+void Insertions::add_claim(const Departure& departure, int lane, const Fleet& fleet,
+                           std::vector<VehicleState>& out) {
   const Lane& there = network_.lanes[lane];
   const double front = std::min(departure.position, there.length);
   const double rear = std::max(0.0, front - departure.length);
   ways_.push_back(along(there, rear - kBehind, front));
+  if (is_taken(ways_.back(), fleet)) return;
   VehicleState state;
   const Vec2 along_way = ways_.back()[1] - ways_.back()[0];
   state.heading = angle_of(along_way);
@@ -50,26 +90,20 @@ void Insertions::add_claim(const Departure& departure, int lane, std::vector<Veh
   out.push_back(state);
 }
 
-void Insertions::add_claims(double time, const Fleet& fleet, std::vector<VehicleState>& out) {
-  while (next_ < departures_.size() && departures_[next_].time < time - kNotice) ++next_;
-  ways_.clear();
-  std::size_t last = next_;
-  while (last < departures_.size() && departures_[last].time <= time + kNotice) ++last;
-  if (last == next_) return;
-  std::unordered_set<std::string_view> there;
-  for (const FleetVehicle& vehicle : fleet.vehicles()) there.insert(vehicle.id);
+void Insertions::add_claims(double time, double dt, const std::vector<std::string>& pending,
+                            const Fleet& fleet, std::vector<VehicleState>& out) {
+  while (next_ < departures_.size() && departures_[next_].time <= time - dt) ++next_;
+  const std::vector<const Departure*> all = expected(time, pending);
+  const auto lanes = [&](const Departure* one) { return network_.edges[one->edge].lanes; };
   // Spans into them are given away.
-  std::size_t lanes = 0;
-  for (std::size_t k = next_; k < last; ++k) {
-    lanes += network_.edges[departures_[k].edge].lanes.size();
-  }
-  ways_.reserve(lanes);
-  for (std::size_t k = next_; k < last; ++k) {
-    const Departure& departure = departures_[k];
-    if (there.contains(departure.vehicle)) continue;
-    for (const int lane : network_.edges[departure.edge].lanes) {
-      const bool wished = departure.lane < 0 || departure.lane == lane;
-      if (wished && network_.lanes[lane].vehicles) add_claim(departure, lane, out);
+  std::size_t most = 0;
+  for (const Departure* departure : all) most += lanes(departure).size();
+  ways_.clear();
+  ways_.reserve(most);
+  for (const Departure* departure : all) {
+    for (const int lane : lanes(departure)) {
+      const bool wished = departure->lane < 0 || departure->lane == lane;
+      if (wished && network_.lanes[lane].vehicles) add_claim(*departure, lane, fleet, out);
     }
   }
 }

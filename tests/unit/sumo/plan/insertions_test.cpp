@@ -13,9 +13,12 @@ class InsertionsTest : public testing::Test, protected test::FourEdges {
   /// A car 5 m long, to depart with its front at 5.1 m on e1, which begins at x = 50 m.
   Departure car(double time) const { return {"car", time, e1, lane_of(e1), 5.1, 5.0, 1.8}; }
 
-  std::vector<VehicleState> claims(Insertions& insertions, double time) const {
+  using Pending = std::vector<std::string>;
+
+  std::vector<VehicleState> claims(Insertions& insertions, double time,
+                                   const Pending& pending = {}) const {
     std::vector<VehicleState> out;
-    insertions.add_claims(time, fleet_, out);
+    insertions.add_claims(time, 0.1, pending, fleet_, out);
     return out;
   }
 
@@ -35,14 +38,28 @@ TEST_F(InsertionsTest, claim_the_room_from_rear_to_front_when_it_is_due) {
   EXPECT_GE(found[0].way.front().x() + found[0].claim, 55.1);
 }
 
-TEST_F(InsertionsTest, claim_nothing_once_it_is_there_or_long_over) {
+TEST_F(InsertionsTest, claim_until_sumo_has_tried_and_on_if_it_could_not) {
   Insertions insertions(network, {car(20.0)});
-  EXPECT_EQ(claims(insertions, 22.0).size(), 1U) << "SUMO may put it there late";
-  fleet_.update({test::seen_vehicle("car", {55.1, 0.0}, 0.0)}, 0.1);
-  EXPECT_TRUE(claims(insertions, 22.1).empty());
-  fleet_.update({}, 0.1);
-  EXPECT_EQ(claims(insertions, 23.9).size(), 1U);
-  EXPECT_TRUE(claims(insertions, 24.1).empty());
+  EXPECT_EQ(claims(insertions, 20.0).size(), 1U) << "SUMO tries in the step that follows";
+  EXPECT_TRUE(claims(insertions, 20.1).empty()) << "it is there";
+  EXPECT_EQ(claims(insertions, 27.0, {"car"}).size(), 1U);
+  EXPECT_TRUE(claims(insertions, 41.0, {"car"}).empty()) << "people get past";
+  EXPECT_EQ(claims(insertions, 51.0, {"car"}).size(), 1U);
+  EXPECT_TRUE(claims(insertions, 51.0, {"nobody knows it"}).empty());
+}
+
+TEST_F(InsertionsTest, claim_one_place_for_all_that_wait_on_an_edge_and_for_copies) {
+  Insertions insertions(network, {car(20.0)});
+  EXPECT_EQ(claims(insertions, 22.0, {"car.1", "car.2"}).size(), 1U);
+}
+
+TEST_F(InsertionsTest, claim_nothing_where_a_vehicle_stands) {
+  Insertions insertions(network, {car(20.0)});
+  fleet_.update({test::seen_vehicle("queue", {56.0, 0.0}, 0.0)}, 0.1);
+  EXPECT_TRUE(claims(insertions, 22.0, {"car"}).empty());
+  EXPECT_TRUE(claims(insertions, 19.0).empty());
+  fleet_.update({test::seen_vehicle("queue", {63.0, 0.0}, 0.0)}, 0.1);
+  EXPECT_EQ(claims(insertions, 22.0, {"car"}).size(), 1U) << "it has driven on";
 }
 
 TEST_F(InsertionsTest, claim_every_lane_where_sumo_chooses_one) {
