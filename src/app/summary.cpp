@@ -129,6 +129,7 @@ nlohmann::ordered_json vehicles_json(const RunSummary& summary) {
                               {"min_clearance_m", vehicles.min_clearance_m},
                               {"contacts", vehicles.contacts},
                               {"insertion_contacts", vehicles.insertion_contacts},
+                              {"standing_contacts", vehicles.standing_contacts},
                               {"late_brakings", summary.late_brakings.size()},
                               {"mean_delay_s", vehicles.mean_delay_s}};
   // JSON has no infinity: no vehicle ever came near.
@@ -236,6 +237,7 @@ std::string summary_table(const RunSummary& summary) {
   line("smallest clearance to a person", metres(vehicles.min_clearance_m));
   line("contacts of people it walked", std::to_string(vehicles.contacts));
   line("  by vehicles put onto somebody", std::to_string(vehicles.insertion_contacts));
+  line("  with vehicles that stood", std::to_string(vehicles.standing_contacts));
   line("persons pushed", push_text(summary));
   line("ran into a person", std::to_string(summary.run_into.size()));
   text += run_into_text(summary.run_into);

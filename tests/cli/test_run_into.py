@@ -163,6 +163,22 @@ class RunInto(unittest.TestCase):
                 self.assertEqual(event["just_inserted"], inserted)
                 self.assertEqual("just inserted by SUMO" in printed, inserted)
 
+    def test_who_squeezes_past_one_that_stands_is_told_apart(self):
+        stop = '<stop lane="shared_0" endPos="30" duration="80"/></vehicle>'
+        with mock.patch(f"{__name__}.ROUTES", ROUTES.replace("</vehicle>", stop)):
+            printed = self.run_street("2.6", start="50", depart="0", model="heuristic")
+        touched = [self.car[time][3] for time in self.person
+                   if time in self.car and self.overlap(time) > 0.01]
+        self.assertGreater(len(touched), 0, "the gap is 0.4 m")
+        self.assertLess(max(touched), 0.1)
+        vehicles = told(self.folder)["vehicles"]
+        self.assertEqual([vehicles[key] for key in ("contacts", "insertion_contacts",
+                                                    "standing_contacts")], [1, 0, 1])
+        self.assertRegex(printed, r"with vehicles that stood +1\n")
+        self.run_street("2.6")
+        vehicles = told(self.folder)["vehicles"]
+        self.assertEqual([vehicles["contacts"], vehicles["standing_contacts"]], [1, 0])
+
     def test_a_slow_one_pushes_and_runs_into_nobody(self):
         (self.folder / "av.csv").write_text("t,x,y\n5,62,-4.2\n45,102,-4.2\n")
         printed = self.run_street("8", path=PATH)

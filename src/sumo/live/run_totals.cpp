@@ -1,11 +1,13 @@
 #include "sumo/live/run_totals.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 namespace pedzone {
 namespace {
 
 constexpr double kContact = 0.01;  // [m] bodies overlap by more than this: contact
+constexpr double kDrives = 0.5;    // [m/s] a slower vehicle does not hit anybody: as in studies
 constexpr double kRange = 20.0;    // [m] numerical: pairs farther apart are not measured
 
 }  // namespace
@@ -37,8 +39,10 @@ void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
       const double clearance = body.signed_distance(guest.position) - guest.radius;
       min_clearance_ = std::min(min_clearance_, clearance);
       if (clearance >= -kContact) continue;
-      const bool first = contacts_.emplace(guest.id, vehicle.id).second;
-      if (first && is_new) ++insertion_contacts_;  // it was nowhere before
+      const Contact first = is_new ? Contact::kInsertion : Contact::kStanding;
+      Contact& contact = contacts_.try_emplace({guest.id, vehicle.id}, first).first->second;
+      const bool drives = vehicle.speed > kDrives;
+      if (drives && contact == Contact::kStanding) contact = Contact::kDriving;
     }
   }
 }
@@ -69,7 +73,11 @@ RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushe
   summary.vehicles.seen = static_cast<long>(delays_.size());
   summary.vehicles.yielding = static_cast<long>(yielding.yielded().size());
   summary.late_brakings = yielding.late_brakings();
-  summary.vehicles.insertion_contacts = insertion_contacts_;
+  const auto of_kind = [&](Contact kind) {
+    return static_cast<long>(std::ranges::count(std::views::values(contacts_), kind));
+  };
+  summary.vehicles.insertion_contacts = of_kind(Contact::kInsertion);
+  summary.vehicles.standing_contacts = of_kind(Contact::kStanding);
   summary.vehicles.contacts = static_cast<long>(contacts_.size());
   summary.vehicles.min_clearance_m = min_clearance_;
   for (const auto& [id, delay] : delays_) summary.vehicles.mean_delay_s += delay.last - delay.first;

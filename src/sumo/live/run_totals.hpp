@@ -2,8 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -40,6 +40,7 @@ struct RunSummary {
     double min_clearance_m = std::numeric_limits<double>::infinity();
     double mean_delay_s = 0.0;    ///< [s] SUMO's timeLoss gathered near the zones
     long insertion_contacts = 0;  ///< of the contacts: of a vehicle that SUMO put onto somebody
+    long standing_contacts = 0;   ///< of the others: only while it stood, or crept at 0.5 m/s
   } vehicles;
   std::vector<LateBraking> late_brakings;  ///< in time
   Stuck stuck_persons, stuck_vehicles;     ///< anywhere in SUMO
@@ -79,6 +80,7 @@ class RunTotals {
                      std::size_t walking) const;
 
  private:
+  enum class Contact { kInsertion, kStanding, kDriving };
   struct Delay {
     double first = 0.0, last = 0.0;  ///< [s] SUMO's timeLoss when first and last seen
   };
@@ -86,8 +88,7 @@ class RunTotals {
   std::vector<SumoEvents::Collision> colliding_;  ///< in the last step
   long departed_ = 0, arrived_ = 0, person_steps_ = 0;
   double min_clearance_ = std::numeric_limits<double>::infinity();
-  std::set<std::pair<std::string, std::string>> contacts_;
-  long insertion_contacts_ = 0;
+  std::map<std::pair<std::string, std::string>, Contact> contacts_;  ///< of person and vehicle
   std::unordered_map<std::string, Delay> delays_;
 };
 
