@@ -59,6 +59,14 @@ class VehicleCalls final : public SumoVehicles {
     return Vehicle::getRoute(id);
   }
   int route_index(const std::string& id) const override { return Vehicle::getRouteIndex(id); }
+  std::vector<std::string> lanes_ahead(const std::string& id) const override {
+    const auto lanes = Vehicle::getBestLanes(id);
+    const auto own =
+        std::ranges::find(lanes, Vehicle::getLaneID(id), &libsumo::TraCIBestLanesData::laneID);
+    if (own == lanes.end()) return {};
+    const auto at = own - lanes.begin() + (own->allowsContinuation ? 0 : own->bestLaneOffset);
+    return lanes.at(static_cast<std::size_t>(at)).continuationLanes;
+  }
   bool is_at_stop(const std::string& id) const override {
     return (Vehicle::getStopState(id) & 1) != 0;
   }

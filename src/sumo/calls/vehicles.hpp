@@ -34,6 +34,9 @@ class SumoVehicles {
   virtual std::string route_id(const std::string& id) const = 0;
   virtual std::vector<std::string> route(const std::string& id) const = 0;  ///< edges
   virtual int route_index(const std::string& id) const = 0;                 ///< its edge's, in that
+  /// The lanes that SUMO means it to take, from its own on, or from the one that it has to change
+  /// to; nothing inside a junction.
+  virtual std::vector<std::string> lanes_ahead(const std::string& id) const = 0;
   virtual bool is_at_stop(const std::string& id) const = 0;  ///< of its own, parking included
   virtual double length(const std::string& id) const = 0;    ///< [m]
   /// Its sizes, decelerations and acceleration; the rest is left as it is.

@@ -9,7 +9,8 @@
 namespace pedzone {
 namespace {
 
-constexpr double kAskAgain = 1.0;  // [s] numerical: each question is a message to SUMO
+constexpr double kAskAgain = 1.0;       // [s] numerical: each question is a message to SUMO
+constexpr double kForksWithin = 100.0;  // [m] numerical: farther away nobody minds it
 
 /// [m] to the left of the lane's middle. SUMO counts to the right where vehicles drive on the left.
 double to_the_left(double lateral, const Lane& lane, const Vec2& front) {
@@ -29,6 +30,23 @@ VehicleReader::Known VehicleReader::begin(const std::string& id, double grip) co
   }
   traits.electric = is_true(sumo_.parameter(id, "pedzone.electric"));
   return known;
+}
+
+/// Which lanes it will take matters only where its lane leads onto several of the next edge.
+void VehicleReader::ask_lanes(const VehicleSeen& vehicle, bool again, Known& known) const {
+  if (!again && known.lane == vehicle.lane) return;
+  known.lane = vehicle.lane;
+  if (!forks_.ahead(vehicle.route, vehicle.route_index, kForksWithin)) {
+    known.means.clear();
+    return;
+  }
+  const std::vector<std::string> lanes = sumo_.lanes_ahead(vehicle.id);
+  if (lanes.empty()) return;  // inside a junction what it was before holds
+  known.means.clear();
+  for (const std::string& lane : lanes) {
+    const auto found = network_.lane_index.find(lane);
+    if (found != network_.lane_index.end()) known.means.push_back(found->second);
+  }
 }
 
 /// Other programs declare a vehicle when it is there already, and give it other routes.
@@ -52,6 +70,7 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& tol
     auto found = known_.find(id);
     if (found == known_.end()) found = known_.emplace(id, begin(id, fleet.grip())).first;
     Known& known = found->second;
+    const bool again = time >= known.ask_at;
     ask(id, time, known);
     VehicleSeen vehicle;
     vehicle.id = id;
@@ -71,6 +90,8 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& tol
       vehicle.lateral = to_the_left(sumo_.lateral(id), network_.lanes[vehicle.lane], *front);
       vehicle.route = known.route;
       vehicle.route_index = sumo_.route_index(id);
+      ask_lanes(vehicle, again, known);
+      vehicle.means = known.means;
     }
     seen.push_back(std::move(vehicle));
   }

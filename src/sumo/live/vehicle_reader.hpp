@@ -7,6 +7,7 @@
 
 #include "sumo/calls/vehicles.hpp"
 #include "sumo/plan/fleet.hpp"
+#include "sumo/plan/lane_forks.hpp"
 #include "sumo/plan/told.hpp"
 
 namespace pedzone {
@@ -14,7 +15,8 @@ namespace pedzone {
 class VehicleReader {
  public:
   /// Both must outlive it.
-  VehicleReader(const Network& network, SumoVehicles& sumo) : network_(network), sumo_(sumo) {}
+  VehicleReader(const Network& network, SumoVehicles& sumo)
+      : network_(network), sumo_(sumo), forks_(network) {}
 
   /// Those that belong to the fleet, at `time` [s], in SUMO's order, and those far away that
   /// pedzone has told a speed (they were moved there): they are to be given back. Where the weather
@@ -32,12 +34,16 @@ class VehicleReader {
     double ask_at = 0.0;     ///< [s] when it is asked again what it has been declared to be
     std::string route_id;    ///< SUMO's; it gives an id out again when a vehicle gets its next one
     std::vector<int> route;  ///< indices into Network::edges
+    int lane = -1;           ///< index into Network::lanes, when it was asked by which it goes on
+    std::vector<int> means;  ///< those, where it can take several
   };
   Known begin(const std::string& id, double grip) const;
   void ask(const std::string& id, double time, Known& known) const;
+  void ask_lanes(const VehicleSeen& vehicle, bool again, Known& known) const;
 
   const Network& network_;
   SumoVehicles& sumo_;
+  LaneForks forks_;
   std::unordered_map<std::string, Known> known_;  ///< by vehicle
 };
 

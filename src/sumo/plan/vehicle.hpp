@@ -42,6 +42,7 @@ struct VehicleSeen {
   double lateral = 0.0;        ///< [m] on its lane, positive to the left
   std::span<const int> route;  ///< indices into Network::edges; -1: not in the network
   int route_index = 0;         ///< of the edge of its route that it reached last
+  std::span<const int> means;  ///< lanes that SUMO means it to take; empty: there is one way only
 };
 
 /// The junction that a vehicle is in, or comes to first on its way.

@@ -60,28 +60,33 @@ WayAhead::WayAhead(const Network& network, const std::vector<Zone>& zones)
   }
 }
 
-/// The lane after `lane` on the way along `route`, of which route[index] is the edge last reached;
-/// -1 at the end. A lane that does not lead on stands for a lane change: its neighbour's way.
-int WayAhead::next_lane(int lane, std::span<const int> route, int& index) const {
-  if (index + 1 >= static_cast<int>(route.size())) return -1;
-  const int goal = route[index + 1];
-  const auto leading = [&](int from) {
-    for (const int i : connections_from_[from]) {
-      const Connection& connection = network_.connections[i];
-      if (network_.lanes[connection.to].edge != goal) continue;
-      if (connection.via >= 0) return connection.via;
-      ++index;
-      return connection.to;
-    }
-    return -1;
-  };
-  const int direct = leading(lane);
-  if (direct >= 0) return direct;
-  for (const int other : network_.edges[network_.lanes[lane].edge].lanes) {
-    const int around = other == lane ? -1 : leading(other);
-    if (around >= 0) return around;
+/// How a lane leads to that edge: onto one of the lanes that the vehicle `means` to take, if it
+/// does; null: not at all.
+const Connection* WayAhead::leading(int lane, int edge, std::span<const int> means) const {
+  const Connection* first = nullptr;
+  for (const int i : connections_from_[lane]) {
+    const Connection& connection = network_.connections[i];
+    if (network_.lanes[connection.to].edge != edge) continue;
+    if (std::ranges::find(means, connection.to) != means.end()) return &connection;
+    if (first == nullptr) first = &connection;
   }
-  return -1;
+  return first;
+}
+
+/// The lane after `lane` on the way along the vehicle's route, of which the edge at `index` was
+/// last reached; -1 at the end. A lane that does not lead on stands for a lane change: its
+/// neighbour's way.
+int WayAhead::next_lane(int lane, const VehicleSeen& vehicle, int& index) const {
+  const std::span<const int> route = vehicle.route;
+  if (index + 1 >= static_cast<int>(route.size())) return -1;
+  const Connection* on = leading(lane, route[index + 1], vehicle.means);
+  for (const int other : network_.edges[network_.lanes[lane].edge].lanes) {
+    if (on != nullptr) break;
+    on = leading(other, route[index + 1], vehicle.means);
+  }
+  if (on == nullptr || on->via >= 0) return on == nullptr ? -1 : on->via;
+  ++index;
+  return on->to;
 }
 
 void WayAhead::remember(const FleetVehicle& before, FleetVehicle& vehicle) const {
@@ -94,7 +99,7 @@ void WayAhead::remember(const FleetVehicle& before, FleetVehicle& vehicle) const
   int lane = before.lane, index = before.route_index;
   for (std::size_t k = 0; k < kMostLanes && lane >= 0 && lane != vehicle.lane; ++k) {
     behind.insert(behind.begin(), lane);
-    lane = next_lane(lane, vehicle.route, index);
+    lane = next_lane(lane, vehicle, index);
   }
   if (lane != vehicle.lane) return;  // it has changed lanes, or was put elsewhere
   behind.resize(std::min(behind.size(), kMostLanes));
@@ -152,7 +157,7 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
     passed = passed || (!inside && junction.junction >= 0);
     if (zone < 0) zone = zone_of_lane_[lane];
     offset = 0.0;
-    lane = next_lane(lane, vehicle.route, index);
+    lane = next_lane(lane, vehicle, index);
   }
   vehicle.leaves = left > 0.0 && index + 1 == static_cast<int>(vehicle.route.size());
   vehicle.zone = std::max(0, zone);
@@ -169,11 +174,12 @@ std::vector<int> WayAhead::neighbours(int lane) const {
   return found;
 }
 
-/// Adds `left` [m] of the way from `offset` [m] on the lane on, where route[index] was reached.
-void WayAhead::append_way(int lane, std::span<const int> route, int index, double offset,
-                          double lateral, double left, Polyline& way) const {
-  for (; lane >= 0 && left > 0.0; lane = next_lane(lane, route, index)) {
-    append_from(network_.lanes[lane].shape, offset, lateral, left, way);
+/// Adds `left` [m] of the way from `offset` [m] on the lane on, where the edge of its
+/// route at `index` was reached.
+void WayAhead::append_way(int lane, const VehicleSeen& vehicle, int index, double offset,
+                          double left, Polyline& way) const {
+  for (; lane >= 0 && left > 0.0; lane = next_lane(lane, vehicle, index)) {
+    append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, way);
     offset = 0.0;
   }
 }
@@ -197,12 +203,12 @@ std::vector<Polyline> WayAhead::beside(const FleetVehicle& vehicle, double soon,
         way = own;
         for (Vec2& point : way) point += begin.point - own.back();
       }
-      append_way(other, vehicle.route, index, from, vehicle.lateral, distance - gone, way);
+      append_way(other, vehicle, index, from, distance - gone, way);
       ways.push_back(std::move(way));
     }
     append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, own);
     offset = 0.0;
-    lane = next_lane(lane, vehicle.route, index);
+    lane = next_lane(lane, vehicle, index);
   }
   return ways;
 }

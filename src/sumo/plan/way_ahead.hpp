@@ -30,11 +30,12 @@ class WayAhead {
 
  private:
   std::vector<int> neighbours(int lane) const;
-  void append_way(int lane, std::span<const int> route, int index, double offset, double lateral,
-                  double left, Polyline& way) const;
+  void append_way(int lane, const VehicleSeen& vehicle, int index, double offset, double left,
+                  Polyline& way) const;
   int junction_after(std::span<const int> route, int index) const;
   Polyline way_behind(const FleetVehicle& vehicle, double offset) const;
-  int next_lane(int lane, std::span<const int> route, int& index) const;
+  const Connection* leading(int lane, int edge, std::span<const int> means) const;
+  int next_lane(int lane, const VehicleSeen& vehicle, int& index) const;
 
   const Network& network_;
   std::vector<int> zone_of_lane_;                   ///< -1: in no zone

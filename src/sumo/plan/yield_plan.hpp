@@ -34,8 +34,7 @@ struct Obstruction {
 /// `distance` [m] along its way, where they stand now or where they will be in a moment.
 std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
-                                        double distance,
-                                        BodyWidth width = BodyWidth::kStraight);
+                                        double distance, BodyWidth width = BodyWidth::kStraight);
 
 /// What the vehicle's own car-following model finds safe [m/s] in the next step.
 struct SafeSpeeds {

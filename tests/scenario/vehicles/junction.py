@@ -93,14 +93,19 @@ class Run:
                                           if arrived else math.inf)
 
 
-def contacts(folder):
-    """(pairs that a vehicle's insertion made, others) of people whom pedzone walks."""
+def all_contacts(folder):
+    """What check_run.py finds of them."""
     done = subprocess.run([sys.executable, str(CHECK), str(folder / "s.sumocfg"),
                            str(folder / "ours"), "--zone", str(folder / "all.zone.xml"),
                            "--json", "-"], env=ENV, stdout=subprocess.PIPE, text=True)
     if done.returncode == 2:
         raise SystemExit("check_run.py could not check")
-    found = json.loads(done.stdout)["contacts"]
+    return json.loads(done.stdout)["contacts"]
+
+
+def contacts(folder):
+    """(pairs that a vehicle's insertion made, others) of people whom pedzone walks."""
+    found = all_contacts(folder)
     return found["at_insertion"]["pairs"], found["all"]["pairs"] - found["at_insertion"]["pairs"]
 
 

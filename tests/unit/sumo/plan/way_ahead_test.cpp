@@ -51,6 +51,20 @@ TEST_F(WayAheadTest, of_a_lane_that_does_not_lead_on_is_its_neighbours) {
   EXPECT_TRUE(one(changing).way.back().isApprox(Vec2(120.0, 0.0)));
 }
 
+TEST_F(WayAheadTest, goes_onto_the_lane_that_SUMO_means) {
+  const int wide = add_edge("wide", "C", "W", 100, 150, 2);
+  const std::vector<int>& lanes = network.edges[wide].lanes;
+  network.lanes[lanes[1]].shape = {{100.0, 3.0}, {150.0, 3.0}};
+  for (const int lane : lanes) connect(lane_of(e1), lane);
+  route_ = {e1, wide};
+  VehicleSeen widening = car(90.0, 0.0);
+  widening.route_index = 0;
+  EXPECT_NEAR(one(widening).way.back().y(), 0.0, 1e-9) << "the first, where nothing is known";
+  const std::vector<int> means{lane_of(e1), lanes[1]};
+  widening.means = means;
+  EXPECT_NEAR(one(widening).way.back().y(), 3.0, 1e-9);
+}
+
 TEST_F(WayAheadTest, of_one_that_is_on_no_lane_goes_straight_on) {
   VehicleSeen lost = car(60.0, 0.0);
   lost.lane = -1;

@@ -1,0 +1,92 @@
+#!/usr/bin/python3
+"""A town whose streets widen before each junction: a car drives onto the lane that it needs next.
+
+usage: turn_lanes.py PEDZONE [--seeds N,N] [--steps S,S] [--keep FOLDER]
+
+By netgenerate with a lane for turning and no sidewalks, people and cars by randomTrips.py. The
+network does not tell which of the two lanes a car will take. Where it is taken to drive onto the first
+one it minds nobody on its way to the other, and four people and more are touched in each run.
+Everything is read from SUMO's own messages and outputs, beside plain SUMO:
+- of people and vehicles, at most one pair a run touches (but where SUMO inserts a vehicle, and who
+  squeezes past one that stands)
+- all cars and people arrive, and cars take at most 1.5 times as long as in plain SUMO
+- no more vehicles are teleported or collide with another than in plain SUMO
+"""
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+from junction import SUMO_HOME, Run, all_contacts, call
+from lane_changes import mean
+
+SECONDS, END = 400, 1500  # [s] in which all depart, of the run
+CARS, PEOPLE = 200, 267
+SLOWER = 1.5
+
+
+def make_scene(folder, seed, step):
+    folder.mkdir(parents=True, exist_ok=True)
+    call("netgenerate", "--grid", "--grid.number", 5, "--grid.length", 100, "--turn-lanes", 1,
+         "--turn-lanes.length", 30, "--seed", seed, "-o", "net.net.xml", folder=folder)
+    for name, number, options in (
+            ("c", CARS, ("--validate", "--min-distance", 100, "--fringe-factor", 5)),
+            ("p", PEOPLE, ("--pedestrians", "--max-distance", 500))):
+        call(sys.executable, f"{SUMO_HOME}/tools/randomTrips.py", "-n", "net.net.xml", "-e", SECONDS,
+             "-p", SECONDS / number, "--seed", seed, "--prefix", name, *options,
+             "-o", f"{name}.trips.xml", "-r", f"{name}.rou.xml", folder=folder)
+    net = (folder / "net.net.xml").read_text()
+    edges = " ".join(sorted(part.split('"')[0] for part in net.split('<edge id="')[1:]
+                            if part[0] != ":"))
+    (folder / "all.zone.xml").write_text(f'<zones><zone id="all" edges="{edges}"/></zones>')
+    (folder / "s.sumocfg").write_text(
+        f'<configuration><net-file value="net.net.xml"/><route-files value="c.rou.xml,p.rou.xml"/>'
+        f'<end value="{END}"/><step-length value="{step}"/><seed value="{seed}"/></configuration>')
+
+
+def check(pedzone, folder, seed, step):
+    """What is wrong."""
+    make_scene(folder, seed, step)
+    config = folder / "s.sumocfg"
+    plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
+    ours = Run(folder / "ours", [
+        pedzone, "run", config, "--zone", folder / "all.zone.xml",
+        "--trajectories", folder / "ours" / "trajectories.csv", "--"])
+    found = all_contacts(folder)
+    inserted, touched = (found[kind]["pairs"] for kind in ("at_insertion", "controlled"))
+    drives = [mean(run.driven) for run in (plain, ours)]
+    walks = [mean(run.walks.values()) for run in (plain, ours)]
+    print(f"seed {seed}, step {step} s: contacts {touched} and {inserted} at insertions, emergency "
+          f"brakings {plain.brakings} -> {ours.brakings}, collisions {len(plain.collisions)} -> "
+          f"{len(ours.collisions)}, drives {drives[0]:.0f} -> {drives[1]:.0f} s, walks {walks[0]:.0f} -> "
+          f"{walks[1]:.0f} s", flush=True)
+    wrong = {
+        "touch": touched > 1,
+        "are not there": (len(ours.driven), len(ours.walks)) != (len(plain.driven), len(plain.walks)),
+        "do not arrive": walks[1] == float("inf"),
+        "drive too slowly": drives[1] > SLOWER * drives[0],
+        "are teleported": len(ours.teleports) > len(plain.teleports),
+        "collide": len(ours.collisions) > len(plain.collisions)}
+    return [f"seed {seed}, step {step} s: some {what}" for what, found in wrong.items() if found]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pedzone", type=Path)
+    parser.add_argument("--seeds", default="2")
+    parser.add_argument("--steps", default="1")
+    parser.add_argument("--keep", type=Path, help="folder for networks and outputs")
+    options = parser.parse_args()
+    wrong = []
+    with tempfile.TemporaryDirectory() as temporary:
+        for step in options.steps.split(","):
+            for seed in options.seeds.split(","):
+                folder = (options.keep or Path(temporary)).resolve() / f"{step}-{seed}"
+                wrong += check(options.pedzone.resolve(), folder, int(seed), float(step))
+    print("\n".join(wrong or ["all as it should be"]))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
