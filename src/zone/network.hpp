@@ -2,8 +2,10 @@
 // of SUMO itself.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -13,6 +15,14 @@ namespace pedzone {
 
 enum class EdgeFunction { kNormal, kInternal, kCrossing, kWalkingArea };
 
+/// The classes of road vehicles that a lane lets in: a bit for each.
+using RoadClasses = std::uint32_t;
+
+inline constexpr int kRoadClassCount = 21;
+inline constexpr RoadClasses kAllRoadClasses = (RoadClasses{1} << kRoadClassCount) - 1;
+/// The bit of SUMO's vClass; 0: persons, rails, water, air, or a class that SUMO does not know.
+RoadClasses road_class(std::string_view name);
+
 struct Lane {
   std::string id;
   int edge = -1;          ///< index into Network::edges
@@ -21,11 +31,17 @@ struct Lane {
   double length = 0.0;    ///< [m] as SUMO counts it (may differ from the shape's length)
   bool persons = false;   ///< pedestrians may use it
   bool vehicles = false;  ///< some road vehicle or bicycle may use it
+  RoadClasses road_classes = kAllRoadClasses;  ///< if so, which of them
   bool persons_only_by_default = false;  ///< persons may use it only since nothing forbids them:
                                          ///< no `allow` in the file names them
   Polyline shape;                        ///< [m] centre line; the outline for a walking area
   bool outline = false;                  ///< `shape` is an outline
   std::vector<double> z;  ///< [m] height of each shape point; empty when the file has none
+
+  /// Whether a vehicle of that class (0: unknown) may use it.
+  bool lets_in(RoadClasses its) const {
+    return vehicles && (its == 0 || (road_classes & its) != 0);
+  }
 };
 
 struct Edge {

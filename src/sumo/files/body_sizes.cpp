@@ -28,6 +28,7 @@ constexpr ClassSize kClassSizes[] = {
     {"rail_fast", {200.0, 2.95}},   {"ship", {17.0, 4.0}},
 };
 constexpr BodySize kPassenger{5.0, 1.8};
+constexpr const char* kUsualClass = "passenger";
 
 BodySize class_size(std::string_view name) {
   const auto found = std::find_if(std::begin(kClassSizes), std::end(kClassSizes),
@@ -43,11 +44,11 @@ double disc_radius(const BodySize& size) {
 }
 
 BodySizes::BodySizes() {
-  types_ = {{"DEFAULT_VEHTYPE", kPassenger},
-            {"DEFAULT_TAXITYPE", kPassenger},
-            {"DEFAULT_PEDTYPE", class_size("pedestrian")},
-            {"DEFAULT_BIKETYPE", class_size("bicycle")},
-            {"DEFAULT_CONTAINERTYPE", {6.1, 2.4}}};
+  types_ = {{"DEFAULT_VEHTYPE", {kPassenger, kUsualClass}},
+            {"DEFAULT_TAXITYPE", {kPassenger, "taxi"}},
+            {"DEFAULT_PEDTYPE", {class_size("pedestrian"), "pedestrian"}},
+            {"DEFAULT_BIKETYPE", {class_size("bicycle"), "bicycle"}},
+            {"DEFAULT_CONTAINERTYPE", {{6.1, 2.4}, "container"}}};
 }
 
 void BodySizes::read(const std::string& file) {
@@ -64,10 +65,11 @@ void BodySizes::visit(const XmlElement& element) {
     if (!members.empty()) first_of_.try_emplace(distribution_, members.front());
   } else if (name == "vType") {
     const std::string id(element.required("id"));
-    BodySize size = class_size(element.value("vClass").value_or("passenger"));
+    const std::string_view vclass = element.value("vClass").value_or(kUsualClass);
+    BodySize size = class_size(vclass);
     if (element.value("length")) size.length = element.number("length", kSizes);
     if (element.value("width")) size.width = element.number("width", kSizes);
-    types_[id] = size;
+    types_[id] = {size, std::string(vclass)};
     if (!distribution_.empty()) first_of_.try_emplace(distribution_, id);
   } else if (name == "person" || name == "personFlow") {
     const auto type = element.value("type");
@@ -75,13 +77,22 @@ void BodySizes::visit(const XmlElement& element) {
   }
 }
 
-std::optional<BodySize> BodySizes::of_type(std::string_view type) const {
+const BodySizes::Type* BodySizes::find(std::string_view type) const {
   std::string name(type);
   if (const auto members = first_of_.find(name); members != first_of_.end()) name = members->second;
   auto found = types_.find(name);
   if (found == types_.end()) found = types_.find(name.substr(0, name.rfind('@')));
-  if (found == types_.end()) return std::nullopt;
-  return found->second;
+  return found == types_.end() ? nullptr : &found->second;
+}
+
+std::optional<BodySize> BodySizes::of_type(std::string_view type) const {
+  const Type* const found = find(type);
+  return found == nullptr ? std::nullopt : std::optional(found->size);
+}
+
+std::string_view BodySizes::class_of(std::string_view type) const {
+  const Type* const found = find(type);
+  return found == nullptr ? kUsualClass : std::string_view(found->vclass);
 }
 
 BodySize BodySizes::of_person(std::string_view person) const {
@@ -90,7 +101,7 @@ BodySize BodySizes::of_person(std::string_view person) const {
   if (found == persons_.end())
     found = persons_.find(std::string(person.substr(0, person.rfind('.'))));
   const auto size = found == persons_.end() ? std::nullopt : of_type(found->second);
-  return size.value_or(types_.at("DEFAULT_PEDTYPE"));
+  return size.value_or(types_.at("DEFAULT_PEDTYPE").size);
 }
 
 }  // namespace pedzone

@@ -32,12 +32,20 @@ class BodySizes {
   /// Size of a type; nothing where it is not known. A type that a program has derived for one
   /// vehicle ("van@car7") is as large as what it comes from; a distribution as its first member.
   std::optional<BodySize> of_type(std::string_view type) const;
+  /// SUMO's vClass of a type; passenger where it is not known.
+  std::string_view class_of(std::string_view type) const;
   /// Size of a person: of its type where the files name one (also for those of a flow), else of
   /// SUMO's default type.
   BodySize of_person(std::string_view person) const;
 
  private:
-  std::unordered_map<std::string, BodySize> types_;
+  struct Type {
+    BodySize size;
+    std::string vclass;
+  };
+  const Type* find(std::string_view type) const;
+
+  std::unordered_map<std::string, Type> types_;
   std::unordered_map<std::string, std::string> first_of_;  ///< distribution -> its first type
   std::unordered_map<std::string, std::string> persons_;   ///< person or flow -> type
   std::string distribution_;                               ///< that encloses what is visited

@@ -103,6 +103,7 @@ class Reader {
                               .value_or(BodySize{departure.length, departure.width});
     departure.length = size.length;
     departure.width = size.width;
+    departure.its_class = road_class(sizes_.class_of(element.value("type").value_or(kUsualType)));
     const auto at = element.value("departPos");
     const bool base = !at || *at == "base";
     const auto position = base ? size.length + kBehindStart : number_of(at);
@@ -136,7 +137,7 @@ class Reader {
     if (found == network_.edge_index.end() || !edges_.contains(found->second)) return;
     Departure departure = planned.departure;
     departure.edge = found->second;
-    departure.lane = lane_of(network_.edges[departure.edge], planned.lane);
+    departure.lane = lane_of(network_.edges[departure.edge], departure.its_class, planned.lane);
     if (!planned.flow) return departures_.push_back(departure);
     const double end = std::min(planned.end, departure.time + kLongestFlow);
     for (int i = 0; departure.time < end; ++i, departure.time += planned.period) {
@@ -145,10 +146,10 @@ class Reader {
     }
   }
 
-  int lane_of(const Edge& edge, const std::string& wished) const {
+  int lane_of(const Edge& edge, RoadClasses its_class, const std::string& wished) const {
     if (wished.empty() || wished == "first") {
-      const auto first =
-          std::ranges::find_if(edge.lanes, [&](int lane) { return network_.lanes[lane].vehicles; });
+      const auto first = std::ranges::find_if(
+          edge.lanes, [&](int lane) { return network_.lanes[lane].lets_in(its_class); });
       return first == edge.lanes.end() ? -1 : *first;
     }
     const auto lane = network_.lane_index.find(edge.id + "_" + wished);

@@ -11,13 +11,14 @@ namespace pedzone {
 
 /// A vehicle, trip or regular flow's vehicle that begins at a known place.
 struct Departure {
-  std::string vehicle;    ///< id
-  double time = 0.0;      ///< [s] when it is due
-  int edge = -1;          ///< index into Network::edges
-  int lane = -1;          ///< index into Network::lanes; -1: SUMO chooses one
-  double position = 0.0;  ///< [m] ≥ 0 of its front from the lane's begin
-  double length = 5.0;    ///< [m]
-  double width = 1.8;     ///< [m]
+  std::string vehicle;        ///< id
+  double time = 0.0;          ///< [s] when it is due
+  int edge = -1;              ///< index into Network::edges
+  int lane = -1;              ///< index into Network::lanes; -1: SUMO chooses one
+  double position = 0.0;      ///< [m] ≥ 0 of its front from the lane's begin
+  double length = 5.0;        ///< [m]
+  double width = 1.8;         ///< [m]
+  RoadClasses its_class = 0;  ///< 0: not known
 };
 
 /// Those on one of `edges` (indices into Network::edges), by time. Left out: flows with a

@@ -18,12 +18,6 @@ constexpr NumberRange kCoordinateRange{-1.0e8, 1.0e8};  // [m] what geometry/ove
 constexpr NumberRange kLaneNumberRange{0.0, 1000.0};
 constexpr const char* kPersonClass = "pedestrian";
 
-// SUMO's classes of vehicles that share roads; the others are persons, rails, water and air
-// (SUMO documentation, "Vehicle permissions / abstract vehicle classes").
-constexpr std::array<std::string_view, 21> kRoadClasses{
-    "private", "emergency", "authority", "army",     "vip",       "passenger", "hov",
-    "taxi",    "bus",       "coach",     "delivery", "truck",     "trailer",   "motorcycle",
-    "moped",   "bicycle",   "scooter",   "evehicle", "container", "custom1",   "custom2"};
 constexpr std::array<std::string_view, 13> kOffRoadClasses{
     "pedestrian", "wheelchair", "tram",      "rail_urban", "rail",     "rail_electric", "rail_fast",
     "light_rail", "subway",     "cable_car", "ship",       "aircraft", "drone"};
@@ -40,13 +34,15 @@ void read_permissions(const pugi::xml_node& node, Lane& lane) {
     lane.vehicles = all || std::any_of(allowed.begin(), allowed.end(), [](const auto& name) {
                       return !among(kOffRoadClasses, name);
                     });
+    lane.road_classes = all ? kAllRoadClasses : 0;
+    for (const auto& name : allowed) lane.road_classes |= road_class(name);
     return;
   }
   const auto forbidden = split_words(node.attribute("disallow").value());
   const bool all = among(forbidden, "all");
   lane.persons = !all && !among(forbidden, kPersonClass);
-  lane.vehicles = !all && std::any_of(kRoadClasses.begin(), kRoadClasses.end(),
-                                      [&](auto name) { return !among(forbidden, name); });
+  for (const auto& name : forbidden) lane.road_classes &= ~road_class(name);
+  lane.vehicles = !all && lane.road_classes != 0;
   lane.persons_only_by_default = lane.persons;
 }
 

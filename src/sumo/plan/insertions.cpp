@@ -103,7 +103,9 @@ void Insertions::add_claims(double time, double dt, const std::vector<std::strin
   for (const Departure* departure : all) {
     for (const int lane : lanes(departure)) {
       const bool wished = departure->lane < 0 || departure->lane == lane;
-      if (wished && network_.lanes[lane].vehicles) add_claim(*departure, lane, fleet, out);
+      if (wished && network_.lanes[lane].lets_in(departure->its_class)) {
+        add_claim(*departure, lane, fleet, out);
+      }
     }
   }
 }

@@ -92,6 +92,17 @@ TEST_F(DeparturesTest, leave_out_what_only_sumo_knows) {
                   .empty());
 }
 
+TEST_F(DeparturesTest, are_on_the_first_lane_that_lets_their_class_in) {
+  Lane& footway = network_.lanes[0];
+  footway.vehicles = true;
+  footway.road_classes = road_class("bicycle");
+  const auto found = read(R"(<trip id="car" depart="1" from="a" to="b"/>
+    <vType id="bike" vClass="bicycle"/><trip id="bike" type="bike" depart="2" from="a" to="b"/>)");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].lane, 1);
+  EXPECT_EQ(found[1].lane, 0);
+}
+
 TEST_F(DeparturesTest, leave_the_lane_open_where_sumo_chooses_it) {
   const auto found = read(R"(<trip id="r" depart="1" from="a" to="b" departLane="best"/>)");
   ASSERT_EQ(found.size(), 1U);

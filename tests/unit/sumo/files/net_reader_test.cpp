@@ -133,6 +133,20 @@ TEST_F(NetReader, permissions_as_sumo_means_them) {
   }
 }
 
+TEST_F(NetReader, which_vehicles_a_lane_lets_in) {
+  const auto lets = [&](const char* attributes, const char* name) {
+    const Lane lane = with_lane(std::string(kGoodLane) + attributes).lanes[0];
+    return lane.lets_in(road_class(name));
+  };
+  EXPECT_TRUE(lets("", "bicycle"));
+  EXPECT_TRUE(lets("allow=\"bus bicycle\"", "bus"));
+  EXPECT_FALSE(lets("allow=\"bus bicycle\"", "passenger"));
+  EXPECT_FALSE(lets("disallow=\"bus\"", "bus"));
+  EXPECT_TRUE(lets("disallow=\"bus\"", "passenger"));
+  EXPECT_FALSE(lets("disallow=\"all\"", "passenger"));
+  EXPECT_TRUE(lets("allow=\"bus\"", "nobody knows it"));
+}
+
 TEST_F(NetReader, heights_that_are_left_out_are_zero) {
   const Lane lane = with_lane("speed=\"5\" length=\"10\" shape=\"0,0 5,0,1.5 10,0,3\"").lanes[0];
   EXPECT_EQ(lane.z, (std::vector<double>{0.0, 1.5, 3.0}));
