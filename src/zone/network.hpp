@@ -32,6 +32,8 @@ struct Lane {
   bool persons = false;   ///< pedestrians may use it
   bool vehicles = false;  ///< some road vehicle or bicycle may use it
   RoadClasses road_classes = kAllRoadClasses;  ///< if so, which of them
+  int opposite = -1;  ///< index into Network::lanes: the lane beside it for the other direction,
+                      ///< on which vehicles may overtake; -1: none
   bool persons_only_by_default = false;  ///< persons may use it only since nothing forbids them:
                                          ///< no `allow` in the file names them
   Polyline shape;                        ///< [m] centre line; the outline for a walking area

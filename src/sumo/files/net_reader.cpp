@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 
 #include "core/xml.hpp"
 #include "sumo/files/poi_reader.hpp"
@@ -88,6 +89,10 @@ class NetworkReader {
   void read() {
     const pugi::xml_node root = file_.root();
     for (const pugi::xml_node& node : root.children("edge")) read_edge(node);
+    for (const auto& [lane, opposite] : opposites_) {
+      const auto found = network_.lane_index.find(opposite);
+      if (found != network_.lane_index.end()) network_.lanes[lane].opposite = found->second;
+    }
     for (const pugi::xml_node& node : root.children("junction")) read_junction(node);
     for (const pugi::xml_node& node : root.children("connection")) read_connection(node);
   }
@@ -123,6 +128,9 @@ class NetworkReader {
     lane.length = file_.number(node, "length", kLengthRange);
     lane.width = file_.number(node, "width", kWidthRange, lane.width);
     read_permissions(node, lane);
+    if (const auto beside = node.child("neigh")) {
+      opposites_.emplace_back(index, beside.attribute("lane").value());
+    }
     file_.required(node, "shape");
     lane.shape = read_shape(file_, node, &lane.z);
     if (lane.shape.size() < 2 && !lane.outline) {
@@ -186,6 +194,7 @@ class NetworkReader {
 
   const XmlFile& file_;
   Network& network_;
+  std::vector<std::pair<int, std::string>> opposites_;  ///< of lanes, by id
 };
 
 void read_polygons(const XmlFile& file, Network& network) {

@@ -17,6 +17,15 @@ double to_the_left(double lateral, const Lane& lane, const Vec2& front) {
   return lateral == 0.0 ? 0.0 : std::copysign(lateral, project_on(lane.shape, front).lateral);
 }
 
+/// Whether the lane on which SUMO has it is not one of the edge that its route has come to, but
+/// beside that, for the other direction.
+bool overtakes_on_opposite(const Network& network, const VehicleSeen& vehicle) {
+  const Lane& lane = network.lanes[vehicle.lane];
+  const auto index = static_cast<std::size_t>(vehicle.route_index);
+  if (lane.opposite < 0 || index >= vehicle.route.size()) return false;
+  return network.lanes[lane.opposite].edge == vehicle.route[index];
+}
+
 }  // namespace
 
 VehicleReader::Known VehicleReader::begin(const std::string& id, double grip) const {
@@ -90,6 +99,11 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& tol
       vehicle.lateral = to_the_left(sumo_.lateral(id), network_.lanes[vehicle.lane], *front);
       vehicle.route = known.route;
       vehicle.route_index = sumo_.route_index(id);
+      if (overtakes_on_opposite(network_, vehicle)) {
+        vehicle.overtakes = true;
+        vehicle.lane = network_.lanes[vehicle.lane].opposite;
+        vehicle.lateral = project_on(network_.lanes[vehicle.lane].shape, *front).lateral;
+      }
       ask_lanes(vehicle, again, known);
       vehicle.means = known.means;
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFastest = 40.0;  // [m/s] numerical: nobody comes nearer faster, riding included
 constexpr double kBeyondSight = 10.0;  // [m] numerical: bodies, and what comes towards somebody
-constexpr double kLatest = 5.0;  // [s] numerical: another program may move them anyhow
+constexpr double kLatest = 5.0;        // [s] numerical: another program may move them anyhow
 
 /// Square cells of the plane, numbered.
 class Cells {

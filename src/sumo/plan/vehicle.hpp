@@ -40,6 +40,7 @@ struct VehicleSeen {
   bool invites = false;        ///< pedzone.signal is after-you at present
   int lane = -1;               ///< index into Network::lanes; -1: on none of them
   double lateral = 0.0;        ///< [m] on its lane, positive to the left
+  bool overtakes = false;      ///< on the lane beside that, for the other direction
   std::span<const int> route;  ///< indices into Network::edges; -1: not in the network
   int route_index = 0;         ///< of the edge of its route that it reached last
   std::span<const int> means;  ///< lanes that SUMO means it to take; empty: there is one way only

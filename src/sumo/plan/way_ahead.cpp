@@ -163,23 +163,32 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   vehicle.zone = std::max(0, zone);
 }
 
-/// Lanes for vehicles on both sides: SUMO's vehicles change lanes inside junctions, too.
-std::vector<int> WayAhead::neighbours(int lane) const {
+/// Lanes for vehicles on both sides, that for the other direction included: SUMO's vehicles change
+/// lanes inside junctions, too.
+std::vector<WayAhead::Beside> WayAhead::neighbours(int lane) const {
   const Edge& edge = network_.edges[network_.lanes[lane].edge];
-  std::vector<int> found;
+  std::vector<Beside> found;
+  const auto add = [&](int other) {
+    if (network_.lanes[other].vehicles) found.push_back({other, 0.0});
+  };
   const auto at = std::ranges::find(edge.lanes, lane);
-  if (at != edge.lanes.begin()) found.push_back(*std::prev(at));
-  if (at != edge.lanes.end() && std::next(at) != edge.lanes.end()) found.push_back(*std::next(at));
-  std::erase_if(found, [&](int other) { return !network_.lanes[other].vehicles; });
+  if (at != edge.lanes.begin()) add(*std::prev(at));
+  if (at != edge.lanes.end() && std::next(at) != edge.lanes.end()) add(*std::next(at));
+  const Lane& own = network_.lanes[lane];
+  if (own.opposite >= 0) {
+    const Vec2& there = network_.lanes[own.opposite].shape.front();
+    found.push_back({lane, project_on(own.shape, there).lateral});
+  }
   return found;
 }
 
 /// Adds `left` [m] of the way from `offset` [m] on the lane on, where the edge of its
 /// route at `index` was reached.
-void WayAhead::append_way(int lane, const VehicleSeen& vehicle, int index, double offset,
+void WayAhead::append_way(const Beside& from, const VehicleSeen& vehicle, int index, double offset,
                           double left, Polyline& way) const {
-  for (; lane >= 0 && left > 0.0; lane = next_lane(lane, vehicle, index)) {
-    append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, way);
+  const double lateral = vehicle.lateral + from.aside;
+  for (int lane = from.lane; lane >= 0 && left > 0.0; lane = next_lane(lane, vehicle, index)) {
+    append_from(network_.lanes[lane].shape, offset, lateral, left, way);
     offset = 0.0;
   }
 }
@@ -187,17 +196,18 @@ void WayAhead::append_way(int lane, const VehicleSeen& vehicle, int index, doubl
 std::vector<Polyline> WayAhead::beside(const FleetVehicle& vehicle, double soon,
                                        double distance) const {
   std::vector<Polyline> ways;
-  if (vehicle.lane < 0) return ways;
+  if (vehicle.lane < 0 || vehicle.overtakes) return ways;
   Polyline own = straight_behind(vehicle);
   double offset = project_on(network_.lanes[vehicle.lane].shape, vehicle.front).offset;
   int lane = vehicle.lane, index = vehicle.route_index;
   const double reach = std::max(soon, kSoon);
   for (double left = reach; lane >= 0 && left > 0.0;) {
     const double gone = reach - left;
-    for (const int other : neighbours(lane)) {
-      const Polyline& shape = network_.lanes[other].shape;
+    for (const Beside& other : neighbours(lane)) {
+      const Polyline& shape = network_.lanes[other.lane].shape;
       const double from = gone > 0.0 ? 0.0 : project_on(shape, vehicle.front).offset;
-      const LinePoint begin = point_on(shape, from);
+      LinePoint begin = point_on(shape, from);
+      begin.point += left_of(begin.direction) * other.aside;
       Polyline way = {begin.point - begin.direction * vehicle.traits.length, begin.point};
       if (gone > 0.0) {  // put over sideways on its way there
         way = own;

@@ -29,9 +29,14 @@ class WayAhead {
   std::vector<Polyline> beside(const FleetVehicle& vehicle, double soon, double distance) const;
 
  private:
-  std::vector<int> neighbours(int lane) const;
-  void append_way(int lane, const VehicleSeen& vehicle, int index, double offset, double left,
-                  Polyline& way) const;
+  /// A lane, and how far [m] to the left of it one drives.
+  struct Beside {
+    int lane;
+    double aside;
+  };
+  std::vector<Beside> neighbours(int lane) const;
+  void append_way(const Beside& from, const VehicleSeen& vehicle, int index, double offset,
+                  double left, Polyline& way) const;
   int junction_after(std::span<const int> route, int index) const;
   Polyline way_behind(const FleetVehicle& vehicle, double offset) const;
   const Connection* leading(int lane, int edge, std::span<const int> means) const;

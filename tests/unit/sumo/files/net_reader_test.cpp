@@ -147,6 +147,18 @@ TEST_F(NetReader, which_vehicles_a_lane_lets_in) {
   EXPECT_TRUE(lets("allow=\"bus\"", "nobody knows it"));
 }
 
+TEST_F(NetReader, the_lane_for_the_other_direction) {
+  const auto edge = [](const std::string& id, const std::string& neighbour) {
+    return "<edge id=\"" + id + "\" from=\"a\" to=\"b\"><lane id=\"" + id +
+           "_0\" index=\"0\" speed=\"9\" length=\"9\" shape=\"0,0 9,0\"><neigh lane=\"" +
+           neighbour + "\"/></lane></edge>";
+  };
+  const Network net =
+      read("<net>" + edge("there", "back_0") + edge("back", "nowhere_0") + "</net>");
+  EXPECT_EQ(net.lanes[0].opposite, 1);
+  EXPECT_EQ(net.lanes[1].opposite, -1);
+}
+
 TEST_F(NetReader, heights_that_are_left_out_are_zero) {
   const Lane lane = with_lane("speed=\"5\" length=\"10\" shape=\"0,0 5,0,1.5 10,0,3\"").lanes[0];
   EXPECT_EQ(lane.z, (std::vector<double>{0.0, 1.5, 3.0}));

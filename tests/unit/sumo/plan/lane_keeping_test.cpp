@@ -89,6 +89,19 @@ TEST_F(LaneKeepingTest, does_not_count_lanes_that_no_vehicle_may_use) {
   EXPECT_THAT(step({car(left_, {60, 4}, 5.0)}, {at(66, 0)}), IsEmpty());
 }
 
+TEST_F(LaneKeepingTest, does_not_overtake_on_the_lane_for_the_other_direction_where_somebody_is) {
+  const int back = add_edge("back", "C", "B", 100, 50);
+  network.lanes[lane_of(back)].shape = {{100.0, 8.0}, {50.0, 8.0}};
+  EXPECT_THAT(step({car(left_, {60, 4}, 5.0)}, {at(66, 8)}), IsEmpty()) << "nobody overtakes there";
+  network.lanes[left_].opposite = lane_of(back);
+  EXPECT_THAT(step({car(left_, {60, 4}, 5.0)}, {at(66, 8)}), ElementsAre(keeps_));
+  EXPECT_THAT(step({car(left_, {60, 4}, 5.0)}, {at(50, 8)}), ElementsAre(free_)) << "behind it";
+  VehicleSeen overtaking = car(left_, {60, 8}, 5.0);
+  overtaking.overtakes = true;
+  overtaking.lateral = 4.0;
+  EXPECT_THAT(step({overtaking}, {at(66, 4)}), IsEmpty()) << "it has to come back";
+}
+
 TEST_F(LaneKeepingTest, tells_those_only_that_give_way_and_drive_by_themselves) {
   for (const int kind : {0, 1, 2}) {
     VehicleSeen seen = car(left_, {60, 4}, 5.0);

@@ -30,6 +30,13 @@ TEST_F(WayAheadTest, keeps_to_the_side_on_which_the_vehicle_drives) {
   EXPECT_NEAR(one(left).way.back().y(), 0.5, 1e-12);
 }
 
+TEST_F(WayAheadTest, of_one_that_overtakes_leads_on_beside_its_own_lane) {
+  VehicleSeen overtaking = car(60.0, 0.0);
+  overtaking.front.y() = overtaking.lateral = 4.0;
+  overtaking.overtakes = true;
+  EXPECT_TRUE(one(overtaking).way.back().isApprox(Vec2(90.0, 4.0)));
+}
+
 TEST_F(WayAheadTest, follows_the_route_round_a_corner) {
   const int north = add_edge("north", "C", "N", 100, 150);
   network.lanes[lane_of(north)].shape = {{100.0, 0.0}, {100.0, 50.0}};
