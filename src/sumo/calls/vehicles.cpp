@@ -1,6 +1,7 @@
 #include "sumo/calls/vehicles.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 #include "sumo/calls/api.hpp"
@@ -64,8 +65,10 @@ class VehicleCalls final : public SumoVehicles {
     const auto own =
         std::ranges::find(lanes, Vehicle::getLaneID(id), &libsumo::TraCIBestLanesData::laneID);
     if (own == lanes.end()) return {};
-    const auto at = own - lanes.begin() + (own->allowsContinuation ? 0 : own->bestLaneOffset);
-    return lanes.at(static_cast<std::size_t>(at)).continuationLanes;
+    if (own->allowsContinuation) return own->continuationLanes;
+    const auto needed = own - lanes.begin() + own->bestLaneOffset;
+    if (needed < 0 || needed >= std::ssize(lanes)) return {};
+    return lanes[static_cast<std::size_t>(needed)].continuationLanes;
   }
   bool is_at_stop(const std::string& id) const override {
     return (Vehicle::getStopState(id) & 1) != 0;
