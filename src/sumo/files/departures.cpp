@@ -99,11 +99,12 @@ class Reader {
     planned.flow = element.name() == "flow";
     Departure& departure = planned.departure;
     departure.vehicle = std::string(element.value("id").value_or(""));
-    const BodySize size = sizes_.of_type(element.value("type").value_or(kUsualType))
-                              .value_or(BodySize{departure.length, departure.width});
+    const std::string_view type = element.value("type").value_or(kUsualType);
+    const BodySize size =
+        sizes_.of_type(type).value_or(BodySize{departure.length, departure.width});
     departure.length = size.length;
     departure.width = size.width;
-    departure.its_class = road_class(sizes_.class_of(element.value("type").value_or(kUsualType)));
+    departure.its_class = road_class(sizes_.class_of(type));
     const auto at = element.value("departPos");
     const bool base = !at || *at == "base";
     const auto position = base ? size.length + kBehindStart : number_of(at);

@@ -93,15 +93,9 @@ void Insertions::add_claim(const Departure& departure, int lane, const Fleet& fl
 void Insertions::add_claims(double time, double dt, const std::vector<std::string>& pending,
                             const Fleet& fleet, std::vector<VehicleState>& out) {
   while (next_ < departures_.size() && departures_[next_].time <= time - dt) ++next_;
-  const std::vector<const Departure*> all = expected(time, pending);
-  const auto lanes = [&](const Departure* one) { return network_.edges[one->edge].lanes; };
-  // Spans into them are given away.
-  std::size_t most = 0;
-  for (const Departure* departure : all) most += lanes(departure).size();
   ways_.clear();
-  ways_.reserve(most);
-  for (const Departure* departure : all) {
-    for (const int lane : lanes(departure)) {
+  for (const Departure* departure : expected(time, pending)) {
+    for (const int lane : network_.edges[departure->edge].lanes) {
       const bool wished = departure->lane < 0 || departure->lane == lane;
       if (wished && network_.lanes[lane].lets_in(departure->its_class)) {
         add_claim(*departure, lane, fleet, out);

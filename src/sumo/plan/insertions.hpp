@@ -2,6 +2,7 @@
 // not for people whom pedzone walks. So these keep away from the place, as from a garage's exit.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -35,7 +36,7 @@ class Insertions {
   std::vector<Departure> departures_;
   std::unordered_map<std::string, std::size_t> index_;  ///< of departures_, by vehicle
   std::size_t next_ = 0;                                ///< the first that SUMO has not tried yet
-  std::vector<Polyline> ways_;
+  std::deque<Polyline> ways_;  ///< spans into them are given away: they stay where they are
 };
 
 }  // namespace pedzone

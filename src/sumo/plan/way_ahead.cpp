@@ -84,7 +84,8 @@ int WayAhead::next_lane(int lane, const VehicleSeen& vehicle, int& index) const 
     if (on != nullptr) break;
     on = leading(other, route[index + 1], vehicle.means);
   }
-  if (on == nullptr || on->via >= 0) return on == nullptr ? -1 : on->via;
+  if (on == nullptr) return -1;
+  if (on->via >= 0) return on->via;
   ++index;
   return on->to;
 }

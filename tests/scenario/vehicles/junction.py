@@ -93,6 +93,16 @@ class Run:
                                           if arrived else math.inf)
 
 
+def run_both(pedzone, folder, *options):
+    """The scene of that folder in plain SUMO, and with pedzone and its options."""
+    config = folder / "s.sumocfg"
+    plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
+    ours = Run(folder / "ours", [
+        pedzone, "run", config, "--zone", folder / "all.zone.xml",
+        "--trajectories", folder / "ours" / "trajectories.csv", *options, "--"])
+    return plain, ours
+
+
 def all_contacts(folder):
     """What check_run.py finds of them."""
     done = subprocess.run([sys.executable, str(CHECK), str(folder / "s.sumocfg"),
@@ -112,12 +122,7 @@ def contacts(folder):
 def compare(pedzone, folder, seed, step, footways, model):
     """(our emergency brakings, plain SUMO's, what is wrong)."""
     make_scene(folder, seed, step, footways)
-    config = folder / "s.sumocfg"
-    plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
-    ours = Run(folder / "ours", [
-        pedzone, "run", config, "--zone", folder / "all.zone.xml",
-        "--trajectories", folder / "ours" / "trajectories.csv",
-        *(["--model", model] if model else []), "--"])
+    plain, ours = run_both(pedzone, folder, *(["--model", model] if model else []))
     wrong = []
     for collision in ours.collisions:
         wrong.append(f"{collision['collider']} meets {collision['victim']} at {collision['time']}")

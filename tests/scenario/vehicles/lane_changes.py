@@ -16,7 +16,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from junction import Run, call, contacts
+from junction import call, contacts, run_both
 
 CARS, PEOPLE = 57, 78
 END = 700  # [s]
@@ -53,11 +53,7 @@ def mean(numbers):
 def check(pedzone, folder, seed, step):
     """What is wrong."""
     make_scene(folder, seed, step)
-    config = folder / "s.sumocfg"
-    plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
-    ours = Run(folder / "ours", [
-        pedzone, "run", config, "--zone", folder / "all.zone.xml",
-        "--trajectories", folder / "ours" / "trajectories.csv", "--"])
+    plain, ours = run_both(pedzone, folder)
     inserted, touched = contacts(folder)
     drives = [mean(run.driven) for run in (plain, ours)]
     walks = [mean(run.walks.values()) for run in (plain, ours)]

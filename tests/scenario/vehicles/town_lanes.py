@@ -21,7 +21,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from junction import SUMO_HOME, Run, all_contacts, call
+from junction import SUMO_HOME, all_contacts, call, run_both
 from lane_changes import mean
 
 SECONDS, END = 400, 1500  # [s] in which all depart, of the run
@@ -53,11 +53,7 @@ def make_scene(folder, town, seed, step):
 def check(pedzone, folder, town, seed, step):
     """What is wrong."""
     make_scene(folder, town, seed, step)
-    config = folder / "s.sumocfg"
-    plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
-    ours = Run(folder / "ours", [
-        pedzone, "run", config, "--zone", folder / "all.zone.xml",
-        "--trajectories", folder / "ours" / "trajectories.csv", "--"])
+    plain, ours = run_both(pedzone, folder)
     found = all_contacts(folder)
     inserted, touched = (found[kind]["pairs"] for kind in ("at_insertion", "controlled"))
     drives = [mean(run.driven) for run in (plain, ours)]
