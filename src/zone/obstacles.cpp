@@ -26,10 +26,6 @@ bool crosses_itself(const Ring& ring, const Region& repaired) {
          std::abs(std::abs(signed_area(ring)) - area(repaired)) > kAreaTolerance;
 }
 
-bool is_walkable(const MapPolygon& polygon, const ZoneSpec& spec) {
-  return is_any(polygon.id, spec.polygons) || is_any(polygon.type, kWalkableTypes);
-}
-
 ShapedPolygon shaped(const MapPolygon& polygon, std::vector<std::string>& warnings) {
   ShapedPolygon result{polygon.id, repair(polygon.shape), {}};
   result.box = box_of(result.region);
@@ -61,6 +57,10 @@ void check_named(const Network& network, const ZoneSpec& spec) {
 }
 
 }  // namespace
+
+bool is_walkable(const MapPolygon& polygon, const ZoneSpec& spec) {
+  return is_any(polygon.id, spec.polygons) || is_any(polygon.type, kWalkableTypes);
+}
 
 ZonePolygons sort_polygons(const Network& network, const ZoneSpec& spec, const Box& near,
                            std::vector<std::string>& warnings) {

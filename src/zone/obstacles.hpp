@@ -22,6 +22,9 @@ struct ZonePolygons {
   std::vector<ShapedPolygon> walkable;   ///< jupedsim.walkable_area, pedzone.walkable, named ones
 };
 
+/// Whether the polygon is ground that a zone of that spec may use.
+bool is_walkable(const MapPolygon& polygon, const ZoneSpec& spec);
+
 /// Sorts the network's polygons by what they mean; obstacles and water only where their box meets
 /// `near` or a walkable polygon. Those that cross themselves are repaired, those without an area
 /// left out, with a warning. Throws InputError for polygons that the zone file names and that are

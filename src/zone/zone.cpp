@@ -25,6 +25,7 @@ void select_all(const Network& network, std::vector<Draft>& drafts, std::vector<
       Selection& selection = draft.parts.selection;
       selection = select_lanes(network, *draft.spec, taken);
       separate_levels(network, selection, draft.warnings);
+      leave_out_covered(network, *draft.spec, selection, draft.warnings);
       for (const int edge : selection.edges) taken[edge] = true;
     }
   }

@@ -23,11 +23,12 @@ TYPES = {"person": {"vClass": "pedestrian"},
 @dataclass
 class Scene:
     """What netconvert and SUMO are given; zone: ids of edges, separated by spaces."""
-    nodes: dict                    # id -> (x, y)
+    nodes: dict                    # id -> (x, y) or (x, y, type)
     edges: dict                    # id -> (from, to, further attributes)
     zone: str
     demand: list = field(default_factory=list)  # (depart [s], element)
     sidewalks: bool = False
+    sumo_walks: bool = False  # people where they meet vehicles: it walks them through these
 
     def person(self, name: str, depart: float, edges: str, **walk) -> "Scene":
         node = ET.Element("person", {"id": name, "type": "person", "depart": f"{depart:g}"})
@@ -68,8 +69,8 @@ class Scene:
 
     def write_network(self, folder: Path) -> None:
         nodes, edges = ET.Element("nodes"), ET.Element("edges")
-        for name, (x, y) in self.nodes.items():
-            ET.SubElement(nodes, "node", {"id": name, "x": f"{x}", "y": f"{y}"})
+        for name, (x, y, *kind) in self.nodes.items():
+            ET.SubElement(nodes, "node", {"id": name, "x": f"{x}", "y": f"{y}", **dict(zip(["type"], kind))})
         for name, (start, end, more) in self.edges.items():
             ET.SubElement(edges, "edge", {"id": name, "from": start, "to": end, **STREET, **more})
         ET.ElementTree(nodes).write(folder / "scene.nod.xml")
@@ -212,6 +213,22 @@ def zone_end(seed: int, people: int = 20, vans: int = 10) -> Scene:
     return scene
 
 
+def footpath(kind: str = "car", people: int = 15) -> Scene:
+    """A footpath that is drawn over a road, as maps have them: it begins at a junction with lights, under the
+    vehicles that wait there, and leaves the road by and by."""
+    walk = {"sidewalkWidth": "2"}
+    scene = Scene({"b": (-80, -30), "j": (0, 0, "traffic_light"), "a": (100, 34), "q": (90, 45), "s": (20, -80)},
+                  {"in": ("a", "j", walk), "out": ("j", "b", walk), "side": ("s", "j", walk),
+                   "path": ("j", "q", {"allow": "pedestrian", "width": "2", "shape": "0,0 40,17 90,45"})},
+                  "path out", sidewalks=True, sumo_walks=True)
+    for k in range(people):
+        scene.person(f"walker{k}", 40 * k, "out path", departPos="10", arrivalPos="40")
+    for k in range(2 * people):
+        scene.vehicle(f"{kind}{k}", 20 * k, "in out", kind)
+        scene.vehicle(f"side{k}", 20 * k, "side out", kind)
+    return scene
+
+
 SCENES = {}
 for _count in (1, 3):
     for _kind in ("car", "van", "bus"):
@@ -226,5 +243,6 @@ for _kind in ("car", "van", "bus"):
     SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
     SCENES[f"both-ways-{_kind}"] = both_ways(3, _kind)
     SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
+    SCENES[f"footpath-{_kind}"] = footpath(_kind)
 for _width in ("2.6", "2.8"):
     SCENES[f"two-lanes-{_width}m"] = two_lanes(3, "van", width=_width)

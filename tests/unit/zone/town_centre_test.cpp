@@ -47,7 +47,9 @@ TEST_P(TownCentre, has_the_streets_that_its_readme_names) {
     if (entry.type == "highway.service") service = entry.length;
     if (entry.type == "highway.footway") stubs = entry.length;
   }
-  EXPECT_NEAR(pedestrian, 3300, 50);
+  // Without shuttles 86 m of "Am Brink", drawn in the middle of a road, are left out.
+  const bool shuttles = std::string(GetParam()) == "centre-shuttle";
+  EXPECT_NEAR(pedestrian, shuttles ? 3300 : 3214, 50);
   EXPECT_NEAR(living, 1800, 50);
   EXPECT_GT(service, 1500);
   EXPECT_LT(stubs, 1.0);
