@@ -211,7 +211,7 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
       new_person(walker, plan, hints, static_cast<std::size_t>(zone), guest.preferred_speed));
   const PersonView view = crowds_[zone]->view(guest.handle);
   guest.position = view.position;
-  const Entry entry = entry_of(plan, view, guest.radius, fleet);
+  const Entry entry = entry_of(plan, view, guest.radius, fleet, dt_);
   if (entry != Entry::kWalks) {
     if (entry == Entry::kStaysOutside) {
       past_[walker.id].refused_edge = network_.edge_index.at(sumo_.edge(walker.id));

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "core/random.hpp"
+#include "sumo/plan/late_braking.hpp"
+#include "sumo/plan/yield_plan.hpp"
 #include "zone/lane_geometry.hpp"
 
 namespace pedzone {
@@ -113,6 +115,18 @@ void note_plan(const WalkerSeen& walker, PersonPast& past) {
   past.last = -1;
 }
 
+/// Whether a vehicle comes that would have to brake harder than it likes to for somebody who stands
+/// there from now on: SUMO has put the person before it.
+bool comes_too_near(const Fleet& fleet, const Vec2& position, double radius, double dt) {
+  PersonAhead person;
+  person.position = position;
+  person.radius = radius;
+  return std::ranges::any_of(fleet.vehicles(), [&](const FleetVehicle& vehicle) {
+    return gives_way(vehicle) &&
+           needed_deceleration(vehicle, {&person, 1}, dt) > vehicle.traits.decel;
+  });
+}
+
 /// The middle of a destination's width, so narrow that a body there is within the street.
 Destination with_room(const Destination& portal, double radius) {
   const Vec2 along = portal.b - portal.a;
@@ -160,6 +174,7 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
   // SUMO walks people through vehicles. Whom it brings here inside one is put beside it. (Whom the
   // crowd walked until now is where the crowd put it.)
   const bool departs = index == 0 && walker.speed == 0.0;
+  plan->from_sumo = !walked_until_now;
   plan->place_freely = !walked_until_now && (departs || fleet.touches(plan->start, walker.radius));
   return plan;
 }
@@ -196,15 +211,17 @@ std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zo
   auto plan = plan_walk(network, zones[zone], route, next, walker);
   if (!plan) return std::nullopt;
   plan->plan = past.plan;
+  plan->from_sumo = !walked_until_now;
   plan->place_freely = !walked_until_now && fleet.touches(plan->start, walker.radius);
   return EntryPlan{zone, *plan};
 }
 
-Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius,
-               const Fleet& fleet) {
+Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius, const Fleet& fleet,
+               double dt) {
   if (view.stays_outside) return Entry::kStaysOutside;
   const bool in_vehicle = plan.place_freely && fleet.touches(view.position, radius);
-  return in_vehicle ? Entry::kNoRoom : Entry::kWalks;
+  const bool too_late = plan.from_sumo && comes_too_near(fleet, view.position, radius, dt);
+  return in_vehicle || too_late ? Entry::kNoRoom : Entry::kWalks;
 }
 
 double striping_share(double dawdling) { return 1.0 - 0.5 * std::clamp(dawdling, 0.0, 1.0); }

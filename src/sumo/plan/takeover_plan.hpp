@@ -43,6 +43,7 @@ struct TakeoverPlan {
   double by_junctions = kNoWay;  ///< [m] as NewPerson
   bool place_freely = false;  ///< it departs here, or SUMO has brought it into a vehicle: it may be
                               ///< moved to the nearest free place
+  bool from_sumo = true;      ///< false: pedzone has walked it until now
 };
 
 /// A number for SUMO's plan of a person: another one for another plan.
@@ -81,11 +82,14 @@ std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zo
 enum class Entry {
   kWalks,
   kStaysOutside,  ///< SUMO walks it over a signalled crossing, to which the zone does not reach
-  kNoRoom,        ///< there is none beside a vehicle: it is SUMO's for this step
+  kNoRoom,        ///< there is none beside a vehicle, or one comes that could not stop in comfort:
+                  ///< it is SUMO's for this step
 };
 
-/// The crowd shows a person of `radius` [m], whose walk was planned, as `view`.
-Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius, const Fleet& fleet);
+/// The crowd shows a person of `radius` [m], whose walk was planned, as `view`. `dt` [s]: of the
+/// step.
+Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius, const Fleet& fleet,
+               double dt);
 
 /// The share of its top speed at which SUMO's striping model lets a person walk freely. It takes a
 /// random share of up to `dawdling` off in every step; ours walk as fast as that on average, or a

@@ -226,17 +226,39 @@ TEST_F(TakeoverPlanTest, person_walks_where_the_crowd_has_put_it_unless_in_a_veh
   freely.place_freely = true;
   PersonView view{};
   view.position = {51.0, 0.0};
-  EXPECT_EQ(entry_of(freely, view, 0.25, fleet_), Entry::kNoRoom);
-  EXPECT_EQ(entry_of({}, view, 0.25, fleet_), Entry::kWalks) << "the vehicle ran into it";
+  EXPECT_EQ(entry_of(freely, view, 0.25, fleet_, 0.1), Entry::kNoRoom);
+  EXPECT_EQ(entry_of({}, view, 0.25, fleet_, 0.1), Entry::kWalks) << "the vehicle ran into it";
   view.position = {53.3, 0.0};
-  EXPECT_EQ(entry_of(freely, view, 0.25, fleet_), Entry::kWalks);
-  EXPECT_EQ(entry_of(freely, view, 0.35, fleet_), Entry::kNoRoom) << "it is wider";
+  EXPECT_EQ(entry_of(freely, view, 0.25, fleet_, 0.1), Entry::kWalks);
+  EXPECT_EQ(entry_of(freely, view, 0.35, fleet_, 0.1), Entry::kNoRoom) << "it is wider";
+}
+
+TEST_F(TakeoverPlanTest, person_whom_sumo_puts_before_a_vehicle_that_cannot_stop_stays_sumos) {
+  VehicleSeen seen = test::seen_vehicle("van", {60.0, 0.0}, 10.0);
+  seen.traits.decel = 4.5;  // from 10 m/s it stops within 11.2 m, or a step more
+  seen.lane = lane_of(e1);
+  const std::vector<int> route{e1, e2};
+  seen.route = route;
+  fleet_.update({seen}, 0.1);
+  PersonView view{};
+  view.position = {68.0, 0.0};
+  EXPECT_EQ(entry_of({}, view, 0.25, fleet_, 0.1), Entry::kNoRoom);
+  TakeoverPlan ours;
+  ours.from_sumo = false;
+  EXPECT_EQ(entry_of(ours, view, 0.25, fleet_, 0.1), Entry::kWalks) << "the crowd has put it there";
+  view.position = {73.0, 0.0};
+  EXPECT_EQ(entry_of({}, view, 0.25, fleet_, 0.1), Entry::kWalks) << "far enough";
+  view.position = {68.0, 2.0};
+  EXPECT_EQ(entry_of({}, view, 0.25, fleet_, 0.1), Entry::kWalks) << "beside its way";
+  fleet_.vehicles()[0].traits.yields = false;
+  view.position = {68.0, 0.0};
+  EXPECT_EQ(entry_of({}, view, 0.25, fleet_, 0.1), Entry::kWalks) << "it stops for nobody";
 }
 
 TEST_F(TakeoverPlanTest, person_that_would_rather_cross_at_a_junction_stays_sumos) {
   PersonView view{};
   view.stays_outside = true;
-  EXPECT_EQ(entry_of({}, view, 0.25, fleet_), Entry::kStaysOutside);
+  EXPECT_EQ(entry_of({}, view, 0.25, fleet_, 0.1), Entry::kStaysOutside);
 }
 
 TEST_F(TakeoverPlanTest, plan_is_another_with_other_edges_or_stages) {
