@@ -68,7 +68,9 @@ bool waits_before_junction(const FleetVehicle& vehicle, const Obstruction& ahead
 double safe_speed(const FleetVehicle& vehicle, const Obstruction& ahead,
                   const Parameters& parameters, const SafeSpeeds& safe_speeds, double dt) {
   const double keep = vehicle.creeping ? parameters.creep_gap : parameters.yield_gap;
-  const double gap = std::max(0.0, ahead.distance - keep);
+  // Who comes towards it is nearer by then: in a step of 1 s by as much as it keeps.
+  const double comes = std::max(0.0, -ahead.speed) * dt;
+  const double gap = std::max(0.0, ahead.distance - keep - comes);
   double safe = safe_speeds.before(vehicle, ahead, gap);
   if (waits_before_junction(vehicle, ahead, keep)) {
     safe = std::min(safe, safe_speeds.stop(vehicle, vehicle.junction.begin));

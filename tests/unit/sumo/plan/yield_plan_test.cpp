@@ -55,6 +55,20 @@ TEST(PlanYield, leaves_the_yield_gap_before_somebody_who_stands) {
   }
 }
 
+TEST(PlanYield, leaves_more_to_one_that_comes_towards_it_in_the_step) {
+  const Parameters parameters;
+  for (const double dt : {0.1, 1.0}) {
+    const EvenBraking own;
+    for (const double comes : {0.0, 1.2}) {
+      FleetVehicle vehicle = driving(5.0);
+      plan_yield(vehicle, std::vector<PersonAhead>{{{12.0, 0.0}, {-comes, 0.0}, 0.24}}, parameters,
+                 own.speeds(), dt);
+    }
+    ASSERT_EQ(own.gaps.size(), 2U);
+    EXPECT_NEAR(own.gaps[1], own.gaps[0] - 1.2 * dt, 1e-9);
+  }
+}
+
 TEST(PlanYield, looks_as_far_as_it_takes_to_stop) {
   // From 15 m/s it takes 25 m at 4.5 m/s², and 15 m of driving on; the horizon is 15 m more.
   const Parameters parameters;
