@@ -63,6 +63,7 @@ struct VehicleState {
                                  ///< asked for longest
   std::span<const Vec2> way;     ///< [m] from where its rear was when the step began along its
                                  ///< next lanes; empty where unknown. Read within the step only
+  bool forwards = false;         ///< it drives along its way, even where it turns round
   bool leaves = false;           ///< where its way ends it leaves the network, or before
   double gone = 0.0;             ///< [m] that its rear has gone along its way since
   double lead = 0.0;             ///< [m] ≥ 0 it may get ahead of here until the step ends

@@ -98,10 +98,10 @@ VehicleState state_of(const FleetVehicle& vehicle, double dt) {
   } else {
     const NextSpeed next = next_speed(vehicle, dt);
     const Rectangle body = body_after(vehicle, next.expected * dt);
-    // As the crow flies: in a sharp turn much less than it drives.
     const Vec2 moved = body.centre - state.centre;
-    const double distance = moved.norm();
-    if (distance > 0.0) state.velocity = moved / distance * std::min(next.expected, distance / dt);
+    state.velocity =
+        moved.norm() > 0.0 ? Vec2(moved.normalized() * next.expected) : Vec2(Vec2::Zero());
+    state.forwards = true;
     state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
     state.slower = next.expected - next.least;
     // The velocity is what it will drive in the step: in a long one the gain is in it.

@@ -54,6 +54,17 @@ TEST(VehicleMotion, keeps_to_a_way_so_sharp_that_its_middle_goes_backwards) {
   EXPECT_TRUE(vehicle.centre.isApprox(then.centre, 1e-6)) << vehicle.centre.transpose();
 }
 
+/// A moped that turns round in less than a step: its middle gets to behind where it was.
+TEST(VehicleMotion, turns_round_on_its_way_where_it_is_known_to_drive_forwards) {
+  VehicleState vehicle = vehicle_at({-1.0, 0.0}, 0.0, 0.0, 2.0, 0.8);
+  const Polyline round{{-2.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 2.0}, {-30.0, 2.0}};
+  vehicle.way = round;
+  vehicle.velocity = {-10.0, 0.0};  // towards where it will be; it drives 10 m
+  vehicle.forwards = true;
+  for (int k = 0; k < 10; ++k) vehicle = moved_on(vehicle, 0.1);
+  EXPECT_TRUE(front_of(vehicle).isApprox(Vec2(-6.0, 2.0), 1e-6)) << front_of(vehicle).transpose();
+}
+
 TEST(VehicleMotion, goes_no_farther_than_where_it_leaves_the_network) {
   VehicleState vehicle = vehicle_at({2.0, 0.0}, 0.0, 15.0, 4.0, 2.0);
   const Polyline ends{{0.0, 0.0}, {4.0, 0.0}, {9.0, 0.0}};
