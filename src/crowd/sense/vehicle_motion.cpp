@@ -37,7 +37,7 @@ Vec2 front_velocity(const VehicleState& vehicle) {
 /// middle of a body that follows its front as a chord goes backwards.
 std::optional<double> place_on_way(const VehicleState& vehicle) {
   const auto rear = rear_on_way(vehicle);
-  if (!rear || vehicle.forwards) return rear;
+  if (!rear || (vehicle.forwards && vehicle.velocity.norm() >= kStanding)) return rear;
   if (vehicle.velocity.dot(unit(vehicle.heading)) >= kStanding) return rear;
   const double front = *rear + vehicle.length;
   const Vec2 ahead =
