@@ -119,10 +119,16 @@ Polyline WayAhead::way_behind(const FleetVehicle& vehicle, double offset) const 
     const Polyline& shape = network_.lanes[lane].shape;
     append_before(shape, length_of(shape), vehicle.lateral, left, back);
   }
+  // SUMO has the rear of one that it inserted on a lane shorter than itself straight behind that.
+  const std::size_t n = back.size();
+  if (left > 0.0 && n > 1) {
+    const Vec2 piece = back[n - 1] - back[n - 2];
+    if (piece.norm() > 0.0) back.push_back(back[n - 1] + piece.normalized() * left);
+  }
   const Vec2 chord = back.front() - back.back();
   const bool fits =
       chord.norm() > kChord && std::abs(wrap_angle(angle_of(chord) - vehicle.heading)) < kFits;
-  if (left > 0.0 || !fits) return straight;
+  if (!fits) return straight;
   return {back.rbegin(), back.rend()};
 }
 

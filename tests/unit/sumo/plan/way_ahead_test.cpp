@@ -114,6 +114,14 @@ TEST_F(RearTest, follows_the_lanes_that_the_vehicle_came_by) {
   EXPECT_TRUE(turning.way.front().isApprox(Vec2(198.0, 0.0), 1e-6));
 }
 
+TEST_F(RearTest, is_straight_behind_the_first_lane_of_one_inserted_on_less_than_its_length) {
+  route_ = {e3, e4_};
+  network.lanes[lane_of(e3)].shape = {{198.0, 0.0}, {200.0, 0.0}};
+  const FleetVehicle turning = moved(car(199.5, 195.5), car(201.0, 197.0), 1.0);
+  EXPECT_TRUE(turning.way.front().isApprox(Vec2(197.0, 0.0), 1e-6));
+  EXPECT_NEAR(body_after(turning, 3.0).axis.x(), 0.0, 1e-9) << "round the corner then";
+}
+
 TEST_F(RearTest, is_straight_behind_one_that_has_not_come_by_its_lanes) {
   route_ = {e3, e4_};
   const FleetVehicle put = one(car(202.0, 198.0));
