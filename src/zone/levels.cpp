@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/text.hpp"
 #include "zone/links.hpp"
 #include "zone/shapes.hpp"
 
@@ -96,17 +97,14 @@ void separate_levels(const Network& network, Selection& selection,
           return length_of(network, a.first) < length_of(network, b.first);
         });
     const int edge = worst->first;
-    std::string others;
-    for (const int other : worst->second) {
-      others += (others.empty() ? "'" : ", '") + network.edges[other].id + "'";
-      conflicts[other].erase(edge);
-    }
+    const std::string others = comma_list(
+        worst->second, [&](int other) { return "'" + network.edges[other].id + "'"; });
+    for (const int other : worst->second) conflicts[other].erase(edge);
     conflicts.erase(edge);
     std::erase_if(conflicts, [](const auto& entry) { return entry.second.empty(); });
     warnings.push_back("edge '" + network.edges[edge].id + "' is on another level than edge " +
                        others + " that it overlaps: left out");
-    std::erase(selection.edges, edge);
-    std::erase_if(selection.lanes, [&](int lane) { return network.lanes[lane].edge == edge; });
+    leave_out(network, [&](int other) { return other == edge; }, selection);
   }
 }
 

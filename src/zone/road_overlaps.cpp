@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <optional>
+#include <utility>
 
-#include "geometry/box_tree.hpp"
+#include "core/text.hpp"
 #include "geometry/polyline.hpp"
 #include "zone/levels.hpp"
 #include "zone/obstacles.hpp"
@@ -26,37 +26,22 @@ constexpr double kStep = 1.0;       // [m] numerical, along a lane
 constexpr double kBorder = 0.1;     // [m] numerical: a road's lanes leave no slit between them
 constexpr double kSideStep = 0.25;  // [m] numerical
 
-/// Lanes by where they are.
-class PlacedLanes {
- public:
-  template <typename IsOne>
-  PlacedLanes(const Network& network, const IsOne& is_one) {
-    std::vector<Box> boxes;
-    for (const Lane& lane : network.lanes) {
-      if (!is_one(lane)) continue;
-      lanes_.push_back(&lane);
-      boxes.push_back(box_of(lane));
-    }
-    tree_.emplace(boxes);
-  }
-
-  std::vector<const Lane*> meeting(const Box& box) const {
-    std::vector<const Lane*> found;
-    for (const std::size_t k : tree_->meeting(box)) found.push_back(lanes_[k]);
-    return found;
-  }
-
- private:
-  std::vector<const Lane*> lanes_;
-  std::optional<BoxTree> tree_;
-};
-
 /// Lanes for vehicles only, between junctions.
-PlacedLanes roads_of(const Network& network) {
-  return {network, [&](const Lane& lane) {
-            return lane.vehicles && !lane.persons &&
-                   network.edges[lane.edge].function == EdgeFunction::kNormal;
-          }};
+std::vector<const Lane*> roads_of(const Network& network) {
+  std::vector<const Lane*> roads;
+  for (const Lane& lane : network.lanes) {
+    if (lane.vehicles && !lane.persons &&
+        network.edges[lane.edge].function == EdgeFunction::kNormal) {
+      roads.push_back(&lane);
+    }
+  }
+  return roads;
+}
+
+std::vector<Box> boxes_of(const std::vector<const Lane*>& lanes) {
+  std::vector<Box> boxes;
+  for (const Lane* lane : lanes) boxes.push_back(box_of(*lane));
+  return boxes;
 }
 
 /// Those of `others` that are on the level of that lane, and not of its own street.
@@ -68,8 +53,7 @@ std::vector<const Lane*> beside(const Lane& lane, std::vector<const Lane*> other
 }
 
 bool is_on(const Lane& lane, const Vec2& point) {
-  const LinePoint nearest = point_on(lane.shape, project_on(lane.shape, point).offset);
-  return (nearest.point - point).norm() <= 0.5 * lane.width + kBorder;
+  return std::abs(project_on(lane.shape, point).lateral) <= 0.5 * lane.width + kBorder;
 }
 
 /// The way of people along a lane, among the roads and the ground for people round it.
@@ -134,18 +118,15 @@ bool is_for_wide_ones(const Lane* road) {
 }
 
 std::string names_of(const std::vector<const Lane*>& lanes) {
-  std::string names;
-  for (const Lane* lane : lanes) names += (names.empty() ? "'" : ", '") + lane->id + "'";
-  return names;
+  return comma_list(lanes, [](const Lane* lane) { return "'" + lane->id + "'"; });
 }
 
 /// The edges on which roads cover people for long, with the names of those roads.
-std::map<int, std::string> covered_edges(const Network& network, const ZoneSpec& spec,
-                                         const Selection& selection) {
-  const PlacedLanes roads = roads_of(network), ground(network, [&](const Lane&lane) {
-    const auto index = static_cast<int>(&lane - network.lanes.data());
-    return std::ranges::binary_search(selection.lanes, index);
-  });
+std::map<int, std::string> covered_edges(const Network& network, const PlacedLanes& roads,
+                                         const ZoneSpec& spec, const Selection& selection) {
+  std::vector<const Lane*> own;
+  for (const int lane : selection.lanes) own.push_back(&network.lanes[lane]);
+  const PlacedLanes ground(own);
   const OpenSpaceReach reach = open_space_reach(network, spec, selection);
   std::map<int, std::string> covered;
   for (const int index : selection.lanes) {
@@ -163,29 +144,37 @@ std::map<int, std::string> covered_edges(const Network& network, const ZoneSpec&
 
 }  // namespace
 
-void leave_out_covered(const Network& network, const ZoneSpec& spec, Selection& selection,
-                       std::vector<std::string>& warnings) {
-  const auto covered = covered_edges(network, spec, selection);
+PlacedLanes::PlacedLanes(std::vector<const Lane*> lanes)
+    : lanes_(std::move(lanes)), tree_(boxes_of(lanes_)) {}
+
+std::vector<const Lane*> PlacedLanes::meeting(const Box& box) const {
+  std::vector<const Lane*> found;
+  for (const std::size_t k : tree_.meeting(box)) found.push_back(lanes_[k]);
+  return found;
+}
+
+RoadOverlaps::RoadOverlaps(const Network& network) : network_(network), roads_(roads_of(network)) {}
+
+void RoadOverlaps::leave_out_covered(const ZoneSpec& spec, Selection& selection,
+                                     std::vector<std::string>& warnings) const {
+  const auto covered = covered_edges(network_, roads_, spec, selection);
   if (covered.size() == selection.edges.size()) return;
   for (const auto& [edge, roads] : covered) {
-    warnings.push_back("edge '" + network.edges[edge].id + "' runs under " + roads +
+    warnings.push_back("edge '" + network_.edges[edge].id + "' runs under " + roads +
                        ", with no room beside: left out (a polygon of type pedzone.walkable round "
                        "it keeps it in)");
   }
-  const auto is_covered = [&](int edge) { return covered.contains(edge); };
-  std::erase_if(selection.edges, is_covered);
-  std::erase_if(selection.lanes, [&](int lane) { return is_covered(network.lanes[lane].edge); });
+  leave_out(
+      network_, [&](int edge) { return covered.contains(edge); }, selection);
 }
 
-void warn_of_roads_under_lanes(const Network& network, const Selection& selection,
-                               std::vector<std::string>& warnings) {
-  const PlacedLanes roads = roads_of(network);
+void RoadOverlaps::warn(const Selection& selection, std::vector<std::string>& warnings) const {
   for (const int index : selection.lanes) {
-    const Lane& lane = network.lanes[index];
+    const Lane& lane = network_.lanes[index];
     const Region ground = area_of(lane);
     std::vector<const Lane*> under;
     double covered = 0.0;
-    for (const Lane* other : beside(lane, roads.meeting(box_of(lane)))) {
+    for (const Lane* other : beside(lane, roads_.meeting(box_of(lane)))) {
       const double common = area(intersect(ground, area_of(*other)));
       if (common <= 0.0) continue;
       covered += common;

@@ -161,6 +161,12 @@ std::vector<TypeLength> longest_first(const LengthsByType& lengths) {
 
 }  // namespace
 
+void leave_out(const Network& network, const std::function<bool(int edge)>& is_out,
+               Selection& selection) {
+  std::erase_if(selection.edges, is_out);
+  std::erase_if(selection.lanes, [&](int lane) { return is_out(network.lanes[lane].edge); });
+}
+
 bool has_type(const Edge& edge, std::string_view type) {
   std::string_view rest = edge.type;
   if (rest == type) return true;

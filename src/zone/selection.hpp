@@ -7,6 +7,7 @@
 // shorter than 2 m, come with the streets whose junctions they join.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "zone/network.hpp"
@@ -23,6 +24,10 @@ constexpr double kSharedSpaceSpeed = 5.6;
 struct Selection {
   std::vector<int> edges, lanes;
 };
+
+/// Removes the edges for which `is_out`, and their lanes.
+void leave_out(const Network& network, const std::function<bool(int edge)>& is_out,
+               Selection& selection);
 
 /// Whether an edge's type is `type`, or a compound of it as netconvert makes for ways with several
 /// tags (highway.pedestrian|railway.tram).

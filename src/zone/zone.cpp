@@ -18,14 +18,15 @@ struct Draft {
 };
 
 /// Zones that name edges choose before those that take what is left; among equals the first.
-void select_all(const Network& network, std::vector<Draft>& drafts, std::vector<bool>& taken) {
+void select_all(const Network& network, const RoadOverlaps& roads, std::vector<Draft>& drafts,
+                std::vector<bool>& taken) {
   for (const bool automatic : {false, true}) {
     for (Draft& draft : drafts) {
       if (draft.spec->automatic() != automatic) continue;
       Selection& selection = draft.parts.selection;
       selection = select_lanes(network, *draft.spec, taken);
       separate_levels(network, selection, draft.warnings);
-      leave_out_covered(network, *draft.spec, selection, draft.warnings);
+      roads.leave_out_covered(*draft.spec, selection, draft.warnings);
       for (const int edge : selection.edges) taken[edge] = true;
     }
   }
@@ -58,9 +59,10 @@ std::vector<Region> shades_of(const Network& network) {
   return shades;
 }
 
-Zone finish(const Network& network, const std::vector<bool>& taken, Draft& draft) {
+Zone finish(const Network& network, const RoadOverlaps& roads, const std::vector<bool>& taken,
+            Draft& draft) {
   ZoneParts& parts = draft.parts;
-  warn_of_roads_under_lanes(network, parts.selection, draft.warnings);
+  roads.warn(parts.selection, draft.warnings);
   parts.links = find_links(network, parts.selection.edges);
   parts.inner_lanes = inner_lanes(network, parts.selection.lanes, parts.links);
   parts.shared_junctions = shared_junctions(network, parts.selection.edges);
@@ -102,9 +104,10 @@ std::vector<Zone> build_zones(const Network& network, const std::vector<ZoneSpec
   for (const ZoneSpec& spec : specs) drafts.push_back({&spec, {}, {}});
   if (drafts.empty()) drafts.push_back({&by_rule, {}, {}});
   std::vector<bool> taken(network.edges.size(), false);
-  select_all(network, drafts, taken);
+  const RoadOverlaps roads(network);
+  select_all(network, roads, drafts, taken);
   std::vector<Zone> zones;
-  for (Draft& draft : drafts) zones.push_back(finish(network, taken, draft));
+  for (Draft& draft : drafts) zones.push_back(finish(network, roads, taken, draft));
   return zones;
 }
 

@@ -115,9 +115,9 @@ void note_plan(const WalkerSeen& walker, PersonPast& past) {
   past.last = -1;
 }
 
-/// Whether a vehicle comes that would have to brake harder than it likes to for somebody who stands
-/// there from now on: SUMO has put the person before it.
-bool comes_too_near(const Fleet& fleet, const Vec2& position, double radius, double dt) {
+/// Whether some vehicle could not stop as it likes to for somebody who stands there from now on:
+/// SUMO has put the person before it.
+bool could_not_stop_for(const Fleet& fleet, const Vec2& position, double radius, double dt) {
   PersonAhead person;
   person.position = position;
   person.radius = radius;
@@ -175,7 +175,7 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
   // crowd walked until now is where the crowd put it.)
   const bool departs = index == 0 && walker.speed == 0.0;
   plan->from_sumo = !walked_until_now;
-  plan->place_freely = !walked_until_now && (departs || fleet.touches(plan->start, walker.radius));
+  plan->place_freely = plan->from_sumo && (departs || fleet.touches(plan->start, walker.radius));
   return plan;
 }
 
@@ -212,7 +212,7 @@ std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zo
   if (!plan) return std::nullopt;
   plan->plan = past.plan;
   plan->from_sumo = !walked_until_now;
-  plan->place_freely = !walked_until_now && fleet.touches(plan->start, walker.radius);
+  plan->place_freely = plan->from_sumo && fleet.touches(plan->start, walker.radius);
   return EntryPlan{zone, *plan};
 }
 
@@ -220,7 +220,7 @@ Entry entry_of(const TakeoverPlan& plan, const PersonView& view, double radius, 
                double dt) {
   if (view.stays_outside) return Entry::kStaysOutside;
   const bool in_vehicle = plan.place_freely && fleet.touches(view.position, radius);
-  const bool too_late = plan.from_sumo && comes_too_near(fleet, view.position, radius, dt);
+  const bool too_late = plan.from_sumo && could_not_stop_for(fleet, view.position, radius, dt);
   return in_vehicle || too_late ? Entry::kNoRoom : Entry::kWalks;
 }
 

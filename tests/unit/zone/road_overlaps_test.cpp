@@ -11,7 +11,6 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// A square of its own far from everything, a road of 6 m along the x axis, and what a test adds.
 class RoadOverlaps : public ::testing::Test {
