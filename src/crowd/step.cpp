@@ -36,6 +36,11 @@ constexpr double kRounding = 1e-9;  // numerical: 0.3 s are three substeps, not 
 constexpr double kCornerCell =
     4.0;  // [m] numerical: nobody touches anybody, but at corners they look
 
+void find_bodies(std::span<const VehicleState> vehicles, std::vector<Rectangle>& bodies) {
+  bodies.clear();
+  for (const VehicleState& vehicle : vehicles) bodies.push_back(rectangle_of(vehicle));
+}
+
 /// What pedzone does not walk moves on as it is seen to move.
 void move_others_on(double dt, std::vector<SeenPerson>& seen, std::vector<VehicleState>& vehicles) {
   for (SeenPerson& person : seen) person.position += person.velocity * dt;
@@ -87,6 +92,7 @@ bool keep_apart_from_vehicles(const CrowdState& crowd, double dt, std::vector<Wa
 
 void walk_substep(CrowdState& crowd, double dt) {
   append_seen(crowd, crowd.persons);
+  find_bodies(crowd.vehicles, crowd.vehicle_bodies);
 
   // What each does and remembers, before it looks where to go.
   carry_on_activities(crowd, dt, crowd.activities);
@@ -102,7 +108,6 @@ void walk_substep(CrowdState& crowd, double dt) {
 
   cross_streets(crowd, dt, crowd.ways(), crowd.crossings_begun);
   order_claims(crowd, crowd.claimants);
-  list_slow_vehicles(crowd, crowd.slow_vehicles);
 
   // Every behaviour proposes; the most important one wins.
   Proposals& proposals = crowd.proposals;
@@ -233,6 +238,7 @@ void walk(CrowdState& crowd, double dt) {
     for (int k = 0; k < substeps; ++k) count(0, dt / substeps, crowd.clock);
     return;
   }
+  crowd.vehicles_near.build(crowd.vehicles, crowd.persons, dt);
   // A model that sets velocities is made for short steps.
   if (substeps > 1 && !crowd.model->sets_velocity()) {
     walk_free(crowd, dt, static_cast<std::uint64_t>(substeps));

@@ -90,9 +90,10 @@ class Stander {
   /// Whether others leave so much room, and a gap, for the step, or it takes nobody's.
   bool others_allow(const Vec2& step, double gap) const {
     const Vec2 to = here_ + step;
-    for (const VehicleState& vehicle : crowd_.vehicles) {
-      const double distance = distance_to(vehicle, to);
-      if (distance < kVehicleReach && distance < distance_to(vehicle, here_)) return false;
+    for (const std::uint32_t v : crowd_.vehicles_near.at(to, kVehicleReach)) {
+      const Rectangle& body = crowd_.vehicle_bodies[v];
+      const double distance = body.distance(to);
+      if (distance < kVehicleReach && distance < body.distance(here_)) return false;
     }
     bool free = true;
     const Vec2 box = Vec2::Constant(own_ + widest_ + gap);

@@ -29,9 +29,10 @@ double wide_side(const CrowdState& crowd, std::size_t i, const VehicleState& veh
   const Vec2 outward = left_of(place.along) * nearer;
   const double border = 0.5 * vehicle.width + room_beside_claims(crowd, i);
   const auto is_barred = [&](const Vec2& out) {
-    return std::ranges::any_of(crowd.slow_vehicles, [&](std::uint32_t v) {
+    return std::ranges::any_of(crowd.vehicles_near.at(here), [&](std::uint32_t v) {
       const VehicleState& other = crowd.vehicles[v];
-      return &other != &vehicle && leads_through(other, here, here + out, 0.5 * radius);
+      return &other != &vehicle && may_be_passed(other) &&
+             leads_through(other, here, here + out, 0.5 * radius);
     });
   };
   const auto is_free = [&](const Vec2& out) {

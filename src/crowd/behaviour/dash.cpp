@@ -19,7 +19,8 @@ constexpr double kTime = 3.0;    // [s] assumed: and so long it runs
 const VehicleState* nearest_moving(const CrowdState& crowd, std::size_t i) {
   const VehicleState* nearest = nullptr;
   double least = kReach;
-  for (const VehicleState& vehicle : crowd.vehicles) {
+  for (const std::uint32_t v : crowd.vehicles_near.at(crowd.position(i), kReach)) {
+    const VehicleState& vehicle = crowd.vehicles[v];
     const double distance = (vehicle.centre - crowd.position(i)).norm();
     if (distance >= least || !drives(vehicle)) continue;
     least = distance;

@@ -25,13 +25,24 @@ constexpr double kAimAhead = 0.6;   // [m] numerical: what is aimed at beside th
 constexpr double kLookAhead = 1.2;  // [m] assumed: a driver expects people to go on so far
 constexpr double kLookStep = 0.3;   // [m] numerical
 constexpr double kAside = 0.7;      // [m] assumed: for who comes out of a narrow place
+constexpr double kBesideReach = 2.0;  // [m] numerical: beyond a vehicle's ends and sides
 constexpr double kPastShare = 0.6;  // assumed: of its speed is left to who goes sideways
 
 BodyBeside body_of(const CrowdState& crowd, std::size_t i) {
   return {crowd.persons.radius[i], crowd.persons.turned_radius[i]};
 }
 
-SideRoom side_room(const CrowdState& crowd) { return {crowd.zone.walls, crowd.vehicles}; }
+/// The bodies of the vehicles within `reach` [m] of a place but one. Valid until the thread's next
+/// call: the list is kept for its memory.
+std::span<const Rectangle> other_vehicles(const CrowdState& crowd, const VehicleState& but,
+                                          const Vec2& place, double reach) {
+  thread_local std::vector<Rectangle> bodies;
+  bodies.clear();
+  for (const std::uint32_t v : crowd.vehicles_near.at(place, reach)) {
+    if (&crowd.vehicles[v] != &but) bodies.push_back(crowd.vehicle_bodies[v]);
+  }
+  return bodies;
+}
 
 /// Towards a place that is `way` [m] away, at most at `speed` [m/s].
 Decision step_to(const Vec2& way, double heading, double speed) {
@@ -99,7 +110,9 @@ class Passing {
 
   double own_side() const { return local_.y() < 0.0 ? -1.0 : 1.0; }
   std::optional<SideWay> way_at(double side) const {
-    return way_beside(side_room(crowd_), vehicle_, side, body_of(crowd_, i_));
+    const auto others =
+        other_vehicles(crowd_, vehicle_, frame_.centre, frame_.half.sum() + kBesideReach);
+    return way_beside({crowd_.zone.walls, others}, vehicle_, side, body_of(crowd_, i_));
   }
 
   /// The way past the vehicle, the own side first; nothing where nobody need turn.
@@ -139,9 +152,10 @@ class Passing {
   Vec2 local_ = Vec2::Zero();
 };
 
-/// Room beside vehicles, with the others near row i in it. Valid until the thread's next call: the
+/// Room beside the vehicle, with the others near row i in it. Valid until the thread's next call: the
 /// list is kept for its memory.
-SideRoom room_among_others(const CrowdState& crowd, std::size_t i) {
+SideRoom room_among_others(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
+  static_assert(kStepsAside < VehiclesNear::kReach);
   thread_local std::vector<OtherBody> others;
   others.clear();
   const Vec2 here = crowd.position(i);
@@ -150,7 +164,7 @@ SideRoom room_among_others(const CrowdState& crowd, std::size_t i) {
     if (j == i || (there - here).squaredNorm() > kStepsAside * kStepsAside) continue;
     others.push_back({there, crowd.persons.turned_radius[j]});
   }
-  return {crowd.zone.walls, crowd.vehicles, others};
+  return {crowd.zone.walls, other_vehicles(crowd, vehicle, here, VehiclesNear::kReach), others};
 }
 
 /// Out of what a vehicle that claims room is about to sweep with its rear, when it turns. Where
@@ -161,7 +175,7 @@ std::optional<Decision> leave_sweep(const CrowdState& crowd, std::size_t i,
   const Vec2 here = crowd.position(i);
   const double heading = crowd.persons.heading[i], speed = crowd.persons.preferred_speed[i];
   const auto place =
-      place_clear(room_among_others(crowd, i), vehicle, here, body_of(crowd, i), heading);
+      place_clear(room_among_others(crowd, i, vehicle), vehicle, here, body_of(crowd, i), heading);
   if (place) return step_to(*place - here, heading, speed);
   if (!Passing(crowd, i, vehicle).is_shut_in()) return std::nullopt;
   const double offset = project_on(vehicle.way, here).offset;
@@ -193,7 +207,7 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
   const Vec2 here = crowd.position(i);
   const double margin = room_beside_claims(crowd, i);
   const auto place =
-      place_aside(room_among_others(crowd, i), vehicle, here, body_of(crowd, i), margin);
+      place_aside(room_among_others(crowd, i, vehicle), vehicle, here, body_of(crowd, i), margin);
   if (!place) return std::nullopt;
   return step_to(*place - here, crowd.persons.heading[i], crowd.persons.preferred_speed[i]);
 }
@@ -202,10 +216,10 @@ std::optional<Decision> decision_about_claim(const CrowdState& crowd, std::size_
 std::optional<Decision> decision_about_slow(const CrowdState& crowd, std::size_t i) {
   std::optional<Decision> decision;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t v : crowd.slow_vehicles) {
+  for (const std::uint32_t v : crowd.vehicles_near.at(crowd.position(i))) {
     const VehicleState& vehicle = crowd.vehicles[v];
-    if (far_from(vehicle, crowd.position(i))) continue;
-    const double distance = distance_to(vehicle, crowd.position(i));
+    if (!may_be_passed(vehicle) || far_from(vehicle, crowd.position(i))) continue;
+    const double distance = crowd.vehicle_bodies[v].distance(crowd.position(i));
     if (distance >= nearest) continue;
     if (const auto passing = Passing(crowd, i, vehicle).decide()) {
       decision = passing;
@@ -227,16 +241,8 @@ std::optional<Decision> decision_about_vehicles(const CrowdState& crowd, std::si
 
 }  // namespace
 
-void list_slow_vehicles(const CrowdState& crowd, std::vector<std::uint32_t>& slow) {
-  slow.clear();
-  for (std::uint32_t v = 0; v < crowd.vehicles.size(); ++v) {
-    const VehicleState& vehicle = crowd.vehicles[v];
-    if (lets_squeeze_past(vehicle.velocity.norm()) && !vehicle.apart()) slow.push_back(v);
-  }
-}
-
 void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions) {
-  if (crowd.slow_vehicles.empty() && crowd.claimants.empty()) return;
+  if (crowd.vehicles.empty()) return;
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (crowd.walkers[i].arrived || crowd.children[crowd.handle(i)].holds_hand) continue;

@@ -8,12 +8,8 @@
 
 namespace pedzone {
 
-/// Lists the vehicles that stand or creep where people walk: those who drive are nothing to go
-/// past.
-void list_slow_vehicles(const CrowdState& crowd, std::vector<std::uint32_t>& slow);
-
 /// Replaces the decisions of those who step aside for a vehicle that claims room, stand there, or
-/// go past one of the slow vehicles. To be called after all restraints: it is a matter of
+/// go past one that stands or creeps. To be called after all restraints: it is a matter of
 /// centimetres, and models choose among directions some degrees apart and keep more to walls and
 /// vehicles.
 void step_aside(const CrowdState& crowd, std::vector<Decision>& decisions);

@@ -53,15 +53,17 @@ bool drives(const VehicleState& vehicle) {
 
 bool is_claimed(const CrowdState& crowd, std::size_t i, double margin) {
   const double reach = crowd.persons.radius[i] + margin;
-  return std::any_of(crowd.vehicles.begin(), crowd.vehicles.end(), [&](const VehicleState& v) {
-    return v.claim > 0.0 && place_in_claim(v, crowd.position(i), reach);
+  return std::ranges::any_of(crowd.vehicles_near.at(crowd.position(i)), [&](std::uint32_t v) {
+    const VehicleState& vehicle = crowd.vehicles[v];
+    return vehicle.claim > 0.0 && place_in_claim(vehicle, crowd.position(i), reach);
   });
 }
 
 bool is_swept(const CrowdState& crowd, std::size_t i, double margin, double time) {
   const double reach = crowd.persons.radius[i] + margin;
-  return std::any_of(crowd.vehicles.begin(), crowd.vehicles.end(), [&](const VehicleState& v) {
-    return sweeps(v, crowd.position(i), reach, time);
+  const Vec2 here = crowd.position(i);
+  return std::ranges::any_of(crowd.vehicles_near.at(here, reach, time), [&](std::uint32_t v) {
+    return sweeps(crowd.vehicles[v], here, reach, time);
   });
 }
 
@@ -73,7 +75,8 @@ const VehicleState* moving_near(const CrowdState& crowd, const Vec2& point, doub
                                 double time) {
   const VehicleState* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const VehicleState& vehicle : crowd.vehicles) {
+  for (const std::uint32_t v : crowd.vehicles_near.at(point, reach, time)) {
+    const VehicleState& vehicle = crowd.vehicles[v];
     if (!comes_near(vehicle, point, reach, time)) continue;
     const double distance = distance_to(vehicle, point);
     if (distance >= least) continue;

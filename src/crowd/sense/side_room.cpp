@@ -8,6 +8,7 @@
 
 #include "crowd/sense/vehicle_motion.hpp"
 #include "geometry/polyline.hpp"
+#include "world/speeds.hpp"
 
 namespace pedzone {
 namespace {
@@ -45,22 +46,24 @@ bool is_taken(const SideRoom& room, const Vec2& to, double turned) {
 }
 
 /// Whether a turned body at `to` has room between the walls, the other vehicles and people.
-bool has_room(const SideRoom& room, const VehicleState& vehicle, const Vec2& to, double turned) {
+bool has_room(const SideRoom& room, const Vec2& to, double turned) {
   const double reach = turned + kTouch;
   if (!room.walls.inside(to) || room.walls.room(to, reach) < reach) return false;
   if (is_taken(room, to, turned)) return false;
-  return std::ranges::none_of(room.vehicles, [&](const VehicleState& other) {
-    return &other != &vehicle && !is_far(other, to, reach) && distance_to(other, to) < reach;
-  });
+  return std::ranges::none_of(
+      room.vehicles, [&](const Rectangle& other) { return other.distance(to) < reach; });
+}
+
+/// Whether a straight line runs through one of the rectangles.
+bool leads_through_any(std::span<const Rectangle> others, const Vec2& from, const Vec2& to) {
+  return std::ranges::any_of(
+      others, [&](const Rectangle& other) { return runs_through(other, from, to); });
 }
 
 /// Whether it fits there and gets there: other vehicles are as good as walls.
-bool fits(const SideRoom& room, const VehicleState& vehicle, const Vec2& from, const Vec2& to,
-          double turned) {
-  if (!room.walls.sees(from, to) || !has_room(room, vehicle, to, turned)) return false;
-  return std::ranges::none_of(room.vehicles, [&](const VehicleState& other) {
-    return &other != &vehicle && leads_through(other, from, to, 0.0);
-  });
+bool fits(const SideRoom& room, const Vec2& from, const Vec2& to, double turned) {
+  return room.walls.sees(from, to) && has_room(room, to, turned) &&
+         !leads_through_any(room.vehicles, from, to);
 }
 
 /// Whether somebody is on the straight way of a turned body.
@@ -78,13 +81,14 @@ bool is_barred(const SideRoom& room, const Vec2& from, const Vec2& to, double tu
 
 /// The other vehicles within `reach` [m] of a vehicle's centre, each grown by `grown` [m]. Valid
 /// until the thread's next call: the list is kept for its memory.
-std::span<const Rectangle> others_near(const SideRoom& room, const VehicleState& vehicle,
-                                       double reach, double grown) {
+std::span<const Rectangle> others_near(const SideRoom& room, const Vec2& centre, double reach,
+                                       double grown) {
   thread_local std::vector<Rectangle> others;
   others.clear();
-  for (const VehicleState& other : room.vehicles) {
-    if (&other == &vehicle || is_far(other, vehicle.centre, reach + grown)) continue;
-    others.push_back(rectangle_of(other));
+  for (const Rectangle& other : room.vehicles) {
+    const double away = other.half.sum() + reach + grown;
+    if ((other.centre - centre).squaredNorm() > away * away) continue;
+    others.push_back(other);
     others.back().half += Vec2::Constant(grown);
   }
   return others;
@@ -93,9 +97,8 @@ std::span<const Rectangle> others_near(const SideRoom& room, const VehicleState&
 /// Whether a straight line keeps so far from the walls, and out of the rectangles.
 bool free_line(const WallIndex& walls, std::span<const Rectangle> others, const Vec2& from,
                const Vec2& to, double reach) {
-  if (!walls.inside(from) || !walls.free_line(from, to, reach)) return false;
-  return std::ranges::none_of(
-      others, [&](const Rectangle& other) { return runs_through(other, from, to); });
+  return walls.inside(from) && walls.free_line(from, to, reach) &&
+         !leads_through_any(others, from, to);
 }
 
 /// The place beside the way at `offset` [m], on the one side, with most room up to `wanted`.
@@ -105,7 +108,7 @@ std::optional<Vec2> place_at(const SideRoom& room, const VehicleState& vehicle, 
   const double least = body.radius + kPast;
   for (double beyond = std::max(wanted, least); beyond > least - 1e-9; beyond -= kSideStep) {
     const Vec2 place = at.point + left_of(at.direction) * side * (0.5 * vehicle.width + beyond);
-    if (!fits(room, vehicle, from, place, body.turned)) continue;
+    if (!fits(room, from, place, body.turned)) continue;
     if (runs_through(rectangle_of(vehicle), from, place)) continue;
     if (least_distance(vehicle, place) >= least - 1e-9) return place;
   }
@@ -135,6 +138,10 @@ bool leads_through(const VehicleState& vehicle, const Vec2& from, const Vec2& to
   Rectangle body = rectangle_of(vehicle);
   body.half += Vec2::Constant(std::min(reach, 0.5 * body.distance(from)));
   return runs_through(body, from, to);
+}
+
+bool may_be_passed(const VehicleState& vehicle) {
+  return lets_squeeze_past(vehicle.velocity.norm()) && !vehicle.apart();
 }
 
 double least_distance(const VehicleState& vehicle, const Vec2& point) {
@@ -195,7 +202,7 @@ std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicl
       const double way = direction.dot(onward) < 0.0 ? kTurnsBack * step : step;
       const Vec2 to = from + direction * step;
       if (way >= least || is_barred(room, from, to, body.turned)) continue;
-      if (!fits(room, vehicle, from, to, body.turned)) continue;
+      if (!fits(room, from, to, body.turned)) continue;
       if (runs_through(frame, from, to) || least_distance(vehicle, to) < body.radius + kPast) {
         continue;
       }
@@ -210,7 +217,7 @@ std::optional<SideWay> way_beside(const SideRoom& room, const VehicleState& vehi
                                   const BodyBeside& body) {
   const Rectangle frame = rectangle_of(vehicle);
   const double least = body.turned + kTouch, most = 2.0 * body.radius + kStraight;
-  const auto others = others_near(room, vehicle, frame.half.sum() + most, least);
+  const auto others = others_near(room, frame.centre, frame.half.sum() + most, least);
   const auto free_at = [&](double beyond) {
     const double lateral = side * (frame.half.y() + beyond);
     const Vec2 ahead = frame.out_of_frame({frame.half.x(), lateral});

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 
+#include "geometry/rectangle.hpp"
 #include "geometry/wall_index.hpp"
 #include "world/snapshot.hpp"
 
@@ -32,7 +33,7 @@ struct OtherBody {
 /// What leaves people little room.
 struct SideRoom {
   const WallIndex& walls;
-  std::span<const VehicleState> vehicles;  ///< all there are, that which is minded among them
+  std::span<const Rectangle> vehicles;     ///< near there, without that which is minded
   std::span<const OtherBody> others = {};  ///< who may be where one wants to step
 };
 
@@ -64,6 +65,9 @@ std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicl
 /// Whether the straight way of a body that reaches `reach` [m] to its sides leads through the
 /// vehicle, as it is now. Who is nearer to it than that may still step away from it.
 bool leads_through(const VehicleState& vehicle, const Vec2& from, const Vec2& to, double reach);
+
+/// Whether it stands or creeps where people walk: one can go past it.
+bool may_be_passed(const VehicleState& vehicle);
 
 /// A way along a standing vehicle from one end to the other.
 struct SideWay {

@@ -14,7 +14,9 @@
 #include "crowd/state/restraints.hpp"
 #include "crowd/state/route.hpp"
 #include "crowd/state/street_traffic.hpp"
+#include "crowd/state/vehicles_near.hpp"
 #include "crowd/state/wall_guard.hpp"
+#include "geometry/rectangle.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone {
@@ -141,11 +143,13 @@ struct CrowdState {
 
   Clock clock;
 
+  VehiclesNear vehicles_near;  ///< made anew in every step
+
   // Made anew in every substep, each by one phase.
+  std::vector<Rectangle> vehicle_bodies;  ///< of each vehicle
   Attention attention;                   ///< where people differ in what they perceive
   bool perception_varies = false;        ///< they do
   std::vector<std::uint32_t> claimants;  ///< vehicles that claim room, those first that come first
-  std::vector<std::uint32_t> slow_vehicles;  ///< where people walk: those one can squeeze past
   std::vector<GroupMember> members;          ///< of groups, by group and key
   Proposals proposals;
   std::vector<Decision> decisions;

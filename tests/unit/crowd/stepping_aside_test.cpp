@@ -219,11 +219,12 @@ TEST(SideRoom, is_clear_where_no_other_vehicle_stands_on_the_way_there) {
   vehicles[0].way = left;
   const Vec2 here(-0.5, 1.4);
   const BodyBeside body{kRadius, kTurned};
-  const auto nearest = place_clear({open, vehicles}, vehicles[0], here, body, 0.5 * kPi);
+  const auto nearest = place_clear({open, {}}, vehicles[0], here, body, 0.5 * kPi);
   ASSERT_TRUE(nearest);
   const Vec2 way = *nearest - here, middle = here + 0.5 * way;
   vehicles.push_back(vehicle_at(middle, angle_of(left_of(way)), 0.0, 1.0, 0.1));
-  const auto place = place_clear({open, vehicles}, vehicles[0], here, body, 0.5 * kPi);
+  const std::vector<Rectangle> others{rectangle_of(vehicles[1])};
+  const auto place = place_clear({open, others}, vehicles[0], here, body, 0.5 * kPi);
   ASSERT_TRUE(place);
   EXPECT_FALSE(swings_over(vehicles[0], *place, kRadius));
   EXPECT_FALSE(runs_through(rectangle_of(vehicles[1]), here, *place));
@@ -233,17 +234,18 @@ TEST(SideRoom, is_not_where_another_vehicle_stands) {
   const WallIndex open(Region{Polygon{box(-20.0, -5.0, 20.0, 5.0), {}}});
   std::vector<VehicleState> vehicles{vehicle_at({-2.0, 0.0}, 0.0, 0.0, 4.0, 2.0),
                                      vehicle_at({0.0, 2.2}, kPi, 0.0, 4.0, 2.0)};
+  const std::vector<Rectangle> others{rectangle_of(vehicles[1])};
   const BodyBeside body{kRadius, kTurned};
   EXPECT_TRUE(way_beside({open, {}}, vehicles[0], 1.0, body));
-  EXPECT_FALSE(way_beside({open, vehicles}, vehicles[0], 1.0, body)) << "0.2 m between them";
-  EXPECT_TRUE(way_beside({open, vehicles}, vehicles[0], -1.0, body));
+  EXPECT_FALSE(way_beside({open, others}, vehicles[0], 1.0, body)) << "0.2 m between them";
+  EXPECT_TRUE(way_beside({open, others}, vehicles[0], -1.0, body));
   const Polyline way{{-4.0, 0.0}, {0.0, 0.0}, {40.0, 0.0}};
   vehicles[0].way = way;
   const Vec2 here(1.0, 0.9);
   const auto alone = place_aside({open, {}}, vehicles[0], here, body, 0.7);
   ASSERT_TRUE(alone);
   EXPECT_GT(alone->y(), 1.0) << "the nearer side";
-  const auto place = place_aside({open, vehicles}, vehicles[0], here, body, 0.7);
+  const auto place = place_aside({open, others}, vehicles[0], here, body, 0.7);
   ASSERT_TRUE(place);
   EXPECT_GT(distance_to(vehicles[1], *place), kTurned);
 }
