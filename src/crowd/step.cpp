@@ -42,9 +42,14 @@ void find_bodies(std::span<const VehicleState> vehicles, std::vector<Rectangle>&
 }
 
 /// What pedzone does not walk moves on as it is seen to move.
-void move_others_on(double dt, std::vector<SeenPerson>& seen, std::vector<VehicleState>& vehicles) {
+void foresee_vehicles(std::span<const VehicleState> vehicles, double dt,
+                      std::vector<VehicleState>& later) {
+  later.clear();
+  for (const VehicleState& vehicle : vehicles) later.push_back(moved_on(vehicle, dt));
+}
+
+void move_seen_on(double dt, std::vector<SeenPerson>& seen) {
   for (SeenPerson& person : seen) person.position += person.velocity * dt;
-  for (VehicleState& vehicle : vehicles) vehicle = moved_on(vehicle, dt);
 }
 
 Snapshot snapshot_of(const CrowdState& crowd, double dt, std::span<const VehicleState> vehicles,
@@ -92,7 +97,9 @@ bool keep_apart_from_vehicles(const CrowdState& crowd, double dt, std::vector<Wa
 
 void walk_substep(CrowdState& crowd, double dt) {
   append_seen(crowd, crowd.persons);
+  foresee_vehicles(crowd.vehicles, dt, crowd.vehicles_later);
   find_bodies(crowd.vehicles, crowd.vehicle_bodies);
+  find_bodies(crowd.vehicles_later, crowd.bodies_later);
 
   // What each does and remembers, before it looks where to go.
   carry_on_activities(crowd, dt, crowd.activities);
@@ -153,7 +160,8 @@ void walk_substep(CrowdState& crowd, double dt) {
   remember_seen(crowd, dt, crowd.seen_memory);
   follow_waypoints(crowd, dt, 1, crowd.ways());
   notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
-  move_others_on(dt, crowd.seen, crowd.vehicles);
+  move_seen_on(dt, crowd.seen);
+  crowd.vehicles.swap(crowd.vehicles_later);
   count(crowd.persons.walking, dt, crowd.clock);
 }
 
@@ -234,7 +242,8 @@ void walk(CrowdState& crowd, double dt) {
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
   // Nobody is there to mind anything.
   if (crowd.persons.walking == 0 && crowd.seen.empty() && crowd.zone.streets.empty()) {
-    move_others_on(dt, crowd.seen, crowd.vehicles);
+    foresee_vehicles(crowd.vehicles, dt, crowd.vehicles_later);
+    crowd.vehicles.swap(crowd.vehicles_later);
     for (int k = 0; k < substeps; ++k) count(0, dt / substeps, crowd.clock);
     return;
   }

@@ -12,22 +12,25 @@ double length_of(std::span<const Vec2> line) {
   return length;
 }
 
-LinePoint point_on(std::span<const Vec2> line, double offset) {
-  LinePoint last{line.empty() ? Vec2(0, 0) : line.front(), Vec2(1, 0)};
-  double passed = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Vec2 piece = line[i] - line[i - 1];
+LinePoint point_on(std::span<const Vec2> line, double offset) { return LineWalk(line).to(offset); }
+
+LineWalk::LineWalk(std::span<const Vec2> line)
+    : line_(line), last_{line.empty() ? Vec2(0, 0) : line.front(), Vec2(1, 0)} {}
+
+LinePoint LineWalk::to(double offset) {
+  for (; next_ < line_.size(); ++next_) {
+    const Vec2 piece = line_[next_] - line_[next_ - 1];
     const double length = piece.norm();
     if (length <= 0.0) continue;
-    last.direction = piece / length;
-    if (offset <= passed + length) {
-      last.point = line[i - 1] + last.direction * std::max(0.0, offset - passed);
-      return last;
+    last_.direction = piece / length;
+    if (offset <= passed_ + length) {
+      last_.point = line_[next_ - 1] + last_.direction * std::max(0.0, offset - passed_);
+      return last_;
     }
-    passed += length;
-    last.point = line[i];
+    passed_ += length;
+    last_.point = line_[next_];
   }
-  return last;
+  return last_;
 }
 
 LineProjection project_on(std::span<const Vec2> line, const Vec2& point) {

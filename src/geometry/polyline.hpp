@@ -19,6 +19,19 @@ struct LinePoint {
 /// The point at `offset` [m] along a line, clamped to its ends.
 LinePoint point_on(std::span<const Vec2> line, double offset);
 
+/// The same for offsets that do not fall, each from where the last one was.
+class LineWalk {
+ public:
+  explicit LineWalk(std::span<const Vec2> line);
+  LinePoint to(double offset);
+
+ private:
+  std::span<const Vec2> line_;
+  LinePoint last_;
+  std::size_t next_ = 1;  ///< the end of the piece that comes next
+  double passed_ = 0.0;   ///< [m] along the line, of where it begins
+};
+
 /// Where a point projects on a line.
 struct LineProjection {
   double offset;   ///< [m] along the line, of the nearest point

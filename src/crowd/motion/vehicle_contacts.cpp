@@ -47,8 +47,8 @@ double gap_to(const VehicleState& vehicle) {
 
 /// Where the vehicle may be, by its speed. Not to its sides: a car that passes a footway at 50 km/h
 /// would move everybody at the kerb by 0.6 m.
-Rectangle around(const VehicleState& vehicle) {
-  Rectangle frame = rectangle_of(vehicle);
+Rectangle around(const VehicleState& vehicle, const Rectangle& body) {
+  Rectangle frame = body;
   frame.half.x() += kGapTime * vehicle.velocity.norm();
   return frame;
 }
@@ -91,7 +91,7 @@ void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits
   hits.clear();
   for (std::size_t v = 0; v < crowd.vehicles.size(); ++v) {
     const VehicleState& vehicle = crowd.vehicles[v];
-    const double reach = around(vehicle).half.norm() + widest + gap_to(vehicle) +
+    const double reach = around(vehicle, crowd.vehicle_bodies[v]).half.norm() + widest + gap_to(vehicle) +
                          unsure(vehicle, dt) + vehicle.velocity.norm() * dt +
                          2.0 * crowd.moves.reach + kSlack;
     const Vec2 box = Vec2::Constant(reach);
@@ -132,25 +132,28 @@ double put(std::uint32_t person, const Vec2& at, Moves& moves) {
   return way;
 }
 
-/// Whether another vehicle that may reach the person than that of `hit` is nearer to `at` [m] in
-/// `dt` [s] than bodies keep from it, and nearer than to `here`.
+/// Whether another vehicle that may reach the person than that of `hit` is nearer to `at` [m] at
+/// the substep's end than bodies keep from it, and nearer than to `here`.
 bool is_near_another(const CrowdState& crowd, std::span<const VehicleHit> hits,
-                     const VehicleHit& hit, const Vec2& here, const Vec2& at, double dt) {
+                     const VehicleHit& hit, const Vec2& here, const Vec2& at) {
   const double reach = crowd.persons.radius[hit.person] + kGap;
   const auto own = std::ranges::equal_range(hits, hit.person, {}, &VehicleHit::person);
   return std::ranges::any_of(own, [&](const VehicleHit& other) {
     if (other.vehicle == hit.vehicle) return false;
-    const Rectangle its = rectangle_of(moved_on(crowd.vehicles[other.vehicle], dt));
+    const Rectangle& its = crowd.bodies_later[other.vehicle];
     return its.distance(at) < std::min(reach, its.distance(here) - kNoGap);
   });
 }
 
 /// Moves the person out of the way of where the vehicle gets to (`later`), by at most `longest`
 /// [m]; what came of it.
-VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, const VehicleState& later,
-                     double dt, double longest, Moves& moves) {
+VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, double longest,
+                     Moves& moves) {
   const Persons& persons = crowd.persons;
   const VehicleState& vehicle = crowd.vehicles[hit.vehicle];
+  const VehicleState& later = crowd.vehicles_later[hit.vehicle];
+  const Rectangle& body = crowd.bodies_later[hit.vehicle];
+  const Rectangle frame = around(later, body);
   const Vec2 here(moves.x[hit.person], moves.y[hit.person]);
   // Past one that stands people go with turned shoulders. One that drives gets all the room that
   // there is; where that is too little a slow one still passes who has turned.
@@ -159,16 +162,16 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, const Vehic
   const double radius = speed < kStaticSpeed ? turned : straight;
   const double least = lets_squeeze_past(speed) ? turned : straight;
   const auto out = [&](double gap) {
-    return moved_out(crowd.walls_of(hit.person), turned, around(later), here, radius + gap, least,
+    return moved_out(crowd.walls_of(hit.person), turned, frame, here, radius + gap, least,
                      longest);
   };
   Vec2 at = out(gap_to(later));
   // Room that one may need when it turns moves nobody under another.
-  if (at != here && is_near_another(crowd, moves.hits, hit, here, at, dt)) at = out(kGap);
+  if (at != here && is_near_another(crowd, moves.hits, hit, here, at)) at = out(kGap);
   VehiclePush push{persons.key[hit.person], vehicle.key};
   push.way = put(hit.person, at, moves);
   push.speed = push.way / dt;
-  push.run_into = distance_to(later, at) < least - kContact;
+  push.run_into = body.distance(at) < least - kContact;
   push.contact_speed = push.run_into ? vehicle.velocity.norm() : 0.0;
   push.position = at;
   return push;
@@ -218,12 +221,12 @@ bool keep_out_of_vehicles(const CrowdState& crowd, double dt, Moves& moves,
   find_hits(crowd, dt, moves.hits);
   bool moved = false;
   for (const VehicleHit& hit : moves.hits) {
-    const VehicleState later = moved_on(crowd.vehicles[hit.vehicle], dt);
+    const VehicleState& later = crowd.vehicles_later[hit.vehicle];
     double& way = moves.by_vehicles[hit.person];
     const auto left = [&] { return std::max(0.0, kSteppingSpeed * dt - way); };
     const double held = hold_back(crowd, hit.person, later, left(), moves);
     way += held;
-    const VehiclePush push = push_out(crowd, hit, later, dt, left(), moves);
+    const VehiclePush push = push_out(crowd, hit, dt, left(), moves);
     way += push.way;
     moved = moved || held + push.way > 0.0;
     const bool drives = crowd.vehicles[hit.vehicle].velocity.norm() >= kHaltingSpeed;

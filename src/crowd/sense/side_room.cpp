@@ -110,7 +110,7 @@ std::optional<Vec2> place_at(const SideRoom& room, const VehicleState& vehicle, 
     const Vec2 place = at.point + left_of(at.direction) * side * (0.5 * vehicle.width + beyond);
     if (!fits(room, from, place, body.turned)) continue;
     if (runs_through(rectangle_of(vehicle), from, place)) continue;
-    if (least_distance(vehicle, place) >= least - 1e-9) return place;
+    if (!comes_within(vehicle, place, least - 1e-9)) return place;
   }
   return std::nullopt;
 }
@@ -131,6 +131,15 @@ std::array<Vec2, kDirections + 4> ways_out(const VehicleState& vehicle, const Ve
   return directions;
 }
 
+/// How far each part of its body gets at most for each metre that the vehicle drives on: front and
+/// rear of the chord get no farther than that, the chord turns by at most twice that over its
+/// length, and the body hangs over it.
+double fastest_part(const VehicleState& vehicle, double cut) {
+  const double chord = vehicle.length - 2.0 * cut;
+  if (chord <= 0.0) return std::numeric_limits<double>::infinity();
+  return 1.0 + 2.0 * (vehicle.length + 0.5 * vehicle.width) / chord;
+}
+
 }  // namespace
 
 bool leads_through(const VehicleState& vehicle, const Vec2& from, const Vec2& to, double reach) {
@@ -144,17 +153,31 @@ bool may_be_passed(const VehicleState& vehicle) {
   return lets_squeeze_past(vehicle.velocity.norm()) && !vehicle.apart();
 }
 
-double least_distance(const VehicleState& vehicle, const Vec2& point) {
-  double least = distance_to(vehicle, point);
-  if (vehicle.way.size() < 2) return least;
-  const double at = project_on(vehicle.way, point).offset;
-  const double from = std::max(0.0, at - vehicle.length - kPassedBy);
+bool comes_within(const VehicleState& vehicle, const Vec2& point, double reach) {
+  if (reach <= 0.0) return false;
+  if (distance_to(vehicle, point) < reach) return true;
+  if (vehicle.way.size() < 2) return false;
+  const LineProjection at = project_on(vehicle.way, point);
+  if (std::abs(at.lateral) > 0.5 * (vehicle.width + vehicle.length) + reach) return false;
+  const double cut = most_cut(vehicle.way, vehicle.length);
+  if (std::abs(at.lateral) > 0.5 * vehicle.width + cut + reach) return false;
   // Where the chord is short the rear hangs over behind it.
-  const double to = at + kPassedBy + 2.0 * most_cut(vehicle.way, vehicle.length);
-  for (double travelled = from; travelled <= to; travelled += kLook) {
-    least = std::min(least, body_on_way(vehicle, travelled).distance(point));
+  const double last = at.offset + kPassedBy + 2.0 * cut;
+  const double fastest = fastest_part(vehicle, cut);
+  const double whole = length_of(vehicle.way) - vehicle.length;  // there its front is at the end
+  BodyOnWay body(vehicle);
+  double travelled = std::max(0.0, at.offset - vehicle.length - kPassedBy);
+  while (travelled <= last) {
+    const double distance = body.at(travelled).distance(point);
+    if (distance < reach) return true;
+    // What cannot be near yet is not looked at.
+    double way = 0.0;
+    do {
+      travelled += kLook;
+      way += kLook;
+    } while (distance - fastest * way > reach && travelled + kLook < whole);
   }
-  return least;
+  return false;
 }
 
 std::optional<Vec2> place_aside(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
@@ -176,17 +199,13 @@ std::optional<Vec2> place_aside(const SideRoom& room, const VehicleState& vehicl
 }
 
 bool swings_over(const VehicleState& vehicle, const Vec2& point, double radius) {
-  const double least = least_distance(vehicle, point);
-  return least < radius + kPast && least < distance_to(vehicle, point) - kSwing;
+  const double now = distance_to(vehicle, point);
+  return comes_within(vehicle, point, std::min(radius + kPast, now - kSwing));
 }
 
 bool holds_up(const VehicleState& vehicle, const Vec2& point, double radius) {
   if (vehicle.way.size() < 2) return false;
-  const double reach = radius + kPast;
-  const double sideways = std::abs(project_on(vehicle.way, point).lateral);
-  const double cut = most_cut(vehicle.way, vehicle.length);
-  if (sideways > 0.5 * vehicle.width + reach + cut) return false;
-  return least_distance(vehicle, point) < reach;
+  return comes_within(vehicle, point, radius + kPast);
 }
 
 std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicle, const Vec2& from,
@@ -203,9 +222,7 @@ std::optional<Vec2> place_clear(const SideRoom& room, const VehicleState& vehicl
       const Vec2 to = from + direction * step;
       if (way >= least || is_barred(room, from, to, body.turned)) continue;
       if (!fits(room, from, to, body.turned)) continue;
-      if (runs_through(frame, from, to) || least_distance(vehicle, to) < body.radius + kPast) {
-        continue;
-      }
+      if (runs_through(frame, from, to) || comes_within(vehicle, to, body.radius + kPast)) continue;
       best = to;
       least = way;
     }

@@ -37,8 +37,9 @@ struct SideRoom {
   std::span<const OtherBody> others = {};  ///< who may be where one wants to step
 };
 
-/// Distance [m] to which a vehicle that drives on along its way comes to a point; 0: runs over it.
-double least_distance(const VehicleState& vehicle, const Vec2& point);
+/// Whether a vehicle is nearer than `reach` [m] to a point, or comes so near, driving on along its
+/// way.
+bool comes_within(const VehicleState& vehicle, const Vec2& point, double reach);
 
 /// The nearest place to `from` [m], a place ahead of the vehicle on its way, to which a body can
 /// step from there and let the vehicle drive past: with its shoulders turned it fits between the

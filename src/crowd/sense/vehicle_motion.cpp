@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/polyline.hpp"
 
 namespace pedzone {
 namespace {
@@ -57,14 +56,18 @@ std::optional<double> farther_on_way(const VehicleState& vehicle, double rear, d
 }  // namespace
 
 Rectangle body_on_way(const VehicleState& vehicle, double travelled) {
-  const Vec2 rear = point_on(vehicle.way, travelled).point;
-  const LinePoint front = point_on(vehicle.way, travelled + vehicle.length);
+  return BodyOnWay(vehicle).at(travelled);
+}
+
+Rectangle BodyOnWay::at(double travelled) {
+  const Vec2 rear = rear_.to(travelled).point;
+  const LinePoint front = front_.to(travelled + vehicle_.length);
   const Vec2 along = front.point - rear;
   const double chord = along.norm();
   const Vec2 axis = chord > kChord ? Vec2(along / chord) : front.direction;
-  return {front.point - axis * (0.5 * vehicle.length),
+  return {front.point - axis * (0.5 * vehicle_.length),
           axis,
-          {0.5 * vehicle.length, 0.5 * vehicle.width}};
+          {0.5 * vehicle_.length, 0.5 * vehicle_.width}};
 }
 
 VehicleState moved_on(const VehicleState& vehicle, double dt) {

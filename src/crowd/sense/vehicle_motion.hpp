@@ -1,6 +1,7 @@
 // A vehicle's place: its rectangle, and how that moves on within a step.
 #pragma once
 
+#include "geometry/polyline.hpp"
 #include "geometry/rectangle.hpp"
 #include "world/snapshot.hpp"
 
@@ -9,6 +10,18 @@ namespace pedzone {
 /// The vehicle's body when its rear is `travelled` [m] along its way: a chord of that, so that
 /// corners are cut as SUMO draws them. The way must not be empty.
 Rectangle body_on_way(const VehicleState& vehicle, double travelled);
+
+/// The same for places on its way that do not fall, each from where the last one was.
+class BodyOnWay {
+ public:
+  explicit BodyOnWay(const VehicleState& vehicle)
+      : vehicle_(vehicle), rear_(vehicle.way), front_(vehicle.way) {}
+  Rectangle at(double travelled);
+
+ private:
+  const VehicleState& vehicle_;
+  LineWalk rear_, front_;
+};
 
 /// The vehicle `dt` [s] later, its speed held. Along its way where that is known and the vehicle is
 /// on it. Else the yaw rate is held, too: the velocity turns with the body, and the centre moves

@@ -146,7 +146,8 @@ struct CrowdState {
   VehiclesNear vehicles_near;  ///< made anew in every step
 
   // Made anew in every substep, each by one phase.
-  std::vector<Rectangle> vehicle_bodies;  ///< of each vehicle
+  std::vector<VehicleState> vehicles_later;             ///< as they are at its end
+  std::vector<Rectangle> vehicle_bodies, bodies_later;  ///< of each vehicle, at its begin and end
   Attention attention;                   ///< where people differ in what they perceive
   bool perception_varies = false;        ///< they do
   std::vector<std::uint32_t> claimants;  ///< vehicles that claim room, those first that come first

@@ -169,10 +169,10 @@ class TightCorner : public ::testing::Test {
 
 TEST_F(TightCorner, who_is_beside_the_vehicle_steps_back_out_of_its_sweep) {
   const std::size_t person = add({-3.0, 1.34}, {17.0, 30.0});
-  EXPECT_LT(least_distance(van_, place_after(0.1, person)), 0.01);
+  EXPECT_TRUE(comes_within(van_, place_after(0.1, person), 0.01));
   const Vec2 there = place_after(10.0, person);
   EXPECT_LT(there.x(), -5.0) << "where its rear is";
-  EXPECT_GT(least_distance(van_, there), kTurned + 0.05);
+  EXPECT_FALSE(comes_within(van_, there, kTurned + 0.05));
 }
 
 TEST_F(TightCorner, who_cannot_step_back_for_others_goes_on_before_the_vehicle) {
