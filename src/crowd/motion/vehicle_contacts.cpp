@@ -84,28 +84,35 @@ double unsure(const VehicleState& vehicle, double dt) {
   return std::max({vehicle.lag + vehicle.slower * dt, vehicle.lead, vehicle.starts});
 }
 
+/// [m] from its centre within which the vehicle may reach a body of at most `widest` [m].
+double reach_of(const CrowdState& crowd, std::size_t v, double widest, double dt) {
+  const VehicleState& vehicle = crowd.vehicles[v];
+  return around(vehicle, crowd.vehicle_bodies[v]).half.norm() + widest + gap_to(vehicle) +
+         unsure(vehicle, dt) + vehicle.velocity.norm() * dt + 2.0 * crowd.moves.reach + kSlack;
+}
+
 /// Lists who may be reached by which vehicle, ordered by person.
 void find_hits(const CrowdState& crowd, double dt, std::vector<VehicleHit>& hits) {
+  struct Reach {
+    Vec2 centre;
+    double squared;  ///< [m²]
+  };
+  thread_local std::vector<Reach> reaches;
   const Persons& persons = crowd.persons;
   const double widest = *std::max_element(persons.radius.begin(), persons.radius.end());
-  hits.clear();
+  reaches.clear();
   for (std::size_t v = 0; v < crowd.vehicles.size(); ++v) {
-    const VehicleState& vehicle = crowd.vehicles[v];
-    const double reach = around(vehicle, crowd.vehicle_bodies[v]).half.norm() + widest + gap_to(vehicle) +
-                         unsure(vehicle, dt) + vehicle.velocity.norm() * dt +
-                         2.0 * crowd.moves.reach + kSlack;
-    const Vec2 box = Vec2::Constant(reach);
-    const Vec2 low = vehicle.centre - box, high = vehicle.centre + box;
-    if (!crowd.grid.maybe_anybody(low, high)) continue;
-    crowd.grid.visit_box(low, high, [&](std::uint32_t i, const Vec2& there) {
-      if (i >= persons.walking) return;
-      if ((there - vehicle.centre).squaredNorm() > reach * reach) return;
-      hits.push_back({i, static_cast<std::uint32_t>(v)});
-    });
+    const double reach = reach_of(crowd, v, widest, dt);
+    reaches.push_back({crowd.vehicles[v].centre, reach * reach});
   }
-  std::sort(hits.begin(), hits.end(), [](const VehicleHit& a, const VehicleHit& b) {
-    return a.person != b.person ? a.person < b.person : a.vehicle < b.vehicle;
-  });
+  hits.clear();
+  for (std::uint32_t i = 0; i < persons.walking; ++i) {
+    const Vec2 there = crowd.position(i);
+    for (const std::uint32_t v : crowd.vehicles_near.at(there)) {
+      const bool reached = (there - reaches[v].centre).squaredNorm() <= reaches[v].squared;
+      if (reached) hits.push_back({i, v});
+    }
+  }
 }
 
 /// Adds what the vehicle did to the person to what it did in this step already.

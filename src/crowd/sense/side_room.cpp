@@ -158,11 +158,12 @@ bool comes_within(const VehicleState& vehicle, const Vec2& point, double reach) 
   if (distance_to(vehicle, point) < reach) return true;
   if (vehicle.way.size() < 2) return false;
   const LineProjection at = project_on(vehicle.way, point);
-  if (std::abs(at.lateral) > 0.5 * (vehicle.width + vehicle.length) + reach) return false;
-  const double cut = most_cut(vehicle.way, vehicle.length);
-  if (std::abs(at.lateral) > 0.5 * vehicle.width + cut + reach) return false;
-  // Where the chord is short the rear hangs over behind it.
-  const double last = at.offset + kPassedBy + 2.0 * cut;
+  // Where the chord is short the rear hangs over behind it: farther than the chord cuts a corner.
+  const double beyond = std::abs(at.lateral) - 0.5 * vehicle.width - reach;
+  if (beyond > vehicle.length) return false;
+  const double cut = most_cut(vehicle.way, vehicle.length), hangs_over = 2.0 * cut;
+  if (beyond > hangs_over) return false;
+  const double last = at.offset + kPassedBy + hangs_over;
   const double fastest = fastest_part(vehicle, cut);
   const double whole = length_of(vehicle.way) - vehicle.length;  // there its front is at the end
   BodyOnWay body(vehicle);

@@ -20,9 +20,6 @@ class BodyGrid {
   /// are in neighbouring cells. No allocation once sizes have settled.
   void build(std::span<const double> x, std::span<const double> y, double reach);
 
-  /// False where no body's centre lies in the box: told at once for most boxes far from everybody.
-  bool maybe_anybody(const Vec2& low, const Vec2& high) const;
-
   /// Calls visit(index, centre) for every body whose centre lies in the box, each once.
   template <class Visit>
   void visit_box(const Vec2& low, const Vec2& high, const Visit& visit) const {
@@ -63,15 +60,12 @@ class BodyGrid {
 
   std::int64_t cell(double coordinate) const;
   std::uint64_t bucket_of(std::int64_t column, std::int64_t row) const;
-  /// Of a square of kCoarse × kCoarse cells.
-  std::uint64_t coarse_bit(std::int64_t column, std::int64_t row) const;
 
   double inverse_cell_ = 1.0;         ///< [1/m]
   std::uint64_t mask_ = 0;            ///< buckets - 1, a power of two less one
   std::vector<std::uint32_t> start_;  ///< first entry of each bucket
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> bucket_;  ///< of each body
-  std::vector<std::uint64_t> coarse_;  ///< bits of the squares with bodies, by hash
 };
 
 }  // namespace pedzone

@@ -275,29 +275,6 @@ TEST(BodyGrid, finds_all_that_are_near_and_each_once) {
   }
 }
 
-TEST(BodyGrid, tells_at_once_where_nobody_is) {
-  std::vector<double> x, y;
-  for (std::uint64_t k = 0; k < 500; ++k) {
-    x.push_back(random_in(-1000.0, 1000.0, k, 1));
-    y.push_back(random_in(-1000.0, 1000.0, k, 2));
-  }
-  BodyGrid grid;
-  grid.build(x, y, 1.4);
-  int empty = 0, told = 0;
-  for (std::uint64_t k = 0; k < 2000; ++k) {
-    const Vec2 at(random_in(-1000.0, 1000.0, k, 3), random_in(-1000.0, 1000.0, k, 4));
-    const Vec2 low = at - Vec2::Constant(5.0), high = at + Vec2::Constant(5.0);
-    bool anybody = false;
-    grid.visit_box(low, high, [&](std::uint32_t, const Vec2&) { anybody = true; });
-    const bool maybe = grid.maybe_anybody(low, high);
-    ASSERT_TRUE(maybe || !anybody);
-    empty += anybody ? 0 : 1;
-    told += maybe ? 0 : 1;
-  }
-  EXPECT_GT(told, empty / 2);
-  EXPECT_TRUE(grid.maybe_anybody(Vec2::Constant(-1e12), Vec2::Constant(1e12)));
-}
-
 TEST(WallGuard, keeps_a_body_inside_and_looks_only_when_it_must) {
   const Zone zone = zone_of(box(0, 0, 40, 40));
   WallRoom room;
