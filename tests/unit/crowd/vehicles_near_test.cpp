@@ -73,10 +73,13 @@ TEST_F(Town, lists_who_is_near_within_the_step_or_soon_after) {
 
 TEST_F(Town, lists_who_claims_room_there) {
   VehicleState& vehicle = vehicles_[1];
+  vehicle.centre = Vec2(-100.0, 100.0);
   vehicle.velocity = Vec2::Zero();
   vehicle.claim = 50.0;
   near_.build(vehicles_, persons_, 1.0);
-  EXPECT_TRUE(lists(vehicle.centre + unit(vehicle.heading) * 55.0, 1));
+  const Vec2 ahead = unit(vehicle.heading);
+  EXPECT_TRUE(lists(vehicle.centre + ahead * (0.5 * vehicle.length + vehicle.claim), 1));
+  EXPECT_FALSE(lists(vehicle.centre + ahead * 140.0, 1));
   EXPECT_TRUE(near_.at(Vec2(0.0, 0.0), VehiclesNear::kReach + 0.1).size() == vehicles_.size());
   EXPECT_TRUE(near_.at(Vec2(0.0, 0.0), 1.0, VehiclesNear::kAhead + 0.1).size() == vehicles_.size());
 }
