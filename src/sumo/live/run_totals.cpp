@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <ranges>
 
+#include "geometry/near_points.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -28,13 +30,18 @@ void RunTotals::count_events(const SumoEvents& events) {
 }
 
 void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
-  person_steps_ += static_cast<long>(takeover.guests().size());
+  const std::vector<Guest>& guests = takeover.guests();
+  person_steps_ += static_cast<long>(guests.size());
+  std::vector<Vec2> places;
+  for (const Guest& guest : guests) places.push_back(guest.position);
+  const NearPoints near(places);
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
     const double loss = vehicle.time_loss;
     const auto [entry, is_new] = delays_.try_emplace(vehicle.id, Delay{loss, loss});
     entry->second.last = loss;
     const Rectangle body = body_of(vehicle);
-    for (const Guest& guest : takeover.guests()) {
+    for (const std::uint32_t k : near.within(body.centre, kRange)) {
+      const Guest& guest = guests[k];
       if ((guest.position - body.centre).norm() > kRange) continue;
       const double clearance = body.signed_distance(guest.position) - guest.radius;
       min_clearance_ = std::min(min_clearance_, clearance);

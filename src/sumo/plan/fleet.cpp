@@ -182,34 +182,39 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     vehicles_.push_back(std::move(vehicle));
   }
   share_junctions();
+  note_places();
   find_leaders();
 }
 
-/// In a queue nobody drives off before the one ahead: people behind it would walk into its rear.
-/// Looked at are those in a strip from north to south only: thousands of vehicles have millions of
-/// pairs.
-void Fleet::find_leaders() {
-  constexpr double kRounding = 1.0;  // [m] numerical: wider than needed
-  double longest = 0.0;
-  by_x_.clear();
-  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
-    longest = std::max(longest, vehicles_[i].traits.length);
-    by_x_.emplace_back(vehicles_[i].front.x(), i);
+void Fleet::note_places() {
+  std::vector<Vec2> fronts;
+  longest_ = widest_ = 0.0;
+  for (const FleetVehicle& vehicle : vehicles_) {
+    fronts.push_back(vehicle.front);
+    longest_ = std::max(longest_, vehicle.traits.length);
+    widest_ = std::max(widest_, vehicle.traits.width);
   }
-  std::ranges::sort(by_x_);
+  fronts_.build(fronts);
+}
+
+/// Those whose bodies may be within `reach` [m] of a place, and a few more, in their order.
+std::vector<std::uint32_t> Fleet::near(const Vec2& place, double reach) const {
+  constexpr double kRounding = 1.0;  // [m] numerical: farther than needed
+  return fronts_.within(place, reach + longest_ + widest_ + kRounding);
+}
+
+/// In a queue nobody drives off before the one ahead: people behind it would walk into its rear.
+void Fleet::find_leaders() {
   for (FleetVehicle& vehicle : vehicles_) {
     if (!goes_on(vehicle)) continue;
     const double distance = braking_distance(vehicle) + vehicle.speed + kLeaderAhead;
-    const double reach = distance + longest + kRounding, east = vehicle.front.x() + reach;
-    auto at = std::ranges::lower_bound(by_x_, vehicle.front.x() - reach, {},
-                                       &std::pair<double, std::size_t>::first);
-    for (; at != by_x_.end() && at->first <= east; ++at) {
-      const FleetVehicle& other = vehicles_[at->second];
+    for (const std::uint32_t k : near(vehicle.front, distance)) {
+      const FleetVehicle& other = vehicles_[k];
       const auto gap = &other == &vehicle ? std::nullopt : gap_before(vehicle, other, distance);
       if (!gap) continue;
       vehicle.follows_at =
           std::min(vehicle.follows_at, safe_behind(vehicle.traits, *gap, other.speed));
-      if (!vehicle.leader || *gap < vehicle.leader->gap) vehicle.leader = {at->second, *gap};
+      if (!vehicle.leader || *gap < vehicle.leader->gap) vehicle.leader = {k, *gap};
     }
   }
 }
@@ -235,8 +240,8 @@ void Fleet::states(double dt, std::vector<VehicleState>& out) const {
 }
 
 bool Fleet::touches(const Vec2& point, double radius) const {
-  return std::any_of(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
-    return body_of(vehicle).signed_distance(point) < radius;
+  return std::ranges::any_of(near(point, radius), [&](std::uint32_t k) {
+    return body_of(vehicles_[k]).signed_distance(point) < radius;
   });
 }
 
@@ -254,12 +259,12 @@ bool Fleet::approaches(const Vec2& point, double margin, double horizon) const {
 }
 
 const FleetVehicle* Fleet::waiting_beside(const Vec2& point, double margin) const {
-  const auto found =
-      std::find_if(vehicles_.begin(), vehicles_.end(), [&](const FleetVehicle& vehicle) {
-        return vehicle.speed < kWaitingSpeed && !vehicle.stopped &&
-               body_of(vehicle).signed_distance(point) < margin;
-      });
-  return found == vehicles_.end() ? nullptr : &*found;
+  for (const std::uint32_t k : near(point, margin)) {
+    const FleetVehicle& vehicle = vehicles_[k];
+    const bool waits = vehicle.speed < kWaitingSpeed && !vehicle.stopped;
+    if (waits && body_of(vehicle).signed_distance(point) < margin) return &vehicle;
+  }
+  return nullptr;
 }
 
 }  // namespace pedzone

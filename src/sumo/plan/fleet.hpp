@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/box.hpp"
+#include "geometry/near_points.hpp"
 #include "sumo/plan/way_ahead.hpp"
 #include "world/snapshot.hpp"
 
@@ -52,7 +53,9 @@ class Fleet {
 
  private:
   void share_junctions();
+  void note_places();
   void find_leaders();
+  std::vector<std::uint32_t> near(const Vec2& place, double reach) const;
 
   const Network& network_;
   WayAhead ways_;
@@ -60,7 +63,8 @@ class Fleet {
   std::vector<Box> boxes_;  ///< zones' bounds, grown
   std::vector<FleetVehicle> vehicles_, previous_;
   std::unordered_map<std::string, std::size_t> previous_index_;
-  std::vector<std::pair<double, std::size_t>> by_x_;  ///< [m] of fronts; kept for its memory
+  NearPoints fronts_;
+  double longest_ = 0.0, widest_ = 0.0;  ///< [m] of them
 };
 
 }  // namespace pedzone

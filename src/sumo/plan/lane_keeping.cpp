@@ -29,14 +29,15 @@ bool is_barred(const FleetVehicle& vehicle, Polyline way, std::span<const Person
 }  // namespace
 
 bool LaneKeeping::is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehicle,
-                                    std::span<const PersonAhead> people, double dt) const {
+                                    const PeopleNear& all, double dt) const {
   const double soon = (vehicle.speed + vehicle.traits.accel * dt) * dt;
   const double distance = soon + braking_distance(vehicle);
   const double reach = distance + vehicle.traits.length + kAside;
-  const auto near = [&](const PersonAhead& person) {
+  const auto is_near = [&](const PersonAhead& person) {
     return (person.position - vehicle.front).squaredNorm() < reach * reach;
   };
-  if (std::ranges::none_of(people, near)) return false;
+  const auto people = all.at(vehicle.front, reach + kAside);
+  if (std::ranges::none_of(people, is_near)) return false;
   const double margin = zones_[vehicle.zone].parameters.yield_margin;
   std::vector<Polyline> ways = fleet.ways_beside(vehicle, soon, distance);
   return std::ranges::any_of(ways, [&](Polyline& way) {
@@ -47,9 +48,10 @@ bool LaneKeeping::is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehi
 std::vector<SpeedOrder> LaneKeeping::plan(const Fleet& fleet, std::span<const PersonAhead> people,
                                           double dt) {
   std::vector<SpeedOrder> orders;
+  const PeopleNear near(people);
   std::unordered_set<std::string> kept = std::exchange(keep_, {});
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
-    if (!gives_way(vehicle) || !is_anybody_beside(fleet, vehicle, people, dt)) continue;
+    if (!gives_way(vehicle) || !is_anybody_beside(fleet, vehicle, near, dt)) continue;
     if (kept.erase(vehicle.id) == 0) orders.push_back({vehicle.id, LaneChanges::kNone});
     keep_.insert(vehicle.id);
   }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sumo/plan/fleet.hpp"
+#include "sumo/plan/people_near.hpp"
 #include "sumo/plan/vehicle_order.hpp"
-#include "sumo/plan/yield_plan.hpp"
 #include "zone/zone.hpp"
 
 namespace pedzone {
@@ -25,8 +25,8 @@ class LaneKeeping {
   std::vector<SpeedOrder> plan(const Fleet& fleet, std::span<const PersonAhead> people, double dt);
 
  private:
-  bool is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehicle,
-                         std::span<const PersonAhead> people, double dt) const;
+  bool is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehicle, const PeopleNear& all,
+                         double dt) const;
 
   const std::vector<Zone>& zones_;
   std::unordered_set<std::string> keep_;  ///< vehicles that were told to

@@ -12,6 +12,8 @@ namespace pedzone {
 namespace {
 
 constexpr double kMoment = 1.0;   // [s] assumed: a driver expects people to walk on so long
+constexpr double kWalksThere = 60.0;  // [m] numerical: nobody comes from farther meanwhile, nor
+                                      // over a longer crossing
 constexpr double kSample = 0.25;  // [m] numerical: sampling of the swept area
 constexpr double kCleared = 2.0;  // [m/s] numerical: faster than this a jam is over
 constexpr double kClaimAfter =
@@ -172,6 +174,10 @@ bool edges_past(const FleetVehicle& vehicle, std::span<const PersonAhead> people
 }
 
 }  // namespace
+
+double reach_for_people(const FleetVehicle& vehicle, const Parameters& parameters) {
+  return look_ahead(vehicle, parameters) + vehicle.traits.length + kWalksThere;
+}
 
 double SafeSpeeds::before(const FleetVehicle& vehicle, const Obstruction& ahead, double gap) const {
   return ahead.speed > kHaltingSpeed ? follow(vehicle, gap, ahead.speed) : stop(vehicle, gap);

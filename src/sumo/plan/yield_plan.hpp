@@ -21,6 +21,9 @@ struct PersonAhead {
   int exit_lane = -1;               ///< from the end of which SUMO walks it on; -1: of none
 };
 
+/// [m] from its front, at most: whom a vehicle may have to mind.
+double reach_for_people(const FleetVehicle& vehicle, const Parameters& parameters);
+
 /// Whether people are taken for as wide as with straight shoulders, or as they hold them now.
 enum class BodyWidth { kStraight, kAsHeld };
 

@@ -166,11 +166,13 @@ void Yielding::note(const FleetVehicle& vehicle, double time) {
 
 /// For the people in its way; nothing: none of them holds it.
 std::optional<YieldOrder> Yielding::plan_for_people(FleetVehicle& vehicle,
-                                                    std::span<const PersonAhead> people,
+                                                    const PeopleNear& near,
                                                     const SafeSpeeds& safe_speeds, double time,
                                                     double dt) {
   if (!gives_way(vehicle)) return std::nullopt;
-  const auto order = plan_yield(vehicle, people, zones_[vehicle.zone].parameters, safe_speeds, dt);
+  const Parameters& parameters = zones_[vehicle.zone].parameters;
+  const auto people = near.at(vehicle.front, reach_for_people(vehicle, parameters));
+  const auto order = plan_yield(vehicle, people, parameters, safe_speeds, dt);
   if (order && order->emergency) note(vehicle, time);
   if (order) yielded_.insert(vehicle.id);
   return order;
@@ -189,12 +191,13 @@ std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
                                        std::span<const PersonAhead> outside,
                                        const SafeSpeeds& safe_speeds, double time, double dt) {
   std::vector<std::optional<YieldOrder>> planned(vehicles.size());
+  const PeopleNear near(people);
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     FleetVehicle& vehicle = vehicles[i];
     const auto stop = plan_stop(vehicle, dt);
     planned[i] = stop && !vehicle.traits.external
                      ? stop
-                     : plan_for_people(vehicle, people, safe_speeds, time, dt);
+                     : plan_for_people(vehicle, near, safe_speeds, time, dt);
   }
   keep_junctions_clear(vehicles, safe_speeds, dt, planned);
   keep_lane_ends_free(vehicles, people, outside, safe_speeds, dt, planned);

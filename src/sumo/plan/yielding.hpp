@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sumo/plan/vehicle_order.hpp"
+#include "sumo/plan/people_near.hpp"
 #include "sumo/plan/yield_plan.hpp"
 #include "zone/zone.hpp"
 
@@ -54,8 +55,7 @@ class Yielding {
     double alone = 0.0;  ///< [s] since somebody was there who may want in
   };
 
-  std::optional<YieldOrder> plan_for_people(FleetVehicle& vehicle,
-                                            std::span<const PersonAhead> people,
+  std::optional<YieldOrder> plan_for_people(FleetVehicle& vehicle, const PeopleNear& near,
                                             const SafeSpeeds& safe_speeds, double time, double dt);
   static void keep_junctions_clear(std::span<FleetVehicle> vehicles, const SafeSpeeds& safe_speeds,
                                    double dt, std::vector<std::optional<YieldOrder>>& planned);
