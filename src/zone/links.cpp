@@ -182,6 +182,13 @@ void add_vehicle_ways(const Network& network, const std::unordered_set<int>& zon
   }
 }
 
+/// Whether it has a lane for vehicles only.
+bool has_carriageway(const Network& network, int edge) {
+  return std::ranges::any_of(network.edges[edge].lanes, [&](int index) {
+    return network.lanes[index].vehicles && !network.lanes[index].persons;
+  });
+}
+
 }  // namespace
 
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges) {
@@ -203,8 +210,8 @@ std::vector<int> shared_junctions(const Network& network, const std::vector<int>
   auto excluded = signalled_junctions(network);
   for (int edge = 0; edge < static_cast<int>(network.edges.size()); ++edge) {
     const Edge& other = network.edges[edge];
-    if (other.function != EdgeFunction::kNormal || zone.contains(edge)) continue;
-    if (!is_road(network, edge)) continue;
+    if (other.function != EdgeFunction::kNormal) continue;
+    if (zone.contains(edge) ? !has_carriageway(network, edge) : !is_road(network, edge)) continue;
     excluded.insert(other.from);
     excluded.insert(other.to);
   }

@@ -62,6 +62,24 @@ TEST_F(Push, is_as_long_as_the_vehicle_drives_on_and_as_fast) {
   EXPECT_TRUE(pushes.log.run_into().empty());
 }
 
+TEST_F(Push, by_the_side_of_a_vehicle_that_turns_is_less_where_its_way_is_known) {
+  const Polyline way{{32.5, 10.0}, {60.0, 10.0}};
+  const auto room_after = [&](double room, bool known) {
+    Scene scene(zone_, 1, standing_model());
+    scene.add({35.0, 10.0 + 0.9 + kRadius + room}, point(70, 10), 1.34, 0.0);
+    VehicleState vehicle = vehicle_at({35.0, 10.0}, 0.0, 2.0);
+    vehicle.yaw_rate = 0.8;
+    if (known) vehicle.way = way;
+    vehicle.forwards = known;
+    scene.vehicles = {vehicle};
+    scene.step(kStep);
+    return scene.crowd.view(scene.people[0].handle).position.y() - 10.0 - 0.9 - kRadius;
+  };
+  EXPECT_NEAR(room_after(0.3, true), 0.3, 1e-9);
+  EXPECT_NEAR(room_after(0.1, true), 0.05 + 0.1 * 2.5 * 0.8, 0.01) << "it turns its shoulders";
+  EXPECT_GT(room_after(0.3, false), 0.4);
+}
+
 TEST_F(Push, moves_nobody_into_somebody_else) {
   // Three in a file before a vehicle that is as fast as they can step. Without further passes over
   // the contacts two of them are 9 cm nearer than turned shoulders let them.

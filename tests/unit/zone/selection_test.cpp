@@ -37,6 +37,23 @@ TEST_F(Town, takes_pedestrian_and_living_streets_and_slow_shared_lanes_only) {
                                    "living_south", "-living_south", "service"));
 }
 
+TEST_F(Town, shares_the_whole_of_junctions_without_a_carriageway_only) {
+  std::vector<int> edges;
+  for (const char* id : {"main1", "-main1", "main2", "-main2", "old_north", "old_south", "service",
+                         "living_north", "-living_north", "gravel", "footway"}) {
+    edges.push_back(edge(id));
+  }
+  std::vector<std::string> shared;
+  for (const int index : shared_junctions(town_, edges)) {
+    shared.push_back(town_.junctions[index].id);
+  }
+  EXPECT_THAT(shared, UnorderedElementsAre("corner", "north"));
+  edges.pop_back();
+  EXPECT_EQ(shared_junctions(town_, edges).size(), 2u) << "a footway that stays SUMO's is no road";
+  edges.pop_back();
+  EXPECT_EQ(shared_junctions(town_, edges).size(), 1u) << "a road that stays SUMO's";
+}
+
 TEST_F(Town, leaves_out_the_bridge_with_a_warning_that_names_both) {
   EXPECT_THAT(zone().warnings, ElementsAre("edge 'bridge' is on another level than edge "
                                            "'old_south' that it overlaps: left out"));
