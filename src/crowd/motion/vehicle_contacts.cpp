@@ -18,7 +18,7 @@ constexpr double kGap = 0.05;      // [m] assumed: nobody lets a vehicle touch t
 constexpr double kGapTime = 0.04;  // [s] numerical: more room before and behind a moving vehicle:
                                    // where it gets to is predicted (SUMO may brake it)
 constexpr double kGapTurn = 0.25;  // [s] numerical: the same for its corners when it turns ...
-constexpr double kGapOnWay = 0.1;  // [s] ... and when its way is known
+constexpr double kGapOnWay = 0.15;  // [s] ... and when its way is known
 constexpr double kNoGap = 1e-3;    // [m] numerical: what counts as not touching
 constexpr double kSlack = 0.2;     // [m] numerical: contacts of bodies move people farther than
                                    // they meant to
@@ -43,7 +43,8 @@ std::array<Vec2, 5> exits(const Rectangle& frame, const Vec2& local, double reac
 /// Room [m] that bodies keep to a vehicle's sides: more when it turns, since where its corners get
 /// to is then less certain (SUMO turns it about its front, and by other angles in each step).
 double gap_to(const VehicleState& vehicle) {
-  return kGap + (vehicle.forwards ? kGapOnWay : kGapTurn) * 0.5 * vehicle.length * std::abs(vehicle.yaw_rate);
+  const double turn = vehicle.forwards ? kGapOnWay : kGapTurn;
+  return kGap + turn * 0.5 * vehicle.length * std::abs(vehicle.yaw_rate);
 }
 
 /// Where the vehicle may be, by its speed. Not to its sides: a car that passes a footway at 50 km/h

@@ -75,9 +75,9 @@ TEST_F(Push, by_the_side_of_a_vehicle_that_turns_is_less_where_its_way_is_known)
     scene.step(kStep);
     return scene.crowd.view(scene.people[0].handle).position.y() - 10.0 - 0.9 - kRadius;
   };
-  EXPECT_NEAR(room_after(0.3, true), 0.3, 1e-9);
-  EXPECT_NEAR(room_after(0.1, true), 0.05 + 0.1 * 2.5 * 0.8, 0.01) << "it turns its shoulders";
-  EXPECT_GT(room_after(0.3, false), 0.4);
+  EXPECT_NEAR(room_after(0.4, true), 0.4, 1e-9);
+  EXPECT_NEAR(room_after(0.2, true), 0.05 + 0.15 * 2.5 * 0.8, 0.01) << "it turns its shoulders";
+  EXPECT_GT(room_after(0.4, false), 0.5);
 }
 
 TEST_F(Push, moves_nobody_into_somebody_else) {
