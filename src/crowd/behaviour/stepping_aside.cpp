@@ -26,7 +26,7 @@ constexpr double kLookAhead = 1.2;  // [m] assumed: a driver expects people to g
 constexpr double kLookStep = 0.3;   // [m] numerical
 constexpr double kAside = 0.7;      // [m] assumed: for who comes out of a narrow place
 constexpr double kBesideReach = 2.0;  // [m] numerical: beyond a vehicle's ends and sides
-constexpr double kPastShare = 0.6;  // assumed: of its speed is left to who goes sideways
+constexpr double kPastShare = 0.6;    // assumed: of its speed is left to who goes sideways
 
 BodyBeside body_of(const CrowdState& crowd, std::size_t i) {
   return {crowd.persons.radius[i], crowd.persons.turned_radius[i]};
@@ -152,8 +152,8 @@ class Passing {
   Vec2 local_ = Vec2::Zero();
 };
 
-/// Room beside the vehicle, with the others near row i in it. Valid until the thread's next call: the
-/// list is kept for its memory.
+/// Room beside the vehicle, with the others near row i in it. Valid until the thread's next call:
+/// the list is kept for its memory.
 SideRoom room_among_others(const CrowdState& crowd, std::size_t i, const VehicleState& vehicle) {
   static_assert(kStepsAside < VehiclesNear::kReach);
   thread_local std::vector<OtherBody> others;

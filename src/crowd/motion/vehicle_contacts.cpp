@@ -14,15 +14,15 @@
 namespace pedzone {
 namespace {
 
-constexpr double kGap = 0.05;      // [m] assumed: nobody lets a vehicle touch the clothes
-constexpr double kGapTime = 0.04;  // [s] numerical: more room before and behind a moving vehicle:
-                                   // where it gets to is predicted (SUMO may brake it)
-constexpr double kGapTurn = 0.25;  // [s] numerical: the same for its corners when it turns ...
+constexpr double kGap = 0.05;       // [m] assumed: nobody lets a vehicle touch the clothes
+constexpr double kGapTime = 0.04;   // [s] numerical: more room before and behind a moving vehicle:
+                                    // where it gets to is predicted (SUMO may brake it)
+constexpr double kGapTurn = 0.25;   // [s] numerical: the same for its corners when it turns ...
 constexpr double kGapOnWay = 0.15;  // [s] ... and when its way is known
-constexpr double kNoGap = 1e-3;    // [m] numerical: what counts as not touching
-constexpr double kSlack = 0.2;     // [m] numerical: contacts of bodies move people farther than
-                                   // they meant to
-constexpr double kContact = 0.01;  // [m] numerical: bodies that overlap by less do not touch
+constexpr double kNoGap = 1e-3;     // [m] numerical: what counts as not touching
+constexpr double kSlack = 0.2;      // [m] numerical: contacts of bodies move people farther than
+                                    // they meant to
+constexpr double kContact = 0.01;   // [m] numerical: bodies that overlap by less do not touch
 
 /// Where a body at `local` could go to have `reach` to the rectangle, the nearest first: straight
 /// away from it where it is outside, and out at each of the four sides.
@@ -171,8 +171,7 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   const double radius = speed < kStaticSpeed ? turned : straight;
   const double least = lets_squeeze_past(speed) ? turned : straight;
   const auto out = [&](double gap) {
-    return moved_out(crowd.walls_of(hit.person), turned, frame, here, radius + gap, least,
-                     longest);
+    return moved_out(crowd.walls_of(hit.person), turned, frame, here, radius + gap, least, longest);
   };
   Vec2 at = out(gap_to(later));
   // Room that one may need when it turns moves nobody under another.

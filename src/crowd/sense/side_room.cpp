@@ -50,14 +50,14 @@ bool has_room(const SideRoom& room, const Vec2& to, double turned) {
   const double reach = turned + kTouch;
   if (!room.walls.inside(to) || room.walls.room(to, reach) < reach) return false;
   if (is_taken(room, to, turned)) return false;
-  return std::ranges::none_of(
-      room.vehicles, [&](const Rectangle& other) { return other.distance(to) < reach; });
+  return std::ranges::none_of(room.vehicles,
+                              [&](const Rectangle& other) { return other.distance(to) < reach; });
 }
 
 /// Whether a straight line runs through one of the rectangles.
 bool leads_through_any(std::span<const Rectangle> others, const Vec2& from, const Vec2& to) {
-  return std::ranges::any_of(
-      others, [&](const Rectangle& other) { return runs_through(other, from, to); });
+  return std::ranges::any_of(others,
+                             [&](const Rectangle& other) { return runs_through(other, from, to); });
 }
 
 /// Whether it fits there and gets there: other vehicles are as good as walls.

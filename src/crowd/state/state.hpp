@@ -151,7 +151,7 @@ struct CrowdState {
   Attention attention;                   ///< where people differ in what they perceive
   bool perception_varies = false;        ///< they do
   std::vector<std::uint32_t> claimants;  ///< vehicles that claim room, those first that come first
-  std::vector<GroupMember> members;          ///< of groups, by group and key
+  std::vector<GroupMember> members;      ///< of groups, by group and key
   Proposals proposals;
   std::vector<Decision> decisions;
   Restraints restraints;

@@ -7,8 +7,8 @@
 namespace pedzone {
 namespace {
 
-constexpr double kTile = 16.0;          // [m] numerical
-constexpr double kRoundBounds = 10.0;   // [m] numerical: who gets farther in a step looks at all
+constexpr double kTile = 16.0;         // [m] numerical
+constexpr double kRoundBounds = 10.0;  // [m] numerical: who gets farther in a step looks at all
 constexpr double kTilesPerPerson = 8.0, kTilesAtLeast = 1024.0;  // numerical
 
 /// [m] from its centre. A body on its way is a chord of that, which turns: its centre gets farther
@@ -60,8 +60,8 @@ std::span<const std::uint32_t> VehiclesNear::at(const Vec2& point, double reach,
   if (reach > kReach || time > kAhead) return all_;
   const std::int64_t x = to_lattice(point.x()) - origin_.x;
   const std::int64_t y = to_lattice(point.y()) - origin_.y;
-  const bool listed = x >= bounds_.left && x <= bounds_.right && y >= bounds_.low &&
-                      y <= bounds_.high;
+  const bool listed =
+      x >= bounds_.left && x <= bounds_.right && y >= bounds_.low && y <= bounds_.high;
   if (!listed) return all_;
   return tiles_.at({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
 }

@@ -11,11 +11,11 @@
 namespace pedzone {
 namespace {
 
-constexpr double kMoment = 1.0;   // [s] assumed: a driver expects people to walk on so long
+constexpr double kMoment = 1.0;       // [s] assumed: a driver expects people to walk on so long
 constexpr double kWalksThere = 60.0;  // [m] numerical: nobody comes from farther meanwhile, nor
                                       // over a longer crossing
-constexpr double kSample = 0.25;  // [m] numerical: sampling of the swept area
-constexpr double kCleared = 2.0;  // [m/s] numerical: faster than this a jam is over
+constexpr double kSample = 0.25;      // [m] numerical: sampling of the swept area
+constexpr double kCleared = 2.0;      // [m/s] numerical: faster than this a jam is over
 constexpr double kClaimAfter =
     2.0;                        // [s] assumed: slowed for so long, a vehicle asks people for room
 constexpr double kClaim = 8.0;  // [m] recorded onset of avoidance, median

@@ -165,8 +165,7 @@ void Yielding::note(const FleetVehicle& vehicle, double time) {
 }
 
 /// For the people in its way; nothing: none of them holds it.
-std::optional<YieldOrder> Yielding::plan_for_people(FleetVehicle& vehicle,
-                                                    const PeopleNear& near,
+std::optional<YieldOrder> Yielding::plan_for_people(FleetVehicle& vehicle, const PeopleNear& near,
                                                     const SafeSpeeds& safe_speeds, double time,
                                                     double dt) {
   if (!gives_way(vehicle)) return std::nullopt;

@@ -7,8 +7,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "sumo/plan/vehicle_order.hpp"
 #include "sumo/plan/people_near.hpp"
+#include "sumo/plan/vehicle_order.hpp"
 #include "sumo/plan/yield_plan.hpp"
 #include "zone/zone.hpp"
 
