@@ -41,15 +41,11 @@ void find_bodies(std::span<const VehicleState> vehicles, std::vector<Rectangle>&
   for (const VehicleState& vehicle : vehicles) bodies.push_back(rectangle_of(vehicle));
 }
 
-/// What pedzone does not walk moves on as it is seen to move.
+/// Where vehicles are after `dt` [s] if they go on as they are seen to move.
 void foresee_vehicles(std::span<const VehicleState> vehicles, double dt,
                       std::vector<VehicleState>& later) {
   later.clear();
   for (const VehicleState& vehicle : vehicles) later.push_back(moved_on(vehicle, dt));
-}
-
-void move_seen_on(double dt, std::vector<SeenPerson>& seen) {
-  for (SeenPerson& person : seen) person.position += person.velocity * dt;
 }
 
 Snapshot snapshot_of(const CrowdState& crowd, double dt, std::span<const VehicleState> vehicles,
@@ -160,7 +156,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   remember_seen(crowd, dt, crowd.seen_memory);
   follow_waypoints(crowd, dt, 1, crowd.ways());
   notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
-  move_seen_on(dt, crowd.seen);
+  for (SeenPerson& person : crowd.seen) person.position += person.velocity * dt;
   crowd.vehicles.swap(crowd.vehicles_later);
   count(crowd.persons.walking, dt, crowd.clock);
 }
@@ -242,8 +238,7 @@ void walk(CrowdState& crowd, double dt) {
   const int substeps = static_cast<int>(std::ceil(dt / kLongestSubstep - kRounding));
   // Nobody is there to mind anything.
   if (crowd.persons.walking == 0 && crowd.seen.empty() && crowd.zone.streets.empty()) {
-    foresee_vehicles(crowd.vehicles, dt, crowd.vehicles_later);
-    crowd.vehicles.swap(crowd.vehicles_later);
+    for (VehicleState& vehicle : crowd.vehicles) vehicle = moved_on(vehicle, dt);
     for (int k = 0; k < substeps; ++k) count(0, dt / substeps, crowd.clock);
     return;
   }

@@ -66,7 +66,7 @@ void Scenery::prepare_vehicles(bool gains_are_seen) {
         const double range = std::max<double>(senses_.vehicle_sight, heard);
         const std::int64_t reach = to_lattice(range + vehicle.reach);
         const LatticePoint& c = vehicles_[i].centre;
-        return LatticeBox{c.x - reach, c.y - reach, c.x + reach, c.y + reach};
+        return box_round(c.x, c.y, reach);
       },
       [&](std::size_t i, const LatticeBox&) { return !snapshot_.vehicles[i].apart(); });
 }

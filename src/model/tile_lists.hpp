@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,25 @@ namespace pedzone {
 struct LatticeBox {
   std::int64_t left, low, right, high;
 };
+
+/// What is at most `reach` [lattice] from a point in each direction of the axes.
+inline LatticeBox box_round(std::int64_t x, std::int64_t y, std::int64_t reach) {
+  return {x - reach, y - reach, x + reach, y + reach};
+}
+
+/// The smallest box round the points (x[i], y[i]) [m]; where there are none it has no inside.
+inline LatticeBox bounds_of(std::span<const double> x, std::span<const double> y,
+                            const LatticeOrigin& origin) {
+  constexpr auto kFarthest = std::numeric_limits<std::int64_t>::max();
+  LatticeBox bounds{kFarthest, kFarthest, -kFarthest, -kFarthest};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const LatticePoint at = to_lattice(x[i], y[i], origin);
+    bounds = {std::min<std::int64_t>(bounds.left, at.x), std::min<std::int64_t>(bounds.low, at.y),
+              std::max<std::int64_t>(bounds.right, at.x),
+              std::max<std::int64_t>(bounds.high, at.y)};
+  }
+  return bounds;
+}
 
 /// A tile size [lattice], `least` or twice as much as often as it takes, for which at most `most`
 /// tiles cover the bounds: so memory follows what there is to list, not the size of the map.

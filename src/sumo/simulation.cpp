@@ -233,8 +233,9 @@ void Simulation::Parts::walk_and_yield(double dt) {
   read(dt);
   takeover.people(people);
   takeover.sumo_people(outside);
-  send(yielding.plan(fleet.vehicles(), people, outside, safe_speeds, session->time(), dt));
-  send(lane_keeping.plan(fleet, people, dt));
+  const PeopleNear near(people);
+  send(yielding.plan(fleet.vehicles(), near, outside, safe_speeds, session->time(), dt));
+  send(lane_keeping.plan(fleet, near, dt));
   people.insert(people.end(), outside.begin(), outside.end());
   send(stand_offs.plan(fleet.vehicles(), people, dt));
   fleet.states(dt, states);

@@ -211,7 +211,9 @@ std::vector<int> shared_junctions(const Network& network, const std::vector<int>
   for (int edge = 0; edge < static_cast<int>(network.edges.size()); ++edge) {
     const Edge& other = network.edges[edge];
     if (other.function != EdgeFunction::kNormal) continue;
-    if (zone.contains(edge) ? !has_carriageway(network, edge) : !is_road(network, edge)) continue;
+    const bool bars =
+        zone.contains(edge) ? has_carriageway(network, edge) : is_road(network, edge);
+    if (!bars) continue;
     excluded.insert(other.from);
     excluded.insert(other.to);
   }

@@ -154,7 +154,7 @@ bool is_near_another(const CrowdState& crowd, std::span<const VehicleHit> hits,
   });
 }
 
-/// Moves the person out of the way of where the vehicle gets to (`later`), by at most `longest`
+/// Moves the person out of the way of where the vehicle gets to, by at most `longest`
 /// [m]; what came of it.
 VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, double longest,
                      Moves& moves) {

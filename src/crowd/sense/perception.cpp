@@ -40,29 +40,17 @@ struct TrafficShapes {
 
 /// The lattice box round a vehicle that holds whoever is `range` [m] or less from its body.
 LatticeBox box_around(const VehicleShape& shape, double range) {
-  const std::int64_t reach = to_lattice(range + shape.reach);
-  return {shape.centre.x - reach, shape.centre.y - reach, shape.centre.x + reach,
-          shape.centre.y + reach};
-}
-
-LatticeBox bounds_of(const CrowdState& crowd, const LatticeOrigin& origin) {
-  constexpr auto kFarthest = std::numeric_limits<std::int64_t>::max();
-  LatticeBox bounds{kFarthest, kFarthest, -kFarthest, -kFarthest};
-  for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
-    const LatticePoint at = to_lattice(crowd.persons.x[i], crowd.persons.y[i], origin);
-    bounds = {std::min<std::int64_t>(bounds.left, at.x), std::min<std::int64_t>(bounds.low, at.y),
-              std::max<std::int64_t>(bounds.right, at.x),
-              std::max<std::int64_t>(bounds.high, at.y)};
-  }
-  return bounds;
+  return box_round(shape.centre.x, shape.centre.y, to_lattice(range + shape.reach));
 }
 
 /// Lists the vehicles where they can matter: of a town's vehicles most are near nobody.
 void list_by_place(const CrowdState& crowd, const Attention& attention, TrafficShapes& traffic) {
-  const LatticeBox bounds = bounds_of(crowd, traffic.origin);
+  const std::span<const double> x = crowd.persons.x, y = crowd.persons.y;
+  const std::size_t walking = crowd.persons.walking;
+  const LatticeBox bounds = bounds_of(x.first(walking), y.first(walking), traffic.origin);
   const std::int64_t tile =
       tile_size_for(bounds, to_lattice(kTile),
-                    kTilesPerPerson * static_cast<double>(crowd.persons.walking) + kTilesAtLeast);
+                    kTilesPerPerson * static_cast<double>(walking) + kTilesAtLeast);
   const double sight = traffic.senses.vehicle_sight;
   const auto everywhere = [](std::size_t, const LatticeBox&) { return true; };
   double longest = 0.0;

@@ -1,7 +1,6 @@
 #include "crowd/state/vehicles_near.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace pedzone {
@@ -12,23 +11,16 @@ constexpr double kRoundBounds = 10.0;  // [m] numerical: who gets farther in a s
 constexpr double kTilesPerPerson = 8.0, kTilesAtLeast = 1024.0;  // numerical
 
 /// [m] from its centre. A body on its way is a chord of that, which turns: its centre gets farther
-/// than its front drives, but by less than its length.
+/// than its front drives, but by less than its length. In a long step it may get far ahead of that,
+/// or drive off far.
 double reach_of(const VehicleState& vehicle, double dt) {
   return VehiclesNear::kReach + 1.5 * vehicle.length + vehicle.width + vehicle.claim +
-         vehicle.velocity.norm() * (VehiclesNear::kAhead + dt);
+         vehicle.velocity.norm() * (VehiclesNear::kAhead + dt) +
+         std::max(vehicle.lead, vehicle.starts);
 }
 
-LatticeBox bounds_of(const Persons& persons, const LatticeOrigin& origin) {
-  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
-  LatticeBox bounds{kMost, kMost, -kMost, -kMost};
-  for (std::size_t i = 0; i < persons.size(); ++i) {
-    const LatticePoint at = to_lattice(persons.x[i], persons.y[i], origin);
-    bounds = {std::min<std::int64_t>(bounds.left, at.x), std::min<std::int64_t>(bounds.low, at.y),
-              std::max<std::int64_t>(bounds.right, at.x),
-              std::max<std::int64_t>(bounds.high, at.y)};
-  }
-  const std::int64_t margin = to_lattice(kRoundBounds);
-  return {bounds.left - margin, bounds.low - margin, bounds.right + margin, bounds.high + margin};
+LatticeBox grown(const LatticeBox& box, std::int64_t margin) {
+  return {box.left - margin, box.low - margin, box.right + margin, box.high + margin};
 }
 
 }  // namespace
@@ -40,17 +32,16 @@ void VehiclesNear::build(std::span<const VehicleState> vehicles, const Persons& 
   bounds_ = {0, 0, -1, -1};
   if (vehicles.empty() || persons.size() == 0) return;
   origin_ = {to_lattice(persons.x[0]), to_lattice(persons.y[0])};
-  bounds_ = bounds_of(persons, origin_);
+  bounds_ = grown(bounds_of(persons.x, persons.y, origin_), to_lattice(kRoundBounds));
   const std::int64_t tile =
       tile_size_for(bounds_, to_lattice(kTile),
                     kTilesPerPerson * static_cast<double>(persons.size()) + kTilesAtLeast);
   tiles_.build(
       bounds_, tile, vehicles.size(),
       [&](std::size_t v) {
-        const std::int64_t reach = to_lattice(reach_of(vehicles[v], dt));
-        const std::int64_t x = to_lattice(vehicles[v].centre.x()) - origin_.x;
-        const std::int64_t y = to_lattice(vehicles[v].centre.y()) - origin_.y;
-        return LatticeBox{x - reach, y - reach, x + reach, y + reach};
+        return box_round(to_lattice(vehicles[v].centre.x()) - origin_.x,
+                         to_lattice(vehicles[v].centre.y()) - origin_.y,
+                         to_lattice(reach_of(vehicles[v], dt)));
       },
       [](std::size_t, const LatticeBox&) { return true; });
 }

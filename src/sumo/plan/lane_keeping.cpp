@@ -45,13 +45,11 @@ bool LaneKeeping::is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehi
   });
 }
 
-std::vector<SpeedOrder> LaneKeeping::plan(const Fleet& fleet, std::span<const PersonAhead> people,
-                                          double dt) {
+std::vector<SpeedOrder> LaneKeeping::plan(const Fleet& fleet, const PeopleNear& people, double dt) {
   std::vector<SpeedOrder> orders;
-  const PeopleNear near(people);
   std::unordered_set<std::string> kept = std::exchange(keep_, {});
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
-    if (!gives_way(vehicle) || !is_anybody_beside(fleet, vehicle, near, dt)) continue;
+    if (!gives_way(vehicle) || !is_anybody_beside(fleet, vehicle, people, dt)) continue;
     if (kept.erase(vehicle.id) == 0) orders.push_back({vehicle.id, LaneChanges::kNone});
     keep_.insert(vehicle.id);
   }

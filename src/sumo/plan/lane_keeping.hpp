@@ -22,7 +22,7 @@ class LaneKeeping {
   /// lane as long as somebody is on a lane beside it where its body would be, or nearer ahead than
   /// it could stop for as it likes to brake. After that, and once it is not in the fleet any more,
   /// it may change lanes as before.
-  std::vector<SpeedOrder> plan(const Fleet& fleet, std::span<const PersonAhead> people, double dt);
+  std::vector<SpeedOrder> plan(const Fleet& fleet, const PeopleNear& people, double dt);
 
  private:
   bool is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehicle, const PeopleNear& all,

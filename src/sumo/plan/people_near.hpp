@@ -14,6 +14,7 @@ class PeopleNear {
   /// `people` must outlive it.
   explicit PeopleNear(std::span<const PersonAhead> people);
 
+  std::span<const PersonAhead> all() const { return people_; }
   /// Those within `reach` [m] of a place, and a few more, in their order.
   std::vector<PersonAhead> at(const Vec2& place, double reach) const;
 

@@ -185,21 +185,19 @@ void Yielding::forget(const std::string& vehicle) {
   at_end_.erase(vehicle);
 }
 
-std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles,
-                                       std::span<const PersonAhead> people,
+std::vector<SpeedOrder> Yielding::plan(std::span<FleetVehicle> vehicles, const PeopleNear& people,
                                        std::span<const PersonAhead> outside,
                                        const SafeSpeeds& safe_speeds, double time, double dt) {
   std::vector<std::optional<YieldOrder>> planned(vehicles.size());
-  const PeopleNear near(people);
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     FleetVehicle& vehicle = vehicles[i];
     const auto stop = plan_stop(vehicle, dt);
     planned[i] = stop && !vehicle.traits.external
                      ? stop
-                     : plan_for_people(vehicle, near, safe_speeds, time, dt);
+                     : plan_for_people(vehicle, people, safe_speeds, time, dt);
   }
   keep_junctions_clear(vehicles, safe_speeds, dt, planned);
-  keep_lane_ends_free(vehicles, people, outside, safe_speeds, dt, planned);
+  keep_lane_ends_free(vehicles, people.all(), outside, safe_speeds, dt, planned);
   keep_behind_late_brakers(vehicles, safe_speeds, time, dt, planned);
   std::vector<SpeedOrder> orders;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {

@@ -30,8 +30,7 @@ class Yielding {
   /// The speed that each vehicle takes in the next step of `dt` [s], by its plan (yield_plan.hpp);
   /// those that no longer need one are given back. `people`: whom it gives way to; `outside`: whom
   /// SUMO walks. `time` [s]: at the step's begin.
-  std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
-                               std::span<const PersonAhead> people,
+  std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles, const PeopleNear& people,
                                std::span<const PersonAhead> outside, const SafeSpeeds& safe_speeds,
                                double time, double dt);
 

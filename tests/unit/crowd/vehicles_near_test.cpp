@@ -80,8 +80,20 @@ TEST_F(Town, lists_who_claims_room_there) {
   const Vec2 ahead = unit(vehicle.heading);
   EXPECT_TRUE(lists(vehicle.centre + ahead * (0.5 * vehicle.length + vehicle.claim), 1));
   EXPECT_FALSE(lists(vehicle.centre + ahead * 140.0, 1));
-  EXPECT_TRUE(near_.at(Vec2(0.0, 0.0), VehiclesNear::kReach + 0.1).size() == vehicles_.size());
-  EXPECT_TRUE(near_.at(Vec2(0.0, 0.0), 1.0, VehiclesNear::kAhead + 0.1).size() == vehicles_.size());
+  EXPECT_EQ(near_.at(Vec2(0.0, 0.0), VehiclesNear::kReach + 0.1).size(), vehicles_.size());
+  EXPECT_EQ(near_.at(Vec2(0.0, 0.0), 1.0, VehiclesNear::kAhead + 0.1).size(), vehicles_.size());
+}
+
+TEST_F(Town, lists_who_may_drive_off_as_far_in_a_long_step) {
+  VehicleState& vehicle = vehicles_[1];
+  vehicle.centre = Vec2(-100.0, 100.0);
+  vehicle.velocity = Vec2::Zero();
+  const Vec2 there = vehicle.centre + unit(vehicle.heading) * 100.0;
+  near_.build(vehicles_, persons_, 5.0);
+  EXPECT_FALSE(lists(there, 1));
+  vehicle.starts = 100.0;
+  near_.build(vehicles_, persons_, 5.0);
+  EXPECT_TRUE(lists(there, 1));
 }
 
 TEST_F(Town, lists_all_where_nobody_was) {

@@ -119,7 +119,7 @@ TEST_F(JunctionClearance, slows_a_vehicle_as_it_likes_to_brake) {
                         [](const FleetVehicle&, double, double) { return 9.0; }};
   vehicles_[0].commanded = -1.0;
   vehicles_[0].left_alone = 1.0;
-  const auto orders = yielding.plan(vehicles_, {}, {}, safe, 0.0, 0.1);
+  const auto orders = yielding.plan(vehicles_, PeopleNear({}), {}, safe, 0.0, 0.1);
   EXPECT_THAT(orders, testing::ElementsAre(SpeedOrder{"comes", 4.0 - 4.5 * 0.1}));
   EXPECT_TRUE(yielding.yielded().empty()) << "it does not give way to people";
 }

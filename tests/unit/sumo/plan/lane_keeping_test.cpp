@@ -34,7 +34,7 @@ class LaneKeepingTest : public testing::Test, protected test::FourEdges {
   std::vector<SpeedOrder> step(std::vector<VehicleSeen> seen, std::vector<PersonAhead> people,
                                double dt = 1.0) {
     fleet_->update(std::move(seen), dt);
-    return keeping_.plan(*fleet_, people, dt);
+    return keeping_.plan(*fleet_, PeopleNear(people), dt);
   }
   static PersonAhead at(double x, double y) { return {{x, y}, {0.0, 0.0}, 0.24}; }
 

@@ -121,7 +121,7 @@ TEST_F(StandOffTest, goes_on_though_yielding_finds_nobody_whom_it_would_let_go_g
     wait(100.0, dt);
     for (int k = 0; k < 10; ++k) {  // what it was told carries over
       vehicles_[0].speed = k == 0 ? 0.0 : creep_;
-      EXPECT_THAT(yielding.plan(vehicles_, {}, {}, any, 0.0, dt), IsEmpty());
+      EXPECT_THAT(yielding.plan(vehicles_, PeopleNear({}), {}, any, 0.0, dt), IsEmpty());
       EXPECT_THAT(step(dt), ElementsAre(SpeedOrder{"van", creep_})) << dt << ' ' << k;
     }
   }

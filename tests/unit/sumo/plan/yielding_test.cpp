@@ -31,7 +31,7 @@ class YieldingTest : public testing::Test {
     const SafeSpeeds safe{[this](const FleetVehicle&, double) { return safe_; },
                           [this](const FleetVehicle&, double, double) { return safe_; }};
     const auto orders =
-        yielding_.plan(std::span(&vehicle_, 1), people, outside_, safe, time_, kStep);
+        yielding_.plan(std::span(&vehicle_, 1), PeopleNear(people), outside_, safe, time_, kStep);
     time_ += kStep;
     return orders;
   }
@@ -196,7 +196,7 @@ class QueueTest : public testing::Test {
   void step(const std::vector<PersonAhead>& people) {
     const SafeSpeeds safe{[](const FleetVehicle&, double) { return 0.0; },
                           [](const FleetVehicle&, double, double) { return 0.0; }};
-    yielding_.plan(queue_, people, {}, safe, time_, kSecond);
+    yielding_.plan(queue_, PeopleNear(people), {}, safe, time_, kSecond);
     time_ += kSecond;
     for (FleetVehicle& vehicle : queue_) {
       const double likes = std::max(0.0, vehicle.speed - vehicle.traits.decel * kSecond);
@@ -238,7 +238,7 @@ TEST_F(QueueTest, does_not_speed_up_behind_one_that_brakes_hard) {
   const SafeSpeeds safe{[](const FleetVehicle& v, double) { return v.speed > 0.0 ? 0.0 : 9.0; },
                         [](const FleetVehicle&, double, double speed) { return 0.1 * speed; }};
   const std::vector<PersonAhead> stepped_in{{{3.5, 0.0}, {0.0, 0.0}, 0.24}};
-  yielding_.plan(queue_, stepped_in, {}, safe, 0.0, kSecond);
+  yielding_.plan(queue_, PeopleNear(stepped_in), {}, safe, 0.0, kSecond);
   ASSERT_EQ(yielding_.late_brakings().size(), 1U);
   EXPECT_NEAR(queue_[1].commanded, 0.1 * queue_[0].commanded, 1e-9) << "safe behind what is left";
 }
