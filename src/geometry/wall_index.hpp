@@ -32,6 +32,9 @@ class WallIndex {
   /// Distance [m] to the nearest wall, or `limit` where none is nearer.
   double room(const Vec2& point, double limit) const;
 
+  /// Index of the nearest wall, of equally near ones the first. There must be a wall.
+  std::uint32_t nearest_wall(const Vec2& point) const { return nearest_anywhere(point).wall; }
+
   /// Whether the point is inside the region (border included).
   bool inside(const Vec2& point) const;
 

@@ -1,16 +1,18 @@
 // A shortest path turns at corners that stick out into the walkable area only, and lies tight
 // round them: a line that would leave a corner's two walls on different sides can be cut short.
 // So the graph has an edge for each pair of such corners that see each other along a line that is
-// tight at both. Start and goal are linked during the search, and only where it comes to them:
-// links go into the queue unchecked and are looked at when they are the shortest left.
+// tight at both. Start and goals are linked during the search: links go into the queue unless near
+// walls hide them, and are looked at when they are the shortest left.
 #include "geometry/way_finder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <queue>
 
 #include "geometry/body_room.hpp"
 #include "geometry/outlook.hpp"
+#include "geometry/segment.hpp"
 
 namespace pedzone {
 namespace {
@@ -23,6 +25,7 @@ constexpr double kOffBorder = 1e-4;  // [m]
 // numerical: sine of the angle by which a line may miss being tight; corners on a grid of 1 mm
 // that are in line are so to about this much.
 constexpr double kTaut = 1e-6;
+constexpr double kSamePlace = 0.5;  // [m] numerical: goals nearer than this are one
 
 }  // namespace
 
@@ -30,20 +33,27 @@ WayFinder::WayFinder(const Region& walkable, double clearance)
     : clearance_(clearance), area_(walkable) {
   const Region room = body_room(walkable, clearance, kLeastRoom);
   walls_ = WallIndex(room);
-  for (std::size_t i = 0; i < room.size(); ++i) {
-    add_corners(room[i].outer, static_cast<int>(i));
-    for (const Ring& hole : room[i].holes) add_corners(hole, static_cast<int>(i));
-  }
+  for (std::size_t i = 0; i < room.size(); ++i) add_part(room[i], static_cast<int>(i));
   link_corners();
 }
 
-void WayFinder::add_corners(const Ring& ring, int component) {
+void WayFinder::add_part(const Polygon& polygon, int part) {
+  std::size_t walls = polygon.outer.size();
+  add_corners(polygon.outer, part);
+  for (const Ring& hole : polygon.holes) {
+    walls += hole.size();
+    add_corners(hole, part);
+  }
+  part_of_wall_.insert(part_of_wall_.end(), walls, part);
+}
+
+void WayFinder::add_corners(const Ring& ring, int part) {
   const std::size_t count = ring.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2 before = ring[(i + count - 1) % count] - ring[i];
     const Vec2 after = ring[(i + 1) % count] - ring[i];
     if (cross(-before, after) >= 0.0) continue;  // the area is to the left
-    nodes_.push_back({ring[i], before.normalized(), after.normalized(), component, {}});
+    nodes_.push_back({ring[i], before.normalized(), after.normalized(), part, {}});
   }
 }
 
@@ -57,7 +67,7 @@ void WayFinder::link_corners() {
       const Vec2 line = points[j] - points[i];
       if (outlook.hides(line)) continue;
       Node &u = nodes_[i], &v = nodes_[j];
-      if (u.component != v.component) continue;
+      if (u.part != v.part) continue;
       if (!is_taut(u, line) || !is_taut(v, line) || !walls_.sees(u.point, v.point)) continue;
       u.edges.emplace_back(static_cast<int>(j), line.norm());
       v.edges.emplace_back(static_cast<int>(i), line.norm());
@@ -80,30 +90,38 @@ Vec2 WayFinder::place_near(const Vec2& point) const {
   return walls_.nearest_inside(area_.nearest_inside(point, clearance_), kOffBorder);
 }
 
-/// One A* search.
+/// Whether two places are on the same part of the area. Each is on that of the wall nearest to it.
+bool WayFinder::are_joined(const Vec2& from, const Vec2& to) const {
+  return part_of_wall_[walls_.nearest_wall(from)] == part_of_wall_[walls_.nearest_wall(to)];
+}
+
+/// One A* search, to the nearest of some places and of a line between two of them.
 class WayFinder::Search {
  public:
-  Search(const WayFinder& finder, const Vec2& from, const Vec2& to)
+  /// `goals`: not empty.
+  Search(const WayFinder& finder, const Vec2& from, const Vec2& a, const Vec2& b,
+         std::vector<Vec2> goals)
       : finder_(finder),
         from_(from),
-        to_(to),
-        goal_(static_cast<int>(finder.nodes_.size())),
+        a_(a),
+        b_(b),
+        goals_(std::move(goals)),
+        first_goal_(static_cast<int>(finder.nodes_.size())),
+        on_line_(first_goal_ + static_cast<int>(goals_.size())),
         parent_(finder.nodes_.size(), kStart),
         length_(finder.nodes_.size(), std::numeric_limits<double>::infinity()),
         done_(finder.nodes_.size(), 0) {}
 
   std::optional<Polyline> run() {
-    if (finder_.walls_.sees(from_, to_)) return Polyline{to_};
+    if (finder_.walls_.sees(from_, goals_.front())) return Polyline{goals_.front()};
     link_start();
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
-      if (entry.node == goal_) {
-        if (finder_.walls_.sees(node(entry.parent).point, to_)) return path_to(entry.parent);
-        continue;
-      }
-      if (done_[entry.node]) continue;
-      if (entry.parent == kStart && !finder_.walls_.sees(from_, node(entry.node).point)) continue;
+      if (entry.node < first_goal_ && done_[entry.node]) continue;
+      const bool unchecked = entry.node >= first_goal_ || entry.parent == kStart;
+      if (unchecked && !finder_.walls_.sees(point_of(entry.parent), point_of(entry))) continue;
+      if (entry.node >= first_goal_) return path_to(entry);
       done_[entry.node] = 1;
       length_[entry.node] = entry.length;
       parent_[entry.node] = entry.parent;
@@ -127,15 +145,38 @@ class WayFinder::Search {
 
   const Node& node(int index) const { return finder_.nodes_[index]; }
 
+  Vec2 point_of(int index) const { return index == kStart ? from_ : node(index).point; }
+
+  Vec2 point_of(const Entry& entry) const {
+    if (entry.node < first_goal_) return node(entry.node).point;
+    if (entry.node < on_line_) return goals_[entry.node - first_goal_];
+    return nearest_on(a_, b_, point_of(entry.parent));
+  }
+
+  /// [m] No way to any goal is shorter.
+  double at_least(const Vec2& point) const {
+    double least = (nearest_on(a_, b_, point) - point).squaredNorm();
+    for (const Vec2& goal : goals_) least = std::min(least, (goal - point).squaredNorm());
+    return std::sqrt(least);
+  }
+
   void push(int index, int parent, double length) {
-    queue_.push({length + (to_ - node(index).point).norm(), length, index, parent});
+    queue_.push({length + at_least(node(index).point), length, index, parent});
   }
 
   void link_start() {
-    for (int i = 0; i < goal_; ++i) {
+    Outlook outlook;
+    outlook.look(finder_.walls_, from_);
+    for (int i = 0; i < first_goal_; ++i) {
       const Vec2 line = node(i).point - from_;
-      if (is_taut(node(i), line)) push(i, kStart, line.norm());
+      if (!outlook.hides(line) && is_taut(node(i), line)) push(i, kStart, line.norm());
     }
+    for (std::size_t k = 1; k < goals_.size(); ++k) link_goal(k, kStart, 0.0);
+  }
+
+  void link_goal(std::size_t k, int parent, double length) {
+    const double total = length + (goals_[k] - point_of(parent)).norm();
+    queue_.push({total, total, first_goal_ + static_cast<int>(k), parent});
   }
 
   void expand(int index) {
@@ -146,16 +187,19 @@ class WayFinder::Search {
       length_[next] = total;
       push(next, index, total);
     }
-    const Vec2 line = to_ - here.point;
-    if (is_taut(here, line)) {
+    for (std::size_t k = 0; k < goals_.size(); ++k) {
+      if (is_taut(here, goals_[k] - here.point)) link_goal(k, index, length_[index]);
+    }
+    const Vec2 line = nearest_on(a_, b_, here.point) - here.point;
+    if (goals_.size() > 1 && is_taut(here, line)) {
       const double total = length_[index] + line.norm();
-      queue_.push({total, total, goal_, index});
+      queue_.push({total, total, on_line_, index});
     }
   }
 
-  Polyline path_to(int last) const {
-    Polyline path{to_};
-    for (int index = last; index != kStart; index = parent_[index]) {
+  Polyline path_to(const Entry& goal) const {
+    Polyline path{point_of(goal)};
+    for (int index = goal.parent; index != kStart; index = parent_[index]) {
       path.push_back(node(index).point);
     }
     std::reverse(path.begin(), path.end());
@@ -163,8 +207,9 @@ class WayFinder::Search {
   }
 
   const WayFinder& finder_;
-  Vec2 from_, to_;
-  int goal_;
+  Vec2 from_, a_, b_;
+  std::vector<Vec2> goals_;
+  int first_goal_, on_line_;  ///< stand for the goals and the line's nearest point, after the nodes
   std::vector<int> parent_;
   std::vector<double> length_;
   std::vector<char> done_;
@@ -172,13 +217,32 @@ class WayFinder::Search {
 };
 
 std::optional<Polyline> WayFinder::way(const Vec2& from, const Vec2& to) const {
-  if (walls_.walls().empty() || !from.allFinite() || !to.allFinite()) return std::nullopt;
-  const Vec2 start = place_near(from), goal = place_near(to);
-  std::optional<Polyline> path = Search(*this, start, goal).run();
+  return way_to_line(from, to, to);
+}
+
+std::optional<Polyline> WayFinder::way_to_line(const Vec2& from, const Vec2& a,
+                                               const Vec2& b) const {
+  const bool finite = from.allFinite() && a.allFinite() && b.allFinite();
+  if (walls_.walls().empty() || !finite) return std::nullopt;
+  const Vec2 start = place_near(from), first = place_near(a), second = place_near(b);
+  std::vector<Vec2> goals;
+  for (const Vec2& point : {nearest_on(a, b, from), Vec2(0.5 * (a + b)), a, b}) {
+    const Vec2 goal = place_near(point);
+    const bool known = std::ranges::any_of(
+        goals, [&](const Vec2& other) { return (other - goal).norm() < kSamePlace; });
+    if (!known && are_joined(start, goal)) goals.push_back(goal);
+  }
+  if (goals.empty()) return std::nullopt;
+  std::optional<Polyline> path = Search(*this, start, first, second, std::move(goals)).run();
   if (path && start != from && !(area_.inside(from) && area_.sees(from, path->front()))) {
     path->insert(path->begin(), start);
   }
   return path;
+}
+
+bool WayFinder::has_way(const Vec2& from, const Vec2& to) const {
+  if (walls_.walls().empty() || !from.allFinite() || !to.allFinite()) return false;
+  return are_joined(place_near(from), place_near(to));
 }
 
 double WayFinder::distance(const Vec2& from, const Vec2& to) const {

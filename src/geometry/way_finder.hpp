@@ -22,6 +22,14 @@ class WayFinder {
   /// Nothing when no way exists. Const and safe from many threads.
   std::optional<Polyline> way(const Vec2& from, const Vec2& to) const;
 
+  /// A way to the line a–b: no longer than those to its ends, to its middle, to its point nearest
+  /// to `from`, and to its point nearest to where the way turns last (as far as it is in view from
+  /// there). As way() otherwise.
+  std::optional<Polyline> way_to_line(const Vec2& from, const Vec2& a, const Vec2& b) const;
+
+  /// Whether way() finds one, without looking for it.
+  bool has_way(const Vec2& from, const Vec2& to) const;
+
   /// Length [m] of the way, from `from` on; infinity when there is none.
   double distance(const Vec2& from, const Vec2& to) const;
 
@@ -29,20 +37,23 @@ class WayFinder {
   struct Node {
     Vec2 point;
     Vec2 before, after;                         ///< unit vectors to the corner's neighbours
-    int component = 0;                          ///< polygon it belongs to
+    int part = 0;                               ///< polygon it belongs to
     std::vector<std::pair<int, double>> edges;  ///< (node, length [m]), node ascending
   };
   class Search;
 
-  void add_corners(const Ring& ring, int component);
+  void add_part(const Polygon& polygon, int part);
+  void add_corners(const Ring& ring, int part);
   void link_corners();
   static bool is_taut(const Node& node, const Vec2& direction);
   Vec2 place_near(const Vec2& point) const;
+  bool are_joined(const Vec2& from, const Vec2& to) const;
 
   double clearance_ = 0.3;
-  WallIndex area_;           ///< borders of the walkable area itself
-  WallIndex walls_;          ///< borders of the shrunk area
-  std::vector<Node> nodes_;  ///< its reflex corners
+  WallIndex area_;                 ///< borders of the walkable area itself
+  WallIndex walls_;                ///< borders of the shrunk area
+  std::vector<Node> nodes_;        ///< its reflex corners
+  std::vector<int> part_of_wall_;  ///< of walls_
 };
 
 }  // namespace pedzone

@@ -37,7 +37,7 @@ bool reached_from_lanes(const Network& network, const Zone& zone, const Vec2& at
   return std::ranges::any_of(zone.lanes, [&](int lane) {
     const Polyline& shape = network.lanes[lane].shape;
     return std::ranges::any_of(shape, [&](const Vec2& point) {
-      return zone.walls.inside(point) && zone.ways.way(at, point).has_value();
+      return zone.walls.inside(point) && zone.ways.has_way(at, point);
     });
   });
 }
@@ -47,7 +47,7 @@ bool reached_from_others(const Zone& zone, const std::vector<PathStop>& stops,
   const auto other = [&](const PathStop& from) { return from.poi != stop.poi; };
   return std::ranges::none_of(stops, other) ||
          std::ranges::any_of(stops, [&](const PathStop& from) {
-           return other(from) && zone.ways.way(from.waypoint.at, stop.waypoint.at).has_value();
+           return other(from) && zone.ways.has_way(from.waypoint.at, stop.waypoint.at);
          });
 }
 

@@ -49,8 +49,8 @@ bool is_reachable_over_a_street(const Zone& zone, const Vec2& from, const Vec2& 
     const double s = kStreetStep * static_cast<double>(open - street.places.begin());
     const Vec2 low = street.point(s, open->low - kStand),
                high = street.point(s, open->high + kStand);
-    return (zone.ways.way(from, low) && zone.ways.way(high, to)) ||
-           (zone.ways.way(from, high) && zone.ways.way(low, to));
+    return (zone.ways.has_way(from, low) && zone.ways.has_way(high, to)) ||
+           (zone.ways.has_way(from, high) && zone.ways.has_way(low, to));
   });
 }
 
@@ -87,7 +87,7 @@ std::optional<TakeoverPlan> plan_walk(const Network& network, const Zone& zone,
   if ((inside - walker.position).norm() > kStray) return std::nullopt;
   const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
   TakeoverPlan plan{*stretch, inside};
-  if (!zone.ways.way(inside, goal)) {
+  if (!zone.ways.has_way(inside, goal)) {
     if (!is_reachable_over_a_street(zone, inside, goal)) return std::nullopt;
     plan.by_junctions = way_by_junctions(network, *stretch, route, index, walker.position);
   }

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "geometry/body_room.hpp"
+#include "geometry/segment.hpp"
 #include "shapes.hpp"
 
 namespace pedzone {
@@ -329,6 +330,57 @@ TEST(WayFinder, connects_what_a_body_of_40_cm_can_reach_and_nothing_else) {
     }
   }
   EXPECT_GT(narrow, 20) << "the scenes have to have narrow passages that matter";
+}
+
+TEST(WayFinder, knows_whether_there_is_a_way_without_looking_for_it) {
+  Random random(37);
+  int apart = 0, joined = 0;
+  for (int round = 0; round < 15; ++round) {
+    const Region scene = shapes::obstacle_scene(random, 40.0, 110);
+    const WayFinder finder(scene, kClearance);
+    for (int i = 0; i < 100; ++i) {
+      // Anywhere: in obstacles and outside, too.
+      const Vec2 from(uniform(random, -5.0, 45.0), uniform(random, -5.0, 45.0)),
+          to(uniform(random, -5.0, 45.0), uniform(random, -5.0, 45.0));
+      const bool found = finder.way(from, to).has_value();
+      ASSERT_EQ(finder.has_way(from, to), found) << from.transpose() << " to " << to.transpose();
+      ++(found ? joined : apart);
+    }
+  }
+  EXPECT_GT(apart, 50);
+  EXPECT_GT(joined, 50);
+}
+
+TEST(WayFinder, leads_to_a_line_by_the_shortest_of_the_ways_to_its_points) {
+  Random random(38);
+  int compared = 0, between = 0;
+  for (int round = 0; round < 40; ++round) {
+    const Region scene = shapes::obstacle_scene(random, 40.0, 30);
+    const WallIndex walls(scene);
+    const WayFinder finder(scene, kClearance);
+    for (int i = 0; i < 20; ++i) {
+      const Vec2 from = random_place(random, walls, 40.0, 0.45),
+                 a = random_place(random, walls, 40.0, 0.45),
+                 b = a + 8.0 * Vec2(uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0));
+      if (!walls.inside(b) || !walls.free_line(a, b, 0.45)) continue;
+      const auto way = finder.way_to_line(from, a, b);
+      double least = kInfinity;
+      for (int k = 0; k <= 40; ++k) {
+        least = std::min(least, finder.distance(from, a + k / 40.0 * (b - a)));
+      }
+      ASSERT_EQ(way.has_value(), least < kInfinity);
+      if (!way) continue;
+      const Vec2 end = way->back();
+      ASSERT_LT((nearest_on(a, b, end) - end).norm(), 1e-9);
+      // No longer than to any of 41 points, and as long as the way to where it ends.
+      ASSERT_LE(length_of(from, *way), least + 1e-6);
+      ASSERT_NEAR(length_of(from, *way), finder.distance(from, end), 1e-6);
+      ++compared;
+      between += way->size() > 1 && (end - a).norm() > 0.1 && (end - b).norm() > 0.1;
+    }
+  }
+  EXPECT_GT(compared, 200);
+  EXPECT_GT(between, 10) << "the ways have to turn and end within lines, too";
 }
 
 TEST(WayFinder, finds_nothing_between_separate_areas) {
