@@ -10,7 +10,11 @@ namespace {
 
 constexpr double kRecently = 5.0;  // [s] assumed: longer than anybody takes through a junction
 constexpr double kDisc = 1.0;      // [m] numerical: between discs that stand for a body
-constexpr double kForeseen = 2.0;  // [s] assumed: so far the way of one inside is looked at
+// assumed: so far, of two inside, the way of the other is looked at.
+constexpr double kForeseen = 2.0;  // [s]
+constexpr double kWholeWay = 1e3;  // [s]
+constexpr double kBetween = 0.5;   // [m] assumed: left between two
+constexpr double kAtLine = 1.0;    // [m] assumed: one so far in is in nobody's way
 
 bool was_told(const FleetVehicle& vehicle) {
   return vehicle.commanded >= 0.0 || vehicle.left_alone < kRecently;
@@ -18,28 +22,33 @@ bool was_told(const FleetVehicle& vehicle) {
 
 bool stands(const FleetVehicle& vehicle) { return vehicle.speed < kHaltingSpeed; }
 
-/// Whether `other`, inside a junction, is in that of `vehicle`, which has to let it go first.
+/// Whether it has not come so far that it would be in the way of others.
+bool is_outside(const FleetVehicle& vehicle) { return vehicle.junction.begin > -kAtLine; }
+
+/// Whether the vehicle has to let `other`, inside the same junction, go first.
 bool goes_first(const FleetVehicle& other, const FleetVehicle& vehicle) {
-  if (other.junction.junction != vehicle.junction.junction) return false;
-  if (other.lane == vehicle.lane) return false;
-  if (vehicle.junction.begin > 0.0) return true;
+  // One that stands by itself waits for somebody, and SUMO's vehicles mind it.
+  if (is_outside(vehicle)) return !stands(other) || other.commanded >= 0.0;
   // Of two that are inside nobody waits for one that stands: they might for each other.
   if (stands(other) || stands(vehicle)) return !stands(other);
   if (other.junction.end == vehicle.junction.end) return other.id < vehicle.id;
   return other.junction.end < vehicle.junction.end;
 }
 
-/// Adds discs that cover the body, and where its front gets to in the junction.
-void add_discs(const FleetVehicle& vehicle, std::vector<PersonAhead>& discs) {
+/// Adds discs that cover the body, and where it gets to in the junction within `time` [s].
+void add_discs(const FleetVehicle& vehicle, double time, std::vector<PersonAhead>& discs) {
   const double radius = 0.5 * vehicle.traits.width, length = vehicle.traits.length;
-  for (double back = radius; back < length; back += kDisc) {
-    discs.push_back({vehicle.front - unit(vehicle.heading) * back, vehicle.velocity, radius, {}});
-  }
-  const double most = (vehicle.speed + 0.5 * vehicle.traits.accel * kForeseen) * kForeseen;
+  const auto add = [&](const Vec2& front, const Vec2& axis, const Vec2& velocity) {
+    for (double back = radius; back < length; back += kDisc) {
+      discs.push_back({front - axis * back, velocity, radius, {}});
+    }
+  };
+  add(vehicle.front, unit(vehicle.heading), vehicle.velocity);
+  const double most = (vehicle.speed + 0.5 * vehicle.traits.accel * time) * time;
   const double way = std::min(most, vehicle.junction.end + radius);
   for (double ahead = kDisc; ahead < way; ahead += kDisc) {
     const Rectangle body = body_after(vehicle, ahead);
-    discs.push_back({body.centre + body.axis * (0.5 * length - radius), Vec2::Zero(), radius, {}});
+    add(body.centre + body.axis * (0.5 * length), body.axis, Vec2::Zero());
   }
 }
 
@@ -48,24 +57,33 @@ void add_discs(const FleetVehicle& vehicle, std::vector<PersonAhead>& discs) {
 std::vector<const FleetVehicle*> in_junctions(std::span<const FleetVehicle> vehicles) {
   std::vector<const FleetVehicle*> inside;
   for (const FleetVehicle& vehicle : vehicles) {
-    if (!is_in_junction(vehicle)) continue;
-    // One that stands by itself waits for somebody, and SUMO's vehicles mind it.
-    if (!stands(vehicle) || vehicle.commanded >= 0.0) inside.push_back(&vehicle);
+    if (is_in_junction(vehicle) && !is_outside(vehicle)) inside.push_back(&vehicle);
   }
   return inside;
 }
 
 std::optional<Obstruction> first_in_junction(const FleetVehicle& vehicle,
                                              std::span<const FleetVehicle* const> inside) {
-  const double reach = braking_distance(vehicle) + vehicle.speed + vehicle.traits.length;
-  if (vehicle.junction.junction < 0 || vehicle.junction.begin > reach) return std::nullopt;
+  const double braking = braking_distance(vehicle);
+  const double near = braking + vehicle.speed + vehicle.traits.length;
+  if (vehicle.junction.junction < 0 || vehicle.junction.begin > near) return std::nullopt;
+  const bool outside = is_outside(vehicle);
   std::vector<PersonAhead> discs;
   for (const FleetVehicle* const other : inside) {
-    if (other == &vehicle || !goes_first(*other, vehicle)) continue;
-    if (was_told(vehicle) || was_told(*other)) add_discs(*other, discs);
+    if (other == &vehicle || other->lane == vehicle.lane) continue;
+    if (other->junction.junction != vehicle.junction.junction) continue;
+    if (!goes_first(*other, vehicle) || (!was_told(vehicle) && !was_told(*other))) continue;
+    add_discs(*other, outside ? kWholeWay : kForeseen, discs);
   }
   if (discs.empty()) return std::nullopt;
-  return first_in_way(vehicle, discs, 0.0, reach);
+  const double through = vehicle.junction.end + vehicle.traits.length;
+  auto first = first_in_way(vehicle, discs, 0.0, outside ? through : near);
+  if (!first) return std::nullopt;
+  first->distance -= kBetween;
+  // It comes in when it gets through, and else waits at the line, if it can stop there.
+  const double line = vehicle.junction.begin;
+  if (outside && line >= braking) first->distance = std::min(first->distance, line);
+  return first;
 }
 
 }  // namespace pedzone

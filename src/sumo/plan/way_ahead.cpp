@@ -132,6 +132,22 @@ Polyline WayAhead::way_behind(const FleetVehicle& vehicle, double offset) const 
   return {back.rbegin(), back.rend()};
 }
 
+bool WayAhead::is_internal(int lane) const {
+  return network_.edges[network_.lanes[lane].edge].function == EdgeFunction::kInternal;
+}
+
+/// [m] of a junction's lanes behind the front, which is at `offset` [m] of one of them; 0: it is
+/// not.
+double WayAhead::way_inside(const FleetVehicle& vehicle, double offset) const {
+  if (!is_internal(vehicle.lane)) return 0.0;
+  double way = offset;
+  for (const int lane : vehicle.behind) {
+    if (!is_internal(lane)) break;
+    way += length_of(network_.lanes[lane].shape);
+  }
+  return way;
+}
+
 void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   Polyline& way = vehicle.way;
   way = straight_behind(vehicle);
@@ -151,14 +167,14 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
     vehicle.tight_end = length_of(own.shape) - offset;
   JunctionAhead& junction = vehicle.junction;
   junction = {};
+  const double came_in = way_inside(vehicle, offset);
   bool passed = false;
   while (lane >= 0 && left > 0.0) {
-    const Edge& edge = network_.edges[network_.lanes[lane].edge];
-    const bool inside = edge.function == EdgeFunction::kInternal;
+    const bool inside = is_internal(lane);
     const double begin = distance - left;
     append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, way);
     if (inside && !passed) {
-      if (junction.junction < 0) junction = {junction_after(vehicle.route, index), begin};
+      if (junction.junction < 0) junction = {junction_after(vehicle.route, index), begin - came_in};
       junction.end = distance - left;
     }
     passed = passed || (!inside && junction.junction >= 0);

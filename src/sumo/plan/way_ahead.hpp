@@ -39,6 +39,8 @@ class WayAhead {
                   double left, Polyline& way) const;
   int junction_after(std::span<const int> route, int index) const;
   Polyline way_behind(const FleetVehicle& vehicle, double offset) const;
+  bool is_internal(int lane) const;
+  double way_inside(const FleetVehicle& vehicle, double offset) const;
   const Connection* leading(int lane, int edge, std::span<const int> means) const;
   int next_lane(int lane, const VehicleSeen& vehicle, int& index) const;
 

@@ -12,7 +12,6 @@ namespace pedzone {
 namespace {
 
 constexpr double kStandsAfter = 5.0;    // [s] assumed: a driver looks after whom it has run into
-constexpr double kBetween = 0.5;        // [m] assumed: left between two vehicles in a junction
 constexpr double kLongestAtEnd = 30.0;  // [s] assumed: then it goes on, whoever else comes
 constexpr double kNobodyComes = 1.0;    // [s] numerical: nobody comes any more
 constexpr double kStopsIn = 5.0;        // [s] assumed: so long those behind take to stop
@@ -52,7 +51,7 @@ void Yielding::keep_junctions_clear(std::span<FleetVehicle> vehicles, const Safe
     if (!gives_way(vehicle) || (planned[i] && planned[i]->emergency)) continue;
     const auto ahead = first_in_junction(vehicle, inside);
     if (!ahead) continue;
-    const double gap = std::max(0.0, ahead->distance - kBetween);
+    const double gap = std::max(0.0, ahead->distance);
     const double safe = safe_speeds.before(vehicle, *ahead, gap);
     slow_to(safe, vehicle, dt, planned[i]);
   }
