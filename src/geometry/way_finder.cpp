@@ -6,7 +6,6 @@
 #include "geometry/way_finder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <queue>
 
@@ -90,9 +89,9 @@ Vec2 WayFinder::place_near(const Vec2& point) const {
   return walls_.nearest_inside(area_.nearest_inside(point, clearance_), kOffBorder);
 }
 
-/// Whether two places are on the same part of the area. Each is on that of the wall nearest to it.
-bool WayFinder::are_joined(const Vec2& from, const Vec2& to) const {
-  return part_of_wall_[walls_.nearest_wall(from)] == part_of_wall_[walls_.nearest_wall(to)];
+/// The part of the area that a place is on: that of the wall nearest to it.
+int WayFinder::part_of(const Vec2& place) const {
+  return part_of_wall_[walls_.nearest_wall(place)];
 }
 
 /// One A* search, to the nearest of some places and of a line between two of them.
@@ -224,13 +223,18 @@ std::optional<Polyline> WayFinder::way_to_line(const Vec2& from, const Vec2& a,
                                                const Vec2& b) const {
   const bool finite = from.allFinite() && a.allFinite() && b.allFinite();
   if (walls_.walls().empty() || !finite) return std::nullopt;
-  const Vec2 start = place_near(from), first = place_near(a), second = place_near(b);
+  const Vec2 start = place_near(from), first = place_near(a);
+  const Vec2 second = a == b ? first : place_near(b);
+  std::vector<Vec2> places{first};
+  if (a != b) {
+    places = {place_near(nearest_on(a, b, from)), place_near(0.5 * (a + b)), first, second};
+  }
+  const int part = part_of(start);
   std::vector<Vec2> goals;
-  for (const Vec2& point : {nearest_on(a, b, from), Vec2(0.5 * (a + b)), a, b}) {
-    const Vec2 goal = place_near(point);
+  for (const Vec2& place : places) {
     const bool known = std::ranges::any_of(
-        goals, [&](const Vec2& other) { return (other - goal).norm() < kSamePlace; });
-    if (!known && are_joined(start, goal)) goals.push_back(goal);
+        goals, [&](const Vec2& goal) { return (goal - place).norm() < kSamePlace; });
+    if (!known && part_of(place) == part) goals.push_back(place);
   }
   if (goals.empty()) return std::nullopt;
   std::optional<Polyline> path = Search(*this, start, first, second, std::move(goals)).run();
@@ -242,7 +246,7 @@ std::optional<Polyline> WayFinder::way_to_line(const Vec2& from, const Vec2& a,
 
 bool WayFinder::has_way(const Vec2& from, const Vec2& to) const {
   if (walls_.walls().empty() || !from.allFinite() || !to.allFinite()) return false;
-  return are_joined(place_near(from), place_near(to));
+  return part_of(place_near(from)) == part_of(place_near(to));
 }
 
 double WayFinder::distance(const Vec2& from, const Vec2& to) const {

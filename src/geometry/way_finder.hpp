@@ -47,7 +47,7 @@ class WayFinder {
   void link_corners();
   static bool is_taut(const Node& node, const Vec2& direction);
   Vec2 place_near(const Vec2& point) const;
-  bool are_joined(const Vec2& from, const Vec2& to) const;
+  int part_of(const Vec2& place) const;
 
   double clearance_ = 0.3;
   WallIndex area_;                 ///< borders of the walkable area itself

@@ -22,7 +22,7 @@ bool was_told(const FleetVehicle& vehicle) {
 
 bool stands(const FleetVehicle& vehicle) { return vehicle.speed < kHaltingSpeed; }
 
-/// Whether it has not come so far that it would be in the way of others.
+/// Whether it has not come so far into a junction that it would be in the way of others.
 bool is_outside(const FleetVehicle& vehicle) { return vehicle.junction.begin > -kAtLine; }
 
 /// Whether the vehicle has to let `other`, inside the same junction, go first.
@@ -57,7 +57,7 @@ void add_discs(const FleetVehicle& vehicle, double time, std::vector<PersonAhead
 std::vector<const FleetVehicle*> in_junctions(std::span<const FleetVehicle> vehicles) {
   std::vector<const FleetVehicle*> inside;
   for (const FleetVehicle& vehicle : vehicles) {
-    if (is_in_junction(vehicle) && !is_outside(vehicle)) inside.push_back(&vehicle);
+    if (!is_outside(vehicle)) inside.push_back(&vehicle);
   }
   return inside;
 }
@@ -79,7 +79,7 @@ std::optional<Obstruction> first_in_junction(const FleetVehicle& vehicle,
   const double through = vehicle.junction.end + vehicle.traits.length;
   auto first = first_in_way(vehicle, discs, 0.0, outside ? through : near);
   if (!first) return std::nullopt;
-  first->distance -= kBetween;
+  first->distance = std::max(0.0, first->distance - kBetween);
   // It comes in when it gets through, and else waits at the line, if it can stop there.
   const double line = vehicle.junction.begin;
   if (outside && line >= braking) first->distance = std::min(first->distance, line);

@@ -51,8 +51,7 @@ void Yielding::keep_junctions_clear(std::span<FleetVehicle> vehicles, const Safe
     if (!gives_way(vehicle) || (planned[i] && planned[i]->emergency)) continue;
     const auto ahead = first_in_junction(vehicle, inside);
     if (!ahead) continue;
-    const double gap = std::max(0.0, ahead->distance);
-    const double safe = safe_speeds.before(vehicle, *ahead, gap);
+    const double safe = safe_speeds.before(vehicle, *ahead, ahead->distance);
     slow_to(safe, vehicle, dt, planned[i]);
   }
 }

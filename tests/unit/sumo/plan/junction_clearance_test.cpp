@@ -109,12 +109,6 @@ class JunctionCrossedLater : public JunctionClearance {
     inside.way = {{-10.0, 0.0}, {-5.0, 0.0}, {60.0, 0.0}};
     inside.junction.end = 8.0;
   }
-
-  /// The first is inside, too, and has farther to go.
-  void come_in() {
-    vehicles_[0].junction.begin = -2.0;
-    vehicles_[0].speed = 6.0;
-  }
 };
 
 TEST_F(JunctionCrossedLater, is_kept_from_outside_however_slow_the_other_is) {
@@ -142,7 +136,8 @@ TEST_F(JunctionCrossedLater, is_not_kept_at_the_line_by_one_that_cannot_stop_the
 }
 
 TEST_F(JunctionCrossedLater, is_kept_from_inside_for_one_that_gets_there_soon) {
-  come_in();
+  vehicles_[0].junction.begin = -2.0;
+  vehicles_[0].speed = 6.0;
   EXPECT_TRUE(first()) << "it gets there within 2 s";
   vehicles_[1].speed = 0.5;
   vehicles_[1].traits.accel = 0.5;

@@ -72,6 +72,35 @@ TEST_F(WayAheadTest, goes_onto_the_lane_that_SUMO_means) {
   EXPECT_NEAR(one(widening).way.back().y(), 3.0, 1e-9);
 }
 
+TEST_F(WayAheadTest, tells_how_far_a_junction_is_or_how_far_the_front_has_come_into_it) {
+  const int first = add_edge(":J_0", "J", "J", 100, 106),
+            second = add_edge(":J_1", "J", "J", 106, 112);
+  const int after = add_edge("after", "J", "K", 112, 160);
+  for (const int inside : {first, second}) {
+    network.edges[inside].function = EdgeFunction::kInternal;
+  }
+  network.junction_index["J"] = 4;
+  network.connections.push_back({lane_of(e1), lane_of(after), lane_of(first)});
+  network.connections.push_back({lane_of(first), lane_of(after), lane_of(second)});
+  connect(lane_of(second), lane_of(after));
+  route_ = {e1, after};
+  const auto at = [&](double x, int edge) {
+    VehicleSeen vehicle = car(x, 2.0);
+    vehicle.lane = lane_of(edge);
+    vehicle.route_index = 0;
+    return vehicle;
+  };
+  const JunctionAhead ahead = one(at(90.0, e1)).junction;
+  EXPECT_EQ(ahead.junction, 4);
+  EXPECT_NEAR(ahead.begin, 10.0, 1e-9);
+  EXPECT_NEAR(ahead.end, 22.0, 1e-9);
+  EXPECT_NEAR(one(at(104.0, first)).junction.begin, -4.0, 1e-9);
+  const JunctionAhead inside = moved(at(104.0, first), at(108.0, second), 1.0).junction;
+  EXPECT_EQ(inside.junction, 4);
+  EXPECT_NEAR(inside.begin, -8.0, 1e-9) << "all of its lanes count";
+  EXPECT_NEAR(inside.end, 4.0, 1e-9);
+}
+
 TEST_F(WayAheadTest, of_one_that_is_on_no_lane_goes_straight_on) {
   VehicleSeen lost = car(60.0, 0.0);
   lost.lane = -1;
