@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "crowd/behaviour/bystanding.hpp"
+#include "crowd/behaviour/kerbs.hpp"
 #include "crowd/behaviour/path_walk.hpp"
 #include "crowd/behaviour/shade.hpp"
 #include "crowd/insight.hpp"
@@ -24,7 +25,6 @@ constexpr double kLeastRadius = 0.05;  // [m] numerical: a body is never a point
 constexpr double kMostRadius = 1.0;    // [m] as Persons::radius
 constexpr double kLeastSpeed = 1e-3;   // [m/s] numerical: models divide by the preferred speed;
                                        // at this one a person stands
-constexpr double kAtHand = 2.0;        // [m] assumed: who waits at a kerb steps to and fro so far
 
 bool is_finite(const VehicleState& v) {
   return finite(v.centre) && finite(v.velocity) && std::isfinite(v.heading) &&
@@ -33,18 +33,6 @@ bool is_finite(const VehicleState& v) {
 
 void require(bool good, const char* what) {
   if (!good) throw std::invalid_argument(std::string("crowd: ") + what + " is not a finite number");
-}
-
-/// The zebra crossing that row i uses: by where its way leads beyond the corners at hand.
-std::optional<Zebra> zebra_used(const CrowdState& crowd, std::size_t i) {
-  if (crowd.zone.zebras.empty()) return std::nullopt;
-  const Route& route = crowd.walkers[i].route;
-  const Vec2 here = crowd.position(i);
-  for (std::size_t k = route.next; k + 1 < route.points.size(); ++k) {
-    if ((route.points[k] - here).norm() < kAtHand) continue;
-    return zebra_of(crowd.zone.zebras, here, route.points[k]);
-  }
-  return zebra_of(crowd.zone.zebras, here, nearest_on(route.aim_a, route.aim_b, here));
 }
 
 double speed_in_range(double speed) { return std::clamp(speed, kLeastSpeed, kMostSpeed); }
@@ -136,6 +124,7 @@ struct Crowd::State : CrowdState {
     paths.begin(handle);
     jams.begin(handle);
     if (!zone.streets.empty()) crossings.begin(handle);
+    if (!zone.crosswalks.empty()) kerbs.begin(handle);
     return handle;
   }
 

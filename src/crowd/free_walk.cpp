@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "crowd/behaviour/crossings.hpp"
+#include "crowd/behaviour/kerbs.hpp"
 #include "crowd/state/parallel.hpp"
 #include "model/senses.hpp"
 #include "model/vehicle_view.hpp"
@@ -131,6 +132,7 @@ std::vector<std::uint8_t> find_free(CrowdState& crowd, double dt) {
         return vehicle.may_matter(crowd.position(i), hearing, way);
       };
       free[i] = walks_undisturbed(crowd, i) && room_ahead(crowd, i, way) &&
+                        !comes_to_kerb(crowd, i, way) &&
                         nobody_within_reach(crowd, i, way, most, widest, dt) &&
                         std::ranges::none_of(traffic, minds)
                     ? 1

@@ -14,6 +14,7 @@
 #include "crowd/behaviour/families.hpp"
 #include "crowd/behaviour/groups.hpp"
 #include "crowd/behaviour/jams.hpp"
+#include "crowd/behaviour/kerbs.hpp"
 #include "crowd/behaviour/pace.hpp"
 #include "crowd/behaviour/stepping_aside.hpp"
 #include "crowd/behaviour/way.hpp"
@@ -110,6 +111,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   update_waits(crowd, dt, crowd.groups);
 
   cross_streets(crowd, dt, crowd.ways(), crowd.crossings_begun);
+  look_at_kerbs(crowd, dt, crowd.kerbs);
   order_claims(crowd, crowd.claimants);
 
   // Every behaviour proposes; the most important one wins.
@@ -133,6 +135,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   restrain_beside_claims(crowd, restraints);
   restrain_by_groups(crowd, restraints);
   restrain_adults(crowd, restraints);
+  restrain_at_kerbs(crowd, restraints);
   restrain_crossings(crowd, restraints);
   restraints.apply(crowd.decisions);
   step_aside(crowd, crowd.decisions);

@@ -191,6 +191,13 @@ bool has_carriageway(const Network& network, int edge) {
 
 }  // namespace
 
+bool leads_over_carriageway(const Network& network, int crossing) {
+  return std::ranges::any_of(network.edges[crossing].crossed, [&](const std::string& id) {
+    const auto found = network.edge_index.find(id);
+    return found != network.edge_index.end() && has_carriageway(network, found->second);
+  });
+}
+
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges) {
   auto links = links_on_foot(network, edges);
   link_at_once(network, edges, links);
@@ -211,8 +218,7 @@ std::vector<int> shared_junctions(const Network& network, const std::vector<int>
   for (int edge = 0; edge < static_cast<int>(network.edges.size()); ++edge) {
     const Edge& other = network.edges[edge];
     if (other.function != EdgeFunction::kNormal) continue;
-    const bool bars =
-        zone.contains(edge) ? has_carriageway(network, edge) : is_road(network, edge);
+    const bool bars = zone.contains(edge) ? has_carriageway(network, edge) : is_road(network, edge);
     if (!bars) continue;
     excluded.insert(other.from);
     excluded.insert(other.to);

@@ -36,6 +36,9 @@ std::vector<int> shared_junctions(const Network& network, const std::vector<int>
 /// Whether an edge has a lane for vehicles or trains, so that it is more than a footway.
 bool is_road(const Network& network, int edge);
 
+/// Whether a crossing leads over an edge with a lane for vehicles only.
+bool leads_over_carriageway(const Network& network, int crossing);
+
 /// The junction that an edge inside a junction belongs to: the id between ':' and the last '_'.
 std::string junction_of(const Edge& inner);
 

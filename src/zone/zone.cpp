@@ -38,14 +38,14 @@ void add_streets(const Network& network, const Draft& draft, Zone& zone) {
   const Selection& selection = draft.parts.selection;
   zone.streets = find_streets(network, selection.edges, selection.lanes, zone.walkable);
   if (zone.streets.empty()) {
-    zone.warnings.push_back("crossing=\"anywhere\" changes nothing: none of the zone's streets has "
-                            "ground for people on both sides");
+    zone.warnings.push_back(
+        "crossing=\"anywhere\" changes nothing: none of the zone's streets has "
+        "ground for people on both sides");
     return;
   }
   for (const auto& link : linked_across(network, zone.streets, selection.edges)) {
     zone.links.insert(link);
   }
-  zone.zebras = find_zebras(network, zone.lanes);
   zone.crossable = subtract(crossable_ground(zone.streets), zone.obstacles);
   zone.street_walls = WallIndex(unite(zone.walkable, zone.crossable));
 }
@@ -85,6 +85,7 @@ Zone finish(const Network& network, const RoadOverlaps& roads, const std::vector
                        [&](const Vec2& seat) { return zone.walls.inside(seat); });
   if (zone.weather->shade) zone.shades = shades_of(network);
   zone.ways = WayFinder(zone.walkable, kWayClearance);
+  zone.crosswalks = Crosswalks(find_crosswalks(network, zone.lanes));
   zone.warnings = std::move(draft.warnings);
   add_streets(network, draft, zone);
   zone.inside = lengths_inside(network, parts.selection.edges);

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "geometry/way_finder.hpp"
+#include "zone/crosswalks.hpp"
 #include "zone/network.hpp"
 #include "zone/streets.hpp"
-#include "zone/zebras.hpp"
 #include "zone/zone_file.hpp"
 
 namespace pedzone {
@@ -44,7 +44,7 @@ struct Zone {
   std::vector<Street> streets;          ///< that people cross between the junctions
   Region crossable;                     ///< [m] the parts of them where people may cross
   WallIndex street_walls;               ///< of who crosses one: borders of walkable and streets
-  std::vector<Zebra> zebras;            ///< where there are streets
+  Crosswalks crosswalks;                ///< over carriageways, without a signal
   std::vector<std::string> warnings;    ///< one line each, naming what they are about
   std::vector<TypeLength> inside, left_out;
 };

@@ -9,12 +9,12 @@
 namespace pedzone {
 namespace {
 
-constexpr double kWorthWhile = 5.0;   // [m] assumed: nobody crosses elsewhere for less
-constexpr double kKerb = 0.2;         // [m] assumed: who waits keeps so far from the carriageway
-constexpr double kLater = 1e-3;       // numerical: of equal places, the one nearest to the end
-constexpr std::size_t kWeighed = 3;   // numerical: so many streets are weighed by real ways
-constexpr double kFarShare = 0.75;    // of the width that a gap must last for, in the mean of a near
-                                      // and a far lane
+constexpr double kWorthWhile = 5.0;  // [m] assumed: nobody crosses elsewhere for less
+constexpr double kKerb = 0.2;        // [m] assumed: who waits keeps so far from the carriageway
+constexpr double kLater = 1e-3;      // numerical: of equal places, the one nearest to the end
+constexpr std::size_t kWeighed = 3;  // numerical: so many streets are weighed by real ways
+constexpr double kFarShare = 0.75;   // of the width that a gap must last for, in the mean of a near
+                                     // and a far lane
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A street that might be crossed.
@@ -50,8 +50,8 @@ Candidate best_place(const Street& street, std::uint32_t index, int side, const 
     const CrossingPlace& place = street.places[k];
     if (!place.open_to(impulsive)) continue;
     const double s = static_cast<double>(k) * kStreetStep;
-    const double length = (before(street, s, side, radius) - from).norm() +
-                          place.width() + (to - beyond(street, s, side, radius)).norm();
+    const double length = (before(street, s, side, radius) - from).norm() + place.width() +
+                          (to - beyond(street, s, side, radius)).norm();
     const double cost = length + kLater * std::abs(end - s);
     if (cost >= least) continue;
     least = cost;
@@ -157,11 +157,19 @@ Vec2 kerb_beyond(const CrowdState& crowd, std::size_t i, double s) {
   return beyond(crowd.zone.streets[crossing.street], s, crossing.side, crowd.persons.radius[i]);
 }
 
+double crossing_margin(const CrowdState& crowd, std::size_t i, double waited) {
+  const Parameters& parameters = crowd.zone.parameters;
+  const Profile* profile = crowd.walkers[i].profile;
+  const double worn = std::min(1.0, waited / parameters.crossing_margin_time);
+  const double least = std::min(parameters.crossing_margin, parameters.crossing_margin_least);
+  return std::lerp(parameters.crossing_margin, least, worn) *
+         (profile != nullptr ? profile->caution : 1.0);
+}
+
 CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s) {
   const StreetCrossing& crossing = *crowd.crossing(i);
   const Street& street = crowd.zone.streets[crossing.street];
   const Parameters& parameters = crowd.zone.parameters;
-  const Profile* profile = crowd.walkers[i].profile;
   CrossingWalk walk;
   walk.s = s;
   walk.from = street.place(crowd.position(i)).t;
@@ -169,10 +177,7 @@ CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s) {
   walk.radius = crowd.persons.radius[i];
   walk.speed = crowd.persons.preferred_speed[i];
   walk.start_up = parameters.crossing_start_up;
-  const double worn = std::min(1.0, crossing.waited / parameters.crossing_margin_time);
-  const double least = std::min(parameters.crossing_margin, parameters.crossing_margin_least);
-  walk.margin = std::lerp(parameters.crossing_margin, least, worn) *
-                (profile != nullptr ? profile->caution : 1.0);
+  walk.margin = crossing_margin(crowd, i, crossing.waited);
   walk.insists = crossing.waited >= parameters.crossing_insists;
   return walk;
 }

@@ -47,6 +47,9 @@ void move_along_kerb(const CrowdState& crowd, std::size_t i,
 /// them at present.
 CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s);
 
+/// [s] that row i leaves before a vehicle comes, when it has waited for so long [s].
+double crossing_margin(const CrowdState& crowd, std::size_t i, double waited);
+
 /// [m] of the kerb where row i waits, and of the ground where it gets to.
 Vec2 kerb_before(const CrowdState& crowd, std::size_t i, double s);
 Vec2 kerb_beyond(const CrowdState& crowd, std::size_t i, double s);

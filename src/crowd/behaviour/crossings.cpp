@@ -15,16 +15,16 @@
 namespace pedzone {
 namespace {
 
-constexpr double kKerbReach = 3.0;     // [m] assumed: who walks farther from the kerb does not look
-constexpr double kAway = 1.5;          // [m] assumed: who was pushed so far goes back to the kerb
-constexpr double kSaves = 10.0;        // [m] assumed: for less nobody leaves its way to a junction
-constexpr double kFastest = 1.5;       // assumed: of its speed, for a few steps
-constexpr double kBraking = 4.0;       // [s] assumed: in which a walker comes to stand. Drivers
-                                       // expect people to walk on for 1 s
-constexpr double kAside = 0.25;        // [m] numerical: between lines that are tried
-constexpr double kFarAside = 15.0;     // [m] assumed: nobody walks farther along standing vehicles
-constexpr double kStraighter = 2.0;    // [m] assumed: so much more it drifts to walk straight
-constexpr double kOnGround = 0.05;     // [m] numerical: beyond the kerb
+constexpr double kKerbReach = 3.0;   // [m] assumed: who walks farther from the kerb does not look
+constexpr double kAway = 1.5;        // [m] assumed: who was pushed so far goes back to the kerb
+constexpr double kSaves = 10.0;      // [m] assumed: for less nobody leaves its way to a junction
+constexpr double kFastest = 1.5;     // assumed: of its speed, for a few steps
+constexpr double kBraking = 4.0;     // [s] assumed: in which a walker comes to stand. Drivers
+                                     // expect people to walk on for 1 s
+constexpr double kAside = 0.25;      // [m] numerical: between lines that are tried
+constexpr double kFarAside = 15.0;   // [m] assumed: nobody walks farther along standing vehicles
+constexpr double kStraighter = 2.0;  // [m] assumed: so much more it drifts to walk straight
+constexpr double kOnGround = 0.05;   // [m] numerical: beyond the kerb
 constexpr double kGroupPatience = 30.0;  // [s] assumed: so long a group waits for a common gap
 constexpr double kTogether = 6.0;        // [m] assumed: who is nearer crosses with its group
 constexpr double kPeering = 0.3;         // [m/s] assumed: of who comes out from behind a parked car
@@ -88,8 +88,8 @@ Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
   choice.walk = walk_across(crowd, i, place.s);
   choice.walk.speed = std::min(choice.walk.speed, slowest);
   if (crowd.persons.preferred_speed[i] * 0.5 < crowd.velocity(i).norm()) choice.walk.start_up = 0.0;
-  choice.view = look_at_gap(crowd.street_traffic[crossing.street], crowd.vehicles, choice.walk,
-                            [&](std::uint32_t v) { return lookout.sees(i, v); });
+  choice.view = look_at_gap(crowd.street_traffic[crossing.street].vehicles, crowd.vehicles,
+                            choice.walk, [&](std::uint32_t v) { return lookout.sees(i, v); });
   const bool waits_elsewhere = crossing.phase == CrossingPhase::kByNodes && !choice.looked;
   choice.ready = !waits_elsewhere && !choice.view.barred && (choice.view.enough || !choice.looked);
   return choice;
@@ -122,7 +122,8 @@ void step_out(const CrowdState& crowd, std::size_t i, const Choice& choice, Ways
 
 bool is_barred(const CrowdState& crowd, std::size_t i, const CrossingWalk& walk) {
   const StreetTraffic& traffic = crowd.street_traffic[crowd.crossing(i)->street];
-  return look_at_gap(traffic, crowd.vehicles, walk, [](std::uint32_t) { return true; }).barred;
+  return look_at_gap(traffic.vehicles, crowd.vehicles, walk, [](std::uint32_t) { return true; })
+      .barred;
 }
 
 /// Whether the line straight across at s is.
@@ -245,8 +246,8 @@ void go_over(const CrowdState& crowd, std::size_t i, const Lookout& lookout, dou
 /// The slowest speed of each walker's group [m/s]; its own, of who is alone.
 std::vector<double> slowest_speeds(const CrowdState& crowd) {
   const std::vector<double>& own = crowd.persons.preferred_speed;
-  std::vector<double> speeds(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(
-                                                            crowd.persons.walking));
+  std::vector<double> speeds(own.begin(),
+                             own.begin() + static_cast<std::ptrdiff_t>(crowd.persons.walking));
   for_each_group(crowd.members, [&](std::span<const GroupMember> group) {
     const auto speed_of = [&](const GroupMember& member) { return own[member.row]; };
     const double slowest = std::ranges::min(group | std::views::transform(speed_of));
@@ -324,8 +325,8 @@ void propose_crossings(const CrowdState& crowd, Proposals& proposals) {
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     if (!crowd.is_over(i)) continue;
     const Vec2 here = crowd.position(i);
-    proposals.propose(i, towards(heading_point(crowd.walkers[i].route, here) - here,
-                                 Behaviour::kCrossing));
+    proposals.propose(
+        i, towards(heading_point(crowd.walkers[i].route, here) - here, Behaviour::kCrossing));
   }
 }
 

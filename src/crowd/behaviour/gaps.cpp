@@ -8,15 +8,15 @@
 namespace pedzone {
 namespace {
 
-constexpr double kBeside = 0.3;       // [m] assumed: nobody lets a car pass nearer
-constexpr double kAlong = 0.5;        // [m] assumed: and none stop nearer to the line
-constexpr double kPast = 0.1;         // [m] assumed: gap to one that is parked
-constexpr double kTouch = 0.1;        // [m] assumed: nobody stands nearer to where a car drives
-constexpr double kAfter = 0.2;        // [s] assumed: after it has passed
-constexpr double kOnTheWay = 0.3;     // [s] assumed: margin of who has stepped before vehicles
-constexpr double kReaction = 1.5;     // [s] assumed: of a driver who sees somebody step out
-constexpr double kPrepared = 0.7;     // [s] assumed: ... whom it has seen stand on the carriageway
-constexpr double kComfort = 2.5;      // [m/s²] assumed: that it brakes with
+constexpr double kBeside = 0.3;    // [m] assumed: nobody lets a car pass nearer
+constexpr double kAlong = 0.5;     // [m] assumed: and none stop nearer to the line
+constexpr double kPast = 0.1;      // [m] assumed: gap to one that is parked
+constexpr double kTouch = 0.1;     // [m] assumed: nobody stands nearer to where a car drives
+constexpr double kAfter = 0.2;     // [s] assumed: after it has passed
+constexpr double kOnTheWay = 0.3;  // [s] assumed: margin of who has stepped before vehicles
+constexpr double kReaction = 1.5;  // [s] assumed: of a driver who sees somebody step out
+constexpr double kPrepared = 0.7;  // [s] assumed: ... whom it has seen stand on the carriageway
+constexpr double kComfort = 2.5;   // [m/s²] assumed: that it brakes with
 constexpr double kLongestWait = 3600.0;  // [s] numerical: an hour is for ever
 
 /// When the body is within the width that a vehicle covers, at most.
@@ -46,8 +46,8 @@ Ahead ahead_of_standing(const CrossingWalk& walk, const StreetVehicle& vehicle) 
     const double share = across != 0.0 ? std::clamp((t - walk.from) / across, 0.0, 1.0) : 0.0;
     return vehicle.distance_to(walk.s + share * walk.drift);
   };
-  const auto [near, far] = std::minmax({line_at(vehicle.low - walk.radius),
-                                        line_at(vehicle.high + walk.radius)});
+  const auto [near, far] =
+      std::minmax({line_at(vehicle.low - walk.radius), line_at(vehicle.high + walk.radius)});
   return {near - reach, far + vehicle.length + reach};
 }
 
@@ -84,11 +84,11 @@ bool can_stop(const StreetVehicle& vehicle, double distance, double reaction) {
 
 }  // namespace
 
-GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState>& vehicles,
+GapView look_at_gap(std::span<const StreetVehicle> traffic, std::span<const VehicleState> vehicles,
                     const CrossingWalk& walk,
                     const std::function<bool(std::uint32_t vehicle)>& sees) {
   GapView view;
-  for (const StreetVehicle& vehicle : traffic.vehicles) {
+  for (const StreetVehicle& vehicle : traffic) {
     const auto [distance, rear] = ahead(walk, vehicle);
     if (rear < 0.0) continue;  // it has passed
     const Inside person = inside(walk, vehicle);

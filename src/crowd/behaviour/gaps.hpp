@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "crowd/sense/street_traffic.hpp"
 
@@ -11,29 +12,29 @@ namespace pedzone {
 
 /// A walk straight across a street, at s.
 struct CrossingWalk {
-  double s = 0.0;           ///< [m]
-  double drift = 0.0;       ///< [m] s on the other side less s
-  double from = 0.0;        ///< [m] t where the body is
-  double to = 0.0;          ///< [m] t where the ground on the other side begins, or of a refuge
-  double radius = 0.24;     ///< [m] of the body
-  double speed = 1.34;      ///< [m/s] > 0
-  double start_up = 0.0;    ///< [s] until it walks
-  double margin = 0.0;      ///< [s] left before a vehicle comes
-  bool insists = false;     ///< steps out before vehicles that can stop in comfort
+  double s = 0.0;         ///< [m]
+  double drift = 0.0;     ///< [m] s on the other side less s
+  double from = 0.0;      ///< [m] t where the body is
+  double to = 0.0;        ///< [m] t where the ground on the other side begins, or of a refuge
+  double radius = 0.24;   ///< [m] of the body
+  double speed = 1.34;    ///< [m/s] > 0
+  double start_up = 0.0;  ///< [s] until it walks
+  double margin = 0.0;    ///< [s] left before a vehicle comes
+  bool insists = false;   ///< steps out before vehicles that can stop in comfort
 };
 
 /// What vehicles mean for a walk across.
 struct GapView {
   bool enough = true;
-  bool barred = false;      ///< by a vehicle that stands on the line
+  bool barred = false;                                    ///< by a vehicle that stands on the line
   double next = std::numeric_limits<double>::infinity();  ///< [s] until the next one that counts
-  std::uint64_t vehicle = 0;  ///< its key; 0: none
+  std::uint64_t vehicle = 0;                              ///< its key; 0: none
 };
 
 /// Near and far lanes each by their own time: a person has to have left the width that a vehicle
 /// covers `margin` before it comes, or enters that after it has passed ("rolling gap"). Vehicles
 /// that `sees` says no to do not count.
-GapView look_at_gap(const StreetTraffic& traffic, const std::vector<VehicleState>& vehicles,
+GapView look_at_gap(std::span<const StreetVehicle> traffic, std::span<const VehicleState> vehicles,
                     const CrossingWalk& walk,
                     const std::function<bool(std::uint32_t vehicle)>& sees);
 

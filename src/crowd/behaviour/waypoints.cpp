@@ -203,7 +203,8 @@ void follow_waypoints(const CrowdState& crowd, double dt, std::uint64_t substeps
           leave_waypoint(crowd, i, ways);
         } else if (to_kerb && reaches(walker.route, persons.radius[i], from, to)) {
           come_to_kerb(ways.crossing(i));
-        } else if (!to_kerb && path == nullptr && reaches(walker.route, persons.radius[i], from, to)) {
+        } else if (!to_kerb && path == nullptr &&
+                   reaches(walker.route, persons.radius[i], from, to)) {
           walker.arrived = true;
         } else {
           Follower(crowd, i, substeps, ways).follow(dt);

@@ -70,6 +70,12 @@ struct ChildMemory {
   bool holds_hand = false;  ///< of its adult
 };
 
+/// Of the crosswalk without priority that it comes to (kerbs.cpp).
+struct KerbMemory {
+  double waited = 0.0;                                    ///< [s] at the kerb
+  double room = std::numeric_limits<double>::infinity();  ///< [m] until it waits
+};
+
 /// The user's waypoints of a person. While it has them, its route leads to the current one.
 struct PathWalk {
   std::vector<Waypoint> waypoints;
@@ -101,8 +107,8 @@ struct StreetCrossing {
   bool turned_back = false;  ///< on the carriageway, in vain: goes by the junctions
   double hurry = 1.0;        ///< of its speed, while a vehicle comes
   double room = std::numeric_limits<double>::infinity();  ///< [m] to go before it lets one pass
-  std::uint64_t next = 0;    ///< key of the vehicle that comes next; 0: none, or not looked yet
-  double gap = 0.0;          ///< [s] until that came, when it became the next
+  std::uint64_t next = 0;       ///< key of the vehicle that comes next; 0: none, or not looked yet
+  double gap = 0.0;             ///< [s] until that came, when it became the next
   std::vector<float> rejected;  ///< [s] gaps that it has let pass
 };
 

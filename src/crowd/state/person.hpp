@@ -10,8 +10,8 @@
 #include "model/walking_model.hpp"
 #include "world/activities.hpp"
 #include "world/profiles.hpp"
+#include "zone/crosswalks.hpp"
 #include "zone/paths.hpp"
-#include "zone/zebras.hpp"
 
 namespace pedzone {
 
@@ -76,9 +76,9 @@ struct PersonView {
   bool makes_way;        ///< goes out of the room that a vehicle claims
   bool holds_hand;       ///< a child whom an adult leads by the hand
   bool crosses;          ///< a street, between the junctions
-  std::optional<Zebra> zebra;  ///< that it is on or about to enter, from where it comes
-  bool stays_outside;    ///< would rather go by SUMO's junctions (NewPerson::by_junctions)
-  double radius;         ///< [m] of the body as it holds its shoulders now
+  std::optional<Crosswalk> zebra;  ///< that it is on or about to enter, from where it comes
+  bool stays_outside;  ///< would rather go by SUMO's junctions (NewPerson::by_junctions)
+  double radius;       ///< [m] of the body as it holds its shoulders now
 };
 
 /// What a person is about to do, for pictures.
@@ -104,16 +104,16 @@ struct VehiclePush {
 /// Somebody who stepped out to cross a street between the junctions.
 struct CrossingBegun {
   PersonHandle handle = 0;
-  std::uint32_t street = 0;  ///< index in Zone::streets
-  double s = 0.0;            ///< [m] place along the street
+  std::uint32_t street = 0;      ///< index in Zone::streets
+  double s = 0.0;                ///< [m] place along the street
   Vec2 position = Vec2::Zero();  ///< [m]
-  double time = 0.0;         ///< [s] on the crowd's clock
-  double waited = 0.0;       ///< [s] at the kerb
-  double gap = 0.0;          ///< [s] until the next vehicle came; infinity: none was seen
-  double needed = 0.0;       ///< [s] critical gap
-  double width = 0.0;        ///< [m] of the carriageway
-  bool looked = true;        ///< false: stepped out without looking
-  std::vector<float> rejected;  ///< [s] gaps that it had let pass
+  double time = 0.0;             ///< [s] on the crowd's clock
+  double waited = 0.0;           ///< [s] at the kerb
+  double gap = 0.0;              ///< [s] until the next vehicle came; infinity: none was seen
+  double needed = 0.0;           ///< [s] critical gap
+  double width = 0.0;            ///< [m] of the carriageway
+  bool looked = true;            ///< false: stepped out without looking
+  std::vector<float> rejected;   ///< [s] gaps that it had let pass
 };
 
 /// Somebody who is stuck among people and squeezes through from now on.

@@ -139,6 +139,7 @@ struct CrowdState {
   ByHandle<PathMemory> paths;
   ByHandle<JamMemory> jams;
   ByHandle<CrossingMemory> crossings;  ///< empty where the zone has no streets to cross
+  ByHandle<KerbMemory> kerbs;          ///< empty where the zone has no crosswalks
   std::size_t grouped = 0;             ///< how many walkers have a group
 
   Clock clock;

@@ -16,30 +16,19 @@ struct Meeting {
   double across = 0.0;  ///< [m] along the crossing from its begin to the vehicle's way
 };
 
-/// Where the way leads over the crossing; nothing: it does not, or the front is on it already.
-std::optional<Meeting> meeting(const FleetVehicle& vehicle, const Zebra& zebra) {
-  const Vec2 line = zebra.end - zebra.begin;
-  const double length = line.norm();
-  double driven = -vehicle.traits.length;  // the way begins at the rear
-  for (std::size_t k = 1; k < vehicle.way.size(); ++k) {
-    const Vec2 piece = vehicle.way[k] - vehicle.way[k - 1];
-    const double turn = cross(piece, line);
-    const Vec2 between = zebra.begin - vehicle.way[k - 1];
-    const double share = turn == 0.0 ? -1.0 : cross(between, line) / turn;
-    const double across = turn == 0.0 ? -1.0 : cross(between, piece) / turn;
-    if (share >= 0.0 && share <= 1.0 && across >= 0.0 && across <= 1.0) {
-      const double way = driven + share * piece.norm() - 0.5 * zebra.width;
-      if (way < 0.0) return std::nullopt;
-      return Meeting{way, across * length};
-    }
-    driven += piece.norm();
-  }
-  return std::nullopt;
+/// Nothing: the way does not lead over it, or the front is on it already.
+std::optional<Meeting> meeting(const FleetVehicle& vehicle, const Crosswalk& zebra) {
+  const auto over = way_over(vehicle.way, zebra);
+  if (!over) return std::nullopt;
+  const double front = vehicle.traits.length;  // the way begins at the rear
+  const double way = over->way - front - 0.5 * zebra.width;
+  if (way < 0.0) return std::nullopt;
+  return Meeting{way, over->across};
 }
 
 /// Whether the person comes to the vehicle's way before the vehicle is over the crossing.
 bool comes_first(const FleetVehicle& vehicle, const PersonAhead& person, const Meeting& at) {
-  const Zebra& zebra = *person.zebra;
+  const Crosswalk& zebra = *person.zebra;
   const Vec2 along = (zebra.end - zebra.begin).normalized();
   const double left = at.across - (person.position - zebra.begin).dot(along);
   const double room = 0.5 * vehicle.traits.width + person.radius + kBeside;

@@ -48,9 +48,9 @@ struct VehicleSeen {
 
 /// The junction that a vehicle is in, or comes to first on its way.
 struct JunctionAhead {
-  int junction = -1;    ///< index into Network::junctions; -1: none
-  double begin = 0.0;   ///< [m] from the front to its stop line; ≤ 0: it is so far in the junction
-  double end = 0.0;     ///< [m] from the front to where its way leaves the junction
+  int junction = -1;   ///< index into Network::junctions; -1: none
+  double begin = 0.0;  ///< [m] from the front to its stop line; ≤ 0: it is so far in the junction
+  double end = 0.0;    ///< [m] from the front to where its way leaves the junction
   bool shared = false;  ///< another vehicle is in it or comes to it from elsewhere
 };
 

@@ -8,7 +8,7 @@
 
 #include "sumo/plan/vehicle.hpp"
 #include "world/parameters.hpp"
-#include "zone/zebras.hpp"
+#include "zone/crosswalks.hpp"
 
 namespace pedzone {
 
@@ -16,9 +16,9 @@ namespace pedzone {
 struct PersonAhead {
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
   double radius = 0.24;
-  std::optional<Zebra> zebra = {};  ///< that it is on or about to enter, from where it comes
-  double narrower = 0.0;            ///< [m] that the shoulders take off the radius as it holds them
-  int exit_lane = -1;               ///< from the end of which SUMO walks it on; -1: of none
+  std::optional<Crosswalk> zebra = {};  ///< that it is on or about to enter, from where it comes
+  double narrower = 0.0;  ///< [m] that the shoulders take off the radius as it holds them
+  int exit_lane = -1;     ///< from the end of which SUMO walks it on; -1: of none
 };
 
 /// [m] from its front, at most: whom a vehicle may have to mind.

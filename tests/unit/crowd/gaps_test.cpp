@@ -39,7 +39,7 @@ class Gaps : public ::testing::Test {
   }
 
   GapView look() const {
-    return look_at_gap(traffic_, vehicles_, walk_,
+    return look_at_gap(traffic_.vehicles, vehicles_, walk_,
                        [this](std::uint32_t v) { return v != unseen_; });
   }
 

@@ -22,11 +22,11 @@ FleetVehicle car(double speed) {
 
 /// Somebody on a crossing of 4 m at x = 30 m, from y = -1.75 to 5.25, who walks north.
 PersonAhead northward(double y) {
-  return {{30.0, y}, {0.0, 0.0}, 0.24, Zebra{{30.0, -1.75}, {30.0, 5.25}, 4.0}};
+  return {{30.0, y}, {0.0, 0.0}, 0.24, Crosswalk{{30.0, -1.75}, {30.0, 5.25}, 4.0}};
 }
 
 PersonAhead southward(double y) {
-  return {{30.0, y}, {0.0, 0.0}, 0.24, Zebra{{30.0, 5.25}, {30.0, -1.75}, 4.0}};
+  return {{30.0, y}, {0.0, 0.0}, 0.24, Crosswalk{{30.0, 5.25}, {30.0, -1.75}, 4.0}};
 }
 
 std::optional<double> way_to(const PersonAhead& person, double speed = 10.0) {

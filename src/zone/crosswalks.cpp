@@ -1,0 +1,86 @@
+#include "zone/crosswalks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "zone/links.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kBeside = 0.5;  // [m] assumed: who walks so far beside the crossing uses it, too
+constexpr double kMostReach = 3.0;  // [m] numerical
+constexpr double kAcross = 0.7;     // numerical: cosine; who heads more along the street does not
+
+/// [m] that somebody who goes from its begin to its end has gone; nothing: it does not.
+std::optional<double> gone_on(const Crosswalk& crosswalk, const Vec2& here, const Vec2& aim,
+                              double reach) {
+  const Vec2 line = crosswalk.end - crosswalk.begin, way = aim - here;
+  const Vec2 from = here - crosswalk.begin;
+  const double length = line.norm();
+  if (length <= 0.0) return std::nullopt;
+  const Vec2 along = line / length;
+  const double gone = from.dot(along);
+  if (gone <= -reach || gone >= length || gone + way.dot(along) <= 0.0) return std::nullopt;
+  if (std::abs(from.dot(left_of(along))) > 0.5 * crosswalk.width + kBeside) return std::nullopt;
+  if (way.dot(along) <= kAcross * way.norm()) return std::nullopt;
+  return gone;
+}
+
+}  // namespace
+
+std::vector<Crosswalk> find_crosswalks(const Network& network, std::span<const int> lanes) {
+  std::vector<Crosswalk> crosswalks;
+  for (const int index : lanes) {
+    const Lane& lane = network.lanes[index];
+    const Edge& edge = network.edges[lane.edge];
+    if (edge.function != EdgeFunction::kCrossing || edge.signalled) continue;
+    if (lane.shape.size() < 2 || !leads_over_carriageway(network, lane.edge)) continue;
+    crosswalks.push_back({lane.shape.front(), lane.shape.back(), lane.width, edge.priority});
+  }
+  return crosswalks;
+}
+
+Crosswalks::Crosswalks(std::vector<Crosswalk> all) : all_(std::move(all)) {
+  std::vector<Vec2> middles;
+  for (const Crosswalk& crosswalk : all_) {
+    middles.emplace_back(0.5 * (crosswalk.begin + crosswalk.end));
+    const double length = (crosswalk.end - crosswalk.begin).norm();
+    around_ = std::max(around_, 0.5 * (length + crosswalk.width) + kBeside + kMostReach);
+  }
+  middles_ = NearPoints(middles);
+}
+
+std::optional<CrosswalkAhead> Crosswalks::ahead(const Vec2& here, const Vec2& aim,
+                                                double reach) const {
+  for (const std::uint32_t k : middles_.within(here, around_)) {
+    const Crosswalk& there = all_[k];
+    const Crosswalk back{there.end, there.begin, there.width, there.priority};
+    for (const Crosswalk& crosswalk : {there, back}) {
+      const auto gone = gone_on(crosswalk, here, aim, reach);
+      if (gone) return CrosswalkAhead{k, crosswalk, *gone};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<WayOver> way_over(std::span<const Vec2> way, const Crosswalk& crosswalk) {
+  const Vec2 line = crosswalk.end - crosswalk.begin;
+  double driven = 0.0;
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    const Vec2 piece = way[k] - way[k - 1];
+    const double turn = cross(piece, line), length = piece.norm();
+    if (turn != 0.0) {
+      const Vec2 between = crosswalk.begin - way[k - 1];
+      const double share = cross(between, line) / turn, across = cross(between, piece) / turn;
+      if (share >= 0.0 && share <= 1.0 && across >= 0.0 && across <= 1.0) {
+        return WayOver{driven + share * length, across * line.norm(), piece / length};
+      }
+    }
+    driven += length;
+  }
+  return std::nullopt;
+}
+
+}  // namespace pedzone
