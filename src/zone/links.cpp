@@ -87,6 +87,30 @@ class JunctionWays {
   std::map<int, int> before_;
 };
 
+/// Whether it has a lane for vehicles only.
+bool has_carriageway(const Network& network, int edge) {
+  return std::ranges::any_of(network.edges[edge].lanes, [&](int index) {
+    return network.lanes[index].vehicles && !network.lanes[index].persons;
+  });
+}
+
+/// Junctions at which one street with a carriageway ends, and nothing else is. netconvert lays a
+/// walking area across its end, where vehicles appear and vanish. SUMO's people do not go round
+/// there, if there is another way.
+std::set<std::string> street_ends(const Network& network) {
+  std::map<std::string, std::set<std::string>> beyond;
+  std::set<std::string> with_carriageway;
+  for (int index = 0; index < static_cast<int>(network.edges.size()); ++index) {
+    const Edge& edge = network.edges[index];
+    if (edge.function != EdgeFunction::kNormal) continue;
+    beyond[edge.from].insert(edge.to);
+    beyond[edge.to].insert(edge.from);
+    if (has_carriageway(network, index)) with_carriageway.insert({edge.from, edge.to});
+  }
+  std::erase_if(with_carriageway, [&](const std::string& id) { return beyond.at(id).size() > 1; });
+  return with_carriageway;
+}
+
 std::vector<Link> links_on_foot(const Network& network, const std::vector<int>& edges) {
   const FootGraph graph(network, edges);
   // The shortest way of each pair of edges and junction.
@@ -107,9 +131,11 @@ std::vector<Link> links_on_foot(const Network& network, const std::vector<int>& 
       }
     }
   }
+  const std::set<std::string> ends = street_ends(network);
   std::vector<Link> links;
   for (const auto& [key, entry] : best) {
     const auto& [junction, from, to] = key;
+    if (ends.contains(junction)) continue;
     Link link{from, to, junction, {}};
     bool signalled = false;
     for (const int edge : entry.second) {
@@ -180,13 +206,6 @@ void add_vehicle_ways(const Network& network, const std::unordered_set<int>& zon
       via = follows == next.end() ? -1 : follows->second.first;
     }
   }
-}
-
-/// Whether it has a lane for vehicles only.
-bool has_carriageway(const Network& network, int edge) {
-  return std::ranges::any_of(network.edges[edge].lanes, [&](int index) {
-    return network.lanes[index].vehicles && !network.lanes[index].persons;
-  });
 }
 
 }  // namespace

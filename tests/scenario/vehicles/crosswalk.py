@@ -7,9 +7,10 @@ A street with two lanes each way, 80 m before a signal at which its vehicles que
 towards the signal, half as many back. N people an hour cross each way. The zone is the street up to
 the signal. All is read from SUMO's own outputs:
 - nobody is touched, no vehicle collides, is teleported or performs an emergency braking
-- everybody arrives, people on average no later than in plain SUMO, cars at most a tenth later
-With --model constant-velocity cars drive a fifth longer. With --cars 1800 they do so by two fifths,
-with every model: people who cross before standing cars hold up the queue when it drives off.
+- everybody arrives, people and cars on average at most a tenth later than in plain SUMO
+With --model constant-velocity cars brake in an emergency, and drive an eighth longer. With --cars 1800
+they drive two fifths longer with every model: people who cross before standing cars hold up the queue
+when it drives off.
 """
 import argparse
 import statistics
@@ -53,11 +54,12 @@ def make_scene(folder, seed, cars, people):
     drives = "".join(f'<flow id="{name}" {times} vehsPerHour="{number}" from="{begin}" to="{end}"'
                      ' departLane="random" departSpeed="max"/>'
                      for name, (begin, end, number) in flows.items())
-    # From 100 m before the crosswalk to 100 m and 200 m after it: shorter than by the street's end.
+    # Many begin nearer to the street's end, at the border of the network. SUMO's people do not go round
+    # there.
     walks = "".join(f'<personFlow id="{begin}" {times} perHour="{people}" departPos="{depart}">'
                     f'<walk from="{begin}" to="{end}" arrivalPos="{arrive}"/></personFlow>'
-                    for begin, end, depart, arrive in (("west-zebra", "zebra-west", 200, 100),
-                                                       ("zebra-west", "west-zebra", 50, 200)))
+                    for begin, end, depart, arrive in (("west-zebra", "zebra-west", "random", 100),
+                                                       ("zebra-west", "west-zebra", 200, 200)))
     (folder / "all.rou.xml").write_text(f"<routes>{drives}{walks}</routes>")
     (folder / "all.zone.xml").write_text(
         '<zones><zone id="street" edges="west-zebra zebra-west zebra-signal signal-zebra"/></zones>')
@@ -80,7 +82,7 @@ def compare(plain, ours, touched):
     print(f"  drives {drives[0]:.1f} -> {drives[1]:.1f} s, walks {walks[0]:.0f} -> {walks[1]:.0f} s")
     if not drives[1] <= LATER * drives[0]:
         wrong.append(f"cars drive {drives[1]:.0f} s instead of {drives[0]:.0f}")
-    if not walks[1] <= walks[0]:
+    if not walks[1] <= LATER * walks[0]:
         wrong.append(f"people walk {walks[1]:.0f} s instead of {walks[0]:.0f}")
     return wrong
 

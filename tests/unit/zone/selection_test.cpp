@@ -152,6 +152,23 @@ TEST(NarrowLane, streets_in_line_are_joined_where_the_junction_has_no_walking_ar
   EXPECT_FALSE(linked(zone, edge("west_street"), edge("alley")));
 }
 
+// netconvert lays a walking area across the end of a street, too.
+TEST(ShoppingStreet, people_pass_from_side_to_side_by_its_crossings_and_not_round_its_end) {
+  Network network = read_network(network_file("shopping-street/shopping-street.net.xml"));
+  ZoneSpec west;
+  west.edges = {"in_west", "out_west"};
+  const auto sides_linked = [&] {
+    const Zone zone = build_zones(network, {west}).front();
+    for (const std::string& lane : lane_ids(network, zone)) {
+      EXPECT_THAT(lane, Not(HasSubstr(":far_west")));
+    }
+    return linked(zone, network.edge_index.at("in_west"), network.edge_index.at("out_west"));
+  };
+  EXPECT_TRUE(sides_linked());
+  for (Edge& edge : network.edges) edge.signalled = edge.function == EdgeFunction::kCrossing;
+  EXPECT_FALSE(sides_linked());
+}
+
 TEST_F(Town, unknown_or_unusable_names_are_errors_that_say_what_is_allowed) {
   ZoneSpec spec;
   spec.id = "z";
