@@ -57,9 +57,11 @@ std::optional<CrosswalkAhead> Crosswalks::ahead(const Vec2& here, const Vec2& ai
   for (const std::uint32_t k : middles_.within(here, around_)) {
     const Crosswalk& there = all_[k];
     const Crosswalk back{there.end, there.begin, there.width, there.priority};
+    std::size_t kerb = std::size_t{2} * k;
     for (const Crosswalk& crosswalk : {there, back}) {
-      const auto gone = gone_on(crosswalk, here, aim, reach);
-      if (gone) return CrosswalkAhead{k, crosswalk, *gone};
+      const auto gone = gone_on(crosswalk, here, aim, std::min(reach, kMostReach));
+      if (gone) return CrosswalkAhead{kerb, crosswalk, *gone};
+      ++kerb;
     }
   }
   return std::nullopt;

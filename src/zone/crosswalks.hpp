@@ -24,9 +24,9 @@ std::vector<Crosswalk> find_crosswalks(const Network& network, std::span<const i
 
 /// A crosswalk that somebody is on, or comes to.
 struct CrosswalkAhead {
-  std::size_t index = 0;  ///< among all of the zone
-  Crosswalk crosswalk;    ///< it begins where that person comes from
-  double gone = 0.0;      ///< [m] from the kerb there; negative: has not come to it
+  std::size_t kerb = 0;  ///< where it comes from: the zone's kerbs are numbered, two a crosswalk
+  Crosswalk crosswalk;   ///< it begins there
+  double gone = 0.0;     ///< [m] from that kerb; negative: has not come to it
 };
 
 /// The crosswalks of a zone.
@@ -40,7 +40,7 @@ class Crosswalks {
   const Crosswalk& operator[](std::size_t index) const { return all_[index]; }
 
   /// The one that somebody at `here` [m] who heads for `aim` [m] is on, or comes to within `reach`
-  /// [m], 3 m at most: it looks across. Nothing: none.
+  /// [m] and 3 m: it looks across. Nothing: none.
   std::optional<CrosswalkAhead> ahead(const Vec2& here, const Vec2& aim, double reach) const;
 
  private:

@@ -157,28 +157,32 @@ Vec2 kerb_beyond(const CrowdState& crowd, std::size_t i, double s) {
   return beyond(crowd.zone.streets[crossing.street], s, crossing.side, crowd.persons.radius[i]);
 }
 
-double crossing_margin(const CrowdState& crowd, std::size_t i, double waited) {
+CrossingWalk walk_after(const CrowdState& crowd, std::size_t i, double waited) {
   const Parameters& parameters = crowd.zone.parameters;
   const Profile* profile = crowd.walkers[i].profile;
+  CrossingWalk walk;
+  walk.radius = crowd.persons.radius[i];
+  walk.speed = crowd.persons.preferred_speed[i];
+  walk.start_up = parameters.crossing_start_up;
   const double worn = std::min(1.0, waited / parameters.crossing_margin_time);
   const double least = std::min(parameters.crossing_margin, parameters.crossing_margin_least);
-  return std::lerp(parameters.crossing_margin, least, worn) *
-         (profile != nullptr ? profile->caution : 1.0);
+  walk.margin = std::lerp(parameters.crossing_margin, least, worn) *
+                (profile != nullptr ? profile->caution : 1.0);
+  walk.insists = waited >= parameters.crossing_insists;
+  return walk;
+}
+
+bool is_walking(const CrowdState& crowd, std::size_t i) {
+  return crowd.persons.preferred_speed[i] * 0.5 < crowd.velocity(i).norm();
 }
 
 CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s) {
   const StreetCrossing& crossing = *crowd.crossing(i);
   const Street& street = crowd.zone.streets[crossing.street];
-  const Parameters& parameters = crowd.zone.parameters;
-  CrossingWalk walk;
+  CrossingWalk walk = walk_after(crowd, i, crossing.waited);
   walk.s = s;
   walk.from = street.place(crowd.position(i)).t;
   walk.to = next_stop(street, walk.from, kerb_of(street.at(s), -crossing.side), crossing.side);
-  walk.radius = crowd.persons.radius[i];
-  walk.speed = crowd.persons.preferred_speed[i];
-  walk.start_up = parameters.crossing_start_up;
-  walk.margin = crossing_margin(crowd, i, crossing.waited);
-  walk.insists = crossing.waited >= parameters.crossing_insists;
   return walk;
 }
 

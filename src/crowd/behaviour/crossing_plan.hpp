@@ -47,8 +47,11 @@ void move_along_kerb(const CrowdState& crowd, std::size_t i,
 /// them at present.
 CrossingWalk walk_across(const CrowdState& crowd, std::size_t i, double s);
 
-/// [s] that row i leaves before a vehicle comes, when it has waited for so long [s].
-double crossing_margin(const CrowdState& crowd, std::size_t i, double waited);
+/// How row i walks over any carriageway when it has waited for so long [s]: where is left open.
+CrossingWalk walk_after(const CrowdState& crowd, std::size_t i, double waited);
+
+/// Whether row i walks already: it loses no time to start.
+bool is_walking(const CrowdState& crowd, std::size_t i);
 
 /// [m] of the kerb where row i waits, and of the ground where it gets to.
 Vec2 kerb_before(const CrowdState& crowd, std::size_t i, double s);

@@ -87,7 +87,7 @@ Choice consider(const CrowdState& crowd, std::size_t i, double slowest,
   choice.looked = looks(crowd, i);
   choice.walk = walk_across(crowd, i, place.s);
   choice.walk.speed = std::min(choice.walk.speed, slowest);
-  if (crowd.persons.preferred_speed[i] * 0.5 < crowd.velocity(i).norm()) choice.walk.start_up = 0.0;
+  if (is_walking(crowd, i)) choice.walk.start_up = 0.0;
   choice.view = look_at_gap(crowd.street_traffic[crossing.street].vehicles, crowd.vehicles,
                             choice.walk, [&](std::uint32_t v) { return lookout.sees(i, v); });
   const bool waits_elsewhere = crossing.phase == CrossingPhase::kByNodes && !choice.looked;
@@ -122,8 +122,7 @@ void step_out(const CrowdState& crowd, std::size_t i, const Choice& choice, Ways
 
 bool is_barred(const CrowdState& crowd, std::size_t i, const CrossingWalk& walk) {
   const StreetTraffic& traffic = crowd.street_traffic[crowd.crossing(i)->street];
-  return look_at_gap(traffic.vehicles, crowd.vehicles, walk, [](std::uint32_t) { return true; })
-      .barred;
+  return look_at_gap(traffic.vehicles, crowd.vehicles, walk).barred;
 }
 
 /// Whether the line straight across at s is.

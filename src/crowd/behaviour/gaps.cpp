@@ -96,7 +96,7 @@ GapView look_at_gap(std::span<const StreetVehicle> traffic, std::span<const Vehi
     const bool on_line = distance <= 0.0;
     const double arrives = time_to_drive(vehicle, distance);
     if (!on_line && !std::isfinite(arrives)) continue;  // stands before the line
-    if (!sees(vehicle.vehicle)) continue;
+    if (sees && !sees(vehicle.vehicle)) continue;
     const double passed = time_to_drive(vehicle, rear) + kAfter;
     if (on_line && !std::isfinite(passed)) {
       view.barred = true;

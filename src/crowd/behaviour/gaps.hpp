@@ -33,10 +33,10 @@ struct GapView {
 
 /// Near and far lanes each by their own time: a person has to have left the width that a vehicle
 /// covers `margin` before it comes, or enters that after it has passed ("rolling gap"). Vehicles
-/// that `sees` says no to do not count.
+/// that `sees` says no to do not count; without it all do.
 GapView look_at_gap(std::span<const StreetVehicle> traffic, std::span<const VehicleState> vehicles,
                     const CrossingWalk& walk,
-                    const std::function<bool(std::uint32_t vehicle)>& sees);
+                    const std::function<bool(std::uint32_t vehicle)>& sees = {});
 
 /// What who is on the carriageway does about vehicles that come.
 struct Passage {

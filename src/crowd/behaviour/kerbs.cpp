@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kAtHand = 2.0;    // [m] assumed: who waits at a kerb steps to and fro so far
 constexpr double kAsks = 1.5;      // [m] assumed: so near the kerb it is seen to want to cross
-constexpr double kFarthest = 3.0;  // [m] numerical: that is looked for
 constexpr double kBefore = 0.6;    // [m] assumed: it stands so far from the kerb
 constexpr double kStops = 1.0;     // [s] assumed: in which it comes to stand there
 constexpr double kAside = 0.5;     // [m] numerical: between lines that are tried
@@ -43,56 +42,31 @@ std::optional<CrosswalkAhead> kerb_ahead(const CrowdState& crowd, std::size_t i,
 CrossingWalk walk_over(const CrowdState& crowd, std::size_t i, const CrosswalkAhead& kerb,
                        double waited) {
   const Vec2 line = kerb.crosswalk.end - kerb.crosswalk.begin;
-  const Parameters& parameters = crowd.zone.parameters;
-  CrossingWalk walk;
+  CrossingWalk walk = walk_after(crowd, i, waited);
   walk.s = (crowd.position(i) - kerb.crosswalk.begin).dot(left_of(line.normalized()));
   walk.from = kerb.gone;
   walk.to = line.norm();
   walk.radius = crowd.persons.turned_radius[i];
-  walk.speed = crowd.persons.preferred_speed[i];
-  const bool walks = crowd.velocity(i).norm() > 0.5 * walk.speed;
-  walk.start_up = walks ? 0.0 : parameters.crossing_start_up;
-  walk.margin = crossing_margin(crowd, i, waited);
-  walk.insists = waited >= parameters.crossing_insists;
+  if (is_walking(crowd, i)) walk.start_up = 0.0;
   return walk;
 }
 
 /// Whether there is a gap, on its own line or, past vehicles that stand on that, on another one.
 bool is_free(const CrowdState& crowd, std::span<const StreetVehicle> traffic, CrossingWalk walk,
              double width) {
-  const auto sees = [](std::uint32_t) { return true; };
-  const GapView own = look_at_gap(traffic, crowd.vehicles, walk, sees);
+  const GapView own = look_at_gap(traffic, crowd.vehicles, walk);
   if (own.enough || !own.barred) return own.enough;
   const double side = 0.5 * width - walk.radius;
   for (walk.s = -side; walk.s <= side; walk.s += kAside) {
-    if (look_at_gap(traffic, crowd.vehicles, walk, sees).enough) return true;
+    if (look_at_gap(traffic, crowd.vehicles, walk).enough) return true;
   }
   return false;
 }
 
-/// Vehicles that come over crosswalks, each looked for once.
-class Traffic {
- public:
-  explicit Traffic(const CrowdState& crowd) : crowd_(crowd) {}
-
-  /// As seen by who comes to it.
-  std::span<const StreetVehicle> over(const CrosswalkAhead& kerb) {
-    const bool turned = kerb.crosswalk.begin != crowd_.zone.crosswalks[kerb.index].begin;
-    const auto [found, is_new] = known_.try_emplace(std::pair{kerb.index, turned});
-    if (is_new) found->second = coming_over(kerb.crosswalk, crowd_.vehicles);
-    return found->second;
-  }
-
- private:
-  const CrowdState& crowd_;
-  std::map<std::pair<std::size_t, bool>, std::vector<StreetVehicle>> known_;
-};
-
 }  // namespace
 
 bool comes_to_kerb(const CrowdState& crowd, std::size_t i, double way) {
-  const double reach = std::min(kAsks + way, kFarthest);
-  return !crowd.zone.crosswalks.empty() && kerb_ahead(crowd, i, reach).has_value();
+  return !crowd.zone.crosswalks.empty() && kerb_ahead(crowd, i, kAsks + way).has_value();
 }
 
 std::optional<Crosswalk> zebra_used(const CrowdState& crowd, std::size_t i) {
@@ -104,7 +78,7 @@ std::optional<Crosswalk> zebra_used(const CrowdState& crowd, std::size_t i) {
 
 void look_at_kerbs(const CrowdState& crowd, double dt, ByHandle<KerbMemory>& kerbs) {
   if (crowd.zone.crosswalks.empty() || !crowd.model->minds_vehicles()) return;
-  Traffic traffic(crowd);
+  std::map<std::size_t, std::vector<StreetVehicle>> traffic;  // by kerb, looked for once
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     KerbMemory& memory = kerbs[crowd.handle(i)];
     memory.room = std::numeric_limits<double>::infinity();
@@ -113,7 +87,9 @@ void look_at_kerbs(const CrowdState& crowd, double dt, ByHandle<KerbMemory>& ker
     if (!kerb || !crowd.traffic[crowd.handle(i)].aware) continue;
     if (memory.waited > kClosed) continue;
     const CrossingWalk walk = walk_over(crowd, i, *kerb, memory.waited);
-    if (is_free(crowd, traffic.over(*kerb), walk, kerb->crosswalk.width)) continue;
+    const auto [coming, is_new] = traffic.try_emplace(kerb->kerb);
+    if (is_new) coming->second = coming_over(kerb->crosswalk, crowd.vehicles);
+    if (is_free(crowd, coming->second, walk, kerb->crosswalk.width)) continue;
     memory.room = std::max(0.0, -kerb->gone - kBefore);
     if (crowd.velocity(i).norm() < kHaltingSpeed) memory.waited += dt;
   }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "crowd/sense/vehicle_motion.hpp"
+#include "crowd/sense/street_traffic.hpp"
 
 namespace pedzone {
 namespace {
@@ -39,15 +39,10 @@ std::vector<StreetVehicle> coming_over(const Crosswalk& crosswalk,
     const auto over = from_rear(crosswalk, vehicle);
     if (!over) continue;
     const double aside = over->direction.dot(left_of(along));
-    const double half = 0.5 * vehicle.width / std::max(std::abs(aside), kOblique);
-    StreetVehicle& seen = coming.emplace_back();
-    seen.vehicle = v;
-    seen.direction = aside < 0.0 ? -1 : 1;
-    seen.front = -seen.direction * (over->way - vehicle.length);
-    seen.length = vehicle.length;
-    seen.speed = vehicle.velocity.norm();
-    seen.low = over->across - half;
-    seen.high = over->across + half;
+    const double width = vehicle.width / std::max(std::abs(aside), kOblique);
+    const int direction = aside < 0.0 ? -1 : 1;
+    const double front = -direction * (over->way - vehicle.length);
+    coming.push_back(as_seen(vehicle, v, front, over->across, width, direction));
   }
   return coming;
 }

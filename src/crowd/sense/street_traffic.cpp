@@ -10,24 +10,11 @@
 namespace pedzone {
 namespace {
 
-constexpr double kUpstream = 150.0;   // [m] assumed: nobody looks farther beyond a street's ends
-constexpr double kAligned = 0.8;      // numerical: cosine; who drives more across turns off
-constexpr double kSlow = 5.0;         // [m/s] assumed: slower vehicles may be about to speed up ...
-constexpr double kPull = 1.0;         // [m/s²] assumed: ... by so much
-constexpr double kFlowTime = 120.0;   // [s] assumed: over which people know how busy a street is
-
-StreetVehicle as_seen(const VehicleState& vehicle, std::uint32_t index, double front, double t,
-                      int direction) {
-  StreetVehicle seen;
-  seen.vehicle = index;
-  seen.front = front;
-  seen.length = vehicle.length;
-  seen.speed = vehicle.velocity.norm();
-  seen.low = t - 0.5 * vehicle.width;
-  seen.high = t + 0.5 * vehicle.width;
-  seen.direction = direction;
-  return seen;
-}
+constexpr double kUpstream = 150.0;  // [m] assumed: nobody looks farther beyond a street's ends
+constexpr double kAligned = 0.8;     // numerical: cosine; who drives more across turns off
+constexpr double kSlow = 5.0;        // [m/s] assumed: slower vehicles may be about to speed up ...
+constexpr double kPull = 1.0;        // [m/s²] assumed: ... by so much
+constexpr double kFlowTime = 120.0;  // [s] assumed: over which people know how busy a street is
 
 /// On the carriageway or straight before it.
 std::optional<StreetVehicle> on_street(const Street& street, const VehicleState& vehicle,
@@ -40,7 +27,7 @@ std::optional<StreetVehicle> on_street(const Street& street, const VehicleState&
   if (place.t < here.low || place.t > here.high) return std::nullopt;
   const double along = heading.dot(place.direction);
   if (std::abs(along) < kAligned) return std::nullopt;
-  return as_seen(vehicle, index, place.s, place.t, along > 0.0 ? 1 : -1);
+  return as_seen(vehicle, index, place.s, place.t, vehicle.width, along > 0.0 ? 1 : -1);
 }
 
 /// One that will turn into it: as if it came straight.
@@ -57,7 +44,7 @@ std::optional<StreetVehicle> turning_in(const Street& street, const VehicleState
     if (std::abs(along) < kAligned) continue;
     const int direction = along > 0.0 ? 1 : -1;
     const double front = place.s - direction * (driven - vehicle.length);
-    return as_seen(vehicle, index, front, place.t, direction);
+    return as_seen(vehicle, index, front, place.t, vehicle.width, direction);
   }
   return std::nullopt;
 }
@@ -81,9 +68,21 @@ double time_to_drive(const StreetVehicle& vehicle, double distance) {
   return (std::sqrt(v * v + 2.0 * kPull * distance) - v) / kPull;
 }
 
-void observe_streets(const std::vector<Street>& streets,
-                     const std::vector<VehicleState>& vehicles, double dt,
-                     std::vector<StreetTraffic>& traffic) {
+StreetVehicle as_seen(const VehicleState& vehicle, std::uint32_t index, double front, double t,
+                      double width, int direction) {
+  StreetVehicle seen;
+  seen.vehicle = index;
+  seen.front = front;
+  seen.length = vehicle.length;
+  seen.speed = vehicle.velocity.norm();
+  seen.low = t - 0.5 * width;
+  seen.high = t + 0.5 * width;
+  seen.direction = direction;
+  return seen;
+}
+
+void observe_streets(const std::vector<Street>& streets, const std::vector<VehicleState>& vehicles,
+                     double dt, std::vector<StreetTraffic>& traffic) {
   traffic.resize(streets.size());
   for (std::size_t k = 0; k < streets.size(); ++k) {
     StreetTraffic& here = traffic[k];
