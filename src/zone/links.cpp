@@ -94,23 +94,6 @@ bool has_carriageway(const Network& network, int edge) {
   });
 }
 
-/// Junctions at which one street with a carriageway ends, and nothing else is. netconvert lays a
-/// walking area across its end, where vehicles appear and vanish. SUMO's people do not go round
-/// there, if there is another way.
-std::set<std::string> street_ends(const Network& network) {
-  std::map<std::string, std::set<std::string>> beyond;
-  std::set<std::string> with_carriageway;
-  for (int index = 0; index < static_cast<int>(network.edges.size()); ++index) {
-    const Edge& edge = network.edges[index];
-    if (edge.function != EdgeFunction::kNormal) continue;
-    beyond[edge.from].insert(edge.to);
-    beyond[edge.to].insert(edge.from);
-    if (has_carriageway(network, index)) with_carriageway.insert({edge.from, edge.to});
-  }
-  std::erase_if(with_carriageway, [&](const std::string& id) { return beyond.at(id).size() > 1; });
-  return with_carriageway;
-}
-
 std::vector<Link> links_on_foot(const Network& network, const std::vector<int>& edges) {
   const FootGraph graph(network, edges);
   // The shortest way of each pair of edges and junction.
@@ -215,6 +198,20 @@ bool leads_over_carriageway(const Network& network, int crossing) {
     const auto found = network.edge_index.find(id);
     return found != network.edge_index.end() && has_carriageway(network, found->second);
   });
+}
+
+std::set<std::string> street_ends(const Network& network) {
+  std::map<std::string, std::set<std::string>> beyond;
+  std::set<std::string> with_carriageway;
+  for (int index = 0; index < static_cast<int>(network.edges.size()); ++index) {
+    const Edge& edge = network.edges[index];
+    if (edge.function != EdgeFunction::kNormal) continue;
+    beyond[edge.from].insert(edge.to);
+    beyond[edge.to].insert(edge.from);
+    if (has_carriageway(network, index)) with_carriageway.insert({edge.from, edge.to});
+  }
+  std::erase_if(with_carriageway, [&](const std::string& id) { return beyond.at(id).size() > 1; });
+  return with_carriageway;
 }
 
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges) {

@@ -186,6 +186,22 @@ class KindsOfNetworks(ScenarioCase):
         # Whom pedzone walks is where its own output has it.
         self.assertTrue(all(math.isfinite(float(row["x"])) for row in self.walked()))
 
+    def test_street_that_ends(self):
+        """Whom SUMO walks across the street's end does not go back to the crossing instead."""
+        pairs = ("bc", "B", "C"), ("cb", "C", "B"), ("cd", "C", "D"), ("dc", "D", "C")
+        edges = "".join(f'<edge id="{name}" from="{a}" to="{b}" numLanes="1" speed="13.89"'
+                        ' sidewalkWidth="2"/>' for name, a, b in pairs)
+        (self.folder / "tiny.con.xml").write_text(
+            '<connections><crossing node="C" edges="cd dc" priority="false"/></connections>')
+        walks = {"end": ("dc cd", 2, 50), "crossing": ("dc cd", 55, 5), "ahead": ("bc cd", 20, 30)}
+        routes = "".join(f'<person id="{name}" depart="0"><walk edges="{way}" departPos="{begin}"'
+                         f' arrivalPos="{end}"/></person>'
+                         for name, (way, begin, end) in walks.items())
+        self.scenario(edges=f"<edges>{edges}</edges>", netconvert=("-x", "tiny.con.xml"),
+                      routes=f"<routes>{routes}</routes>")
+        self.tiny.write("a.zone.xml", '<zones><zone id="a" edges="bc cb cd dc"/></zones>')
+        self.check_as_in_sumo("--zone", "a.zone.xml")
+
     def test_opposite_driving(self):
         """A slow vehicle is overtaken in the opposite lane."""
         both = EDGES.replace("</edges>", """

@@ -33,6 +33,10 @@ class PersonCalls final : public SumoPersons {
 
   std::string edge(const std::string& id) const override { return api::Person::getRoadID(id); }
 
+  std::string next_edge(const std::string& id) const override {
+    return api::Person::getNextEdge(id);
+  }
+
   std::string lane(const std::string& id) const override { return api::Person::getLaneID(id); }
 
   std::string vehicle(const std::string& id) const override { return api::Person::getVehicle(id); }

@@ -26,7 +26,9 @@ class SumoPersons {
   virtual double speed(const std::string& id) const = 0;    ///< [m/s]
   virtual double heading(const std::string& id) const = 0;  ///< [rad]
   virtual BodySize size(const std::string& id) const = 0;
-  virtual std::string edge(const std::string& id) const = 0;     ///< in a junction an inner one
+  virtual std::string edge(const std::string& id) const = 0;  ///< in a junction an inner one
+  /// That SUMO walks it to next, inside junctions, too; empty: none.
+  virtual std::string next_edge(const std::string& id) const = 0;
   virtual std::string lane(const std::string& id) const = 0;     ///< that SUMO has it on
   virtual std::string vehicle(const std::string& id) const = 0;  ///< it rides in; empty: none
   virtual int stages_left(const std::string& id) const = 0;

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -100,6 +101,7 @@ class Takeover {
   void give_back(const Guest& guest, const ReleasePlan& plan);
   void put_back(const Bystander& person, const std::string& edge);
   void take_new(double time, const Fleet& fleet);
+  bool is_about_to_round_end(int edge, const WalkerSeen& walker) const;
   bool consider(const std::string& id, const std::string& edge, int stages_left,
                 const Vec2* known_position, const Fleet& fleet);
   bool consider_entry(const std::string& id, const std::string& edge, const Vec2* known_position,
@@ -116,10 +118,11 @@ class Takeover {
   const Profiles& profiles_;
   const std::vector<WaypointPath>& paths_;
   SumoPersons& sumo_;
-  double striping_share_;          ///< of top speed, see takeover_plan.hpp
-  std::vector<int> zone_of_edge_;  ///< -1: SUMO's
-  std::vector<bool> entries_;      ///< of edges: people come from there to a zone
-  double dt_ = 0.0;                ///< [s] of the last step
+  double striping_share_;              ///< of top speed, see takeover_plan.hpp
+  std::vector<int> zone_of_edge_;      ///< -1: SUMO's
+  std::vector<bool> entries_;          ///< of edges: people come from there to a zone
+  std::set<std::string> street_ends_;  ///< junctions
+  double dt_ = 0.0;                    ///< [s] of the last step
   Bystanders bystanders_;
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;

@@ -54,8 +54,7 @@ def make_scene(folder, seed, cars, people):
     drives = "".join(f'<flow id="{name}" {times} vehsPerHour="{number}" from="{begin}" to="{end}"'
                      ' departLane="random" departSpeed="max"/>'
                      for name, (begin, end, number) in flows.items())
-    # Many begin nearer to the street's end, at the border of the network. SUMO's people do not go
-    # round there.
+    # Some begin nearer to the street's end, at the border of the network: SUMO walks them across it.
     walks = "".join(f'<personFlow id="{begin}" {times} perHour="{people}" departPos="{depart}">'
                     f'<walk from="{begin}" to="{end}" arrivalPos="{arrive}"/></personFlow>'
                     for begin, end, depart, arrive in (("west-middle", "middle-west", "random", 100),

@@ -10,7 +10,7 @@ from SUMO's own messages and outputs:
 - no vehicle collides with another, and none is teleported that plain SUMO does not teleport
 - everybody arrives, and nobody walks longer than 3 times plain SUMO's time + 20 s
 In one run of twelve something of this may be wrong. Of 120 runs in steps of 1 s (seeds 1 to 60, with
-footways and without) one is: somebody walks late. Of 30 in steps of 0.1 s (one lane) none is.
+footways and without) one is: two cars meet. Of 30 in steps of 0.1 s (one lane) none is.
 Contacts of people whom pedzone walks are told, at insertions and others: the latter are tails that
 swing over people where a vehicle turns round, by some centimetres.
 """
