@@ -334,7 +334,8 @@ void Takeover::people(std::vector<PersonAhead>& out) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     const bool leaves = guest.stretch.release == Release::kLeave && guest.stretch.forward;
     out.push_back({view.position, view.velocity, guest.radius, view.zebra,
-                   std::max(0.0, guest.radius - view.radius), leaves ? guest.stretch.lane : -1});
+                   std::max(0.0, guest.radius - view.radius), leaves ? guest.stretch.lane : -1,
+                   view.crosses});
   }
   for (const Bystander& person : bystanders_.all()) {
     if (person.external && person.near) {

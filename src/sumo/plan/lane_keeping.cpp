@@ -6,7 +6,8 @@
 namespace pedzone {
 namespace {
 
-constexpr double kAside = 10.0;  // [m] numerical: more than two lanes are wide
+constexpr double kAside = 10.0;    // [m] numerical: more than two lanes are wide
+constexpr double kStepsOut = 1.3;  // [m/s] assumed: of who stands between lanes
 
 /// Whether its body would touch anybody on the way in this step, or before it can stop.
 bool is_barred(const FleetVehicle& vehicle, Polyline way, std::span<const PersonAhead> people,
@@ -36,8 +37,10 @@ bool LaneKeeping::is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehi
   const auto is_near = [&](const PersonAhead& person) {
     return (person.position - vehicle.front).squaredNorm() < reach * reach;
   };
-  const auto people = all.at(vehicle.front, reach + kAside);
+  std::vector<PersonAhead> people = all.at(vehicle.front, reach + kAside);
   if (std::ranges::none_of(people, is_near)) return false;
+  // They let those pass that drive on their lanes, and step out behind them.
+  for (PersonAhead& person : people) person.radius += person.crosses ? kStepsOut * dt : 0.0;
   const double margin = zones_[vehicle.zone].parameters.yield_margin;
   std::vector<Polyline> ways = fleet.ways_beside(vehicle, soon, distance);
   return std::ranges::any_of(ways, [&](Polyline& way) {

@@ -20,8 +20,8 @@ class LaneKeeping {
 
   /// Before SUMO's next step of `dt` [s]: a vehicle that gives way to people is told to keep its
   /// lane as long as somebody is on a lane beside it where its body would be, or nearer ahead than
-  /// it could stop for as it likes to brake. After that, and once it is not in the fleet any more,
-  /// it may change lanes as before.
+  /// it could stop for as it likes to brake; or could be there within the step, of who crosses a
+  /// street. After that, and once it is not in the fleet any more, it may change lanes as before.
   std::vector<SpeedOrder> plan(const Fleet& fleet, const PeopleNear& people, double dt);
 
  private:

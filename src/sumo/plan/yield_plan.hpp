@@ -19,6 +19,7 @@ struct PersonAhead {
   std::optional<Crosswalk> zebra = {};  ///< that it is on or about to enter, from where it comes
   double narrower = 0.0;  ///< [m] that the shoulders take off the radius as it holds them
   int exit_lane = -1;     ///< from the end of which SUMO walks it on; -1: of none
+  bool crosses = false;   ///< a street, between the junctions
 };
 
 /// [m] from its front, at most: whom a vehicle may have to mind.

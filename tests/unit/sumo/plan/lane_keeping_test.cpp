@@ -64,6 +64,15 @@ TEST_F(LaneKeepingTest, does_not_for_people_whom_it_would_not_be_put_onto) {
   EXPECT_THAT(step({seen}, {at(69.5, 0)}), ElementsAre(keeps_));
 }
 
+TEST_F(LaneKeepingTest, keeps_its_lane_beside_people_who_cross_and_wait_between_the_lanes) {
+  const VehicleSeen seen = car(left_, {60, 4}, 5.0);
+  PersonAhead waits = at(62, 2.0);  // 0.86 m from where its body would be
+  EXPECT_THAT(step({seen}, {waits}), IsEmpty());
+  waits.crosses = true;
+  EXPECT_THAT(step({seen}, {waits}, 0.1), IsEmpty()) << "it steps out no farther in 0.1 s";
+  EXPECT_THAT(step({seen}, {waits}), ElementsAre(keeps_));
+}
+
 TEST_F(LaneKeepingTest, keeps_its_lane_beside_people_at_its_side_even_while_it_stands) {
   const VehicleSeen seen = car(left_, {60, 4}, 0.0);
   EXPECT_THAT(step({seen}, {at(56.5, 0)}), ElementsAre(keeps_)) << "where its rear would be";
