@@ -175,8 +175,11 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id, int s
   past.refused_stages = stages_left;
   auto walker = sumo_.walker(id);
   if (!walker) return true;
-  if (known_position != nullptr) walker->position = *known_position;
-  if (known_position == nullptr && is_about_to_round_end(edge, *walker)) return true;
+  if (known_position != nullptr) {
+    walker->position = *known_position;
+  } else if (is_about_to_round_end(edge, *walker)) {
+    return true;
+  }
   const auto plan =
       plan_takeover(network_, zones_[zone], edge, *walker, known_position != nullptr, fleet, past);
   if (!plan || !add_guest(*walker, zone, *plan, fleet)) return true;
