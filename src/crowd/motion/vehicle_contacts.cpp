@@ -14,15 +14,17 @@
 namespace pedzone {
 namespace {
 
-constexpr double kGap = 0.05;       // [m] assumed: nobody lets a vehicle touch the clothes
-constexpr double kGapTime = 0.04;   // [s] numerical: more room before and behind a moving vehicle:
-                                    // where it gets to is predicted (SUMO may brake it)
-constexpr double kGapTurn = 0.25;   // [s] numerical: the same for its corners when it turns ...
-constexpr double kGapOnWay = 0.15;  // [s] ... and when its way is known
-constexpr double kNoGap = 1e-3;     // [m] numerical: what counts as not touching
-constexpr double kSlack = 0.2;      // [m] numerical: contacts of bodies move people farther than
-                                    // they meant to
-constexpr double kContact = 0.01;   // [m] numerical: bodies that overlap by less do not touch
+constexpr double kGap = 0.05;      // [m] assumed: nobody lets a vehicle touch the clothes
+constexpr double kGapTime = 0.04;  // [s] numerical: more room before and behind a moving vehicle:
+                                   // where it gets to is predicted (SUMO may brake it)
+constexpr double kGapTurn = 0.25;  // [s] numerical: the same for its corners when it turns and
+                                   // nobody knows its way
+constexpr double kSwing = 0.2;     // [m] numerical: that its rear swings from one place to the next
+constexpr double kLeastApart = 0.2;  // [m] numerical: of these places
+constexpr double kNoGap = 1e-3;      // [m] numerical: what counts as not touching
+constexpr double kSlack = 0.2;       // [m] numerical: contacts of bodies move people farther than
+                                     // they meant to
+constexpr double kContact = 0.01;    // [m] numerical: bodies that overlap by less do not touch
 
 /// Where a body at `local` could go to have `reach` to the rectangle, the nearest first: straight
 /// away from it where it is outside, and out at each of the four sides.
@@ -40,11 +42,11 @@ std::array<Vec2, 5> exits(const Rectangle& frame, const Vec2& local, double reac
   return places;
 }
 
-/// Room [m] that bodies keep to a vehicle's sides: more when it turns, since where its corners get
-/// to is then less certain (SUMO turns it about its front, and by other angles in each step).
+/// Room [m] that bodies keep to a vehicle's sides: more when it turns on a way that is not known,
+/// since where its corners get to is then less certain. On a known way only how far it gets is.
 double gap_to(const VehicleState& vehicle) {
-  const double turn = vehicle.forwards ? kGapOnWay : kGapTurn;
-  return kGap + turn * 0.5 * vehicle.length * std::abs(vehicle.yaw_rate);
+  if (vehicle.forwards) return kGap;
+  return kGap + kGapTurn * 0.5 * vehicle.length * std::abs(vehicle.yaw_rate);
 }
 
 /// Where the vehicle may be, by its speed. Not to its sides: a car that passes a footway at 50 km/h
@@ -196,6 +198,13 @@ double keep_from(const CrowdState& crowd, const Rectangle& body, std::uint32_t p
              moves);
 }
 
+/// [m] of its way from one place to the next, so that nobody fits between what they cover.
+double apart_of_places(const VehicleState& vehicle) {
+  const double swing = std::abs(vehicle.yaw_rate) * vehicle.length;  // [m/s]
+  const double apart = vehicle.velocity.norm() * kSwing / std::max(swing, kNoGap);
+  return std::clamp(apart, kLeastApart, vehicle.length);
+}
+
 /// A vehicle took its speed for the step before people walk, and SUMO may brake it or let it drive
 /// off. Nobody walks to where it may get until the step ends, nor to where it may still be. Returns
 /// how far [m] the person is held back, at most `longest`.
@@ -207,16 +216,19 @@ double hold_back(const CrowdState& crowd, std::uint32_t person, const VehicleSta
   const auto keep = [&](const Rectangle& body, double reach) {
     way += keep_from(crowd, body, person, reach, std::max(0.0, longest - way), moves);
   };
-  if (later.lag > kNoGap) keep(body_shifted(later, -later.lag), straight);
-  for (double ahead = later.lead; ahead > kNoGap; ahead -= later.length) {
+  const double apart = apart_of_places(later);
+  for (double behind = later.lag; behind > kNoGap; behind -= apart) {
+    keep(body_shifted(later, -behind), straight);
+  }
+  for (double ahead = later.lead; ahead > kNoGap; ahead -= apart) {
     keep(body_shifted(later, ahead), straight);
   }
   if (later.starts > kNoGap) {
-    for (const double share : {0.5, 1.0}) {
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
       keep(flanks_if_started(later, share * later.starts), beside);
+      // Who comes to its front is seen there, and the vehicle stays: a step later they may pass.
+      keep(body_if_started(later, share * later.starts), straight);
     }
-    // Who comes to its front is seen there, and the vehicle stays: a step later they may pass.
-    keep(body_if_started(later, later.starts), straight);
   }
   return way;
 }

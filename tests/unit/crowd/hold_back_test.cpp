@@ -36,6 +36,18 @@ TEST_F(HoldBack, from_where_a_vehicle_still_is_if_it_was_braked) {
   EXPECT_NEAR(walked_to(behind, vehicle), 9.5, 0.05);
 }
 
+TEST_F(HoldBack, from_all_places_on_a_bend_where_a_vehicle_may_still_be) {
+  // It turns left round (30, 10). Half-way its rear hangs over to y = 8.3 beside x = 27.
+  const Polyline way{{24.0, 10.0}, {30.0, 10.0}, {30.0, 40.0}};
+  VehicleState vehicle = vehicle_at({26.5, 10}, 0.0, 6.0);
+  vehicle.way = way;
+  vehicle.forwards = true;
+  vehicle.yaw_rate = kPi / 2.0;
+  EXPECT_NEAR(walked_to(27.0, vehicle, 6.8), 8.3, 0.05) << "as if it were sure to be gone";
+  vehicle.slower = 6.0;
+  EXPECT_LT(walked_to(27.0, vehicle, 6.8), 8.15);
+}
+
 TEST_F(HoldBack, from_where_a_vehicle_may_get_until_the_step_ends) {
   VehicleState vehicle = vehicle_at({30, 10}, 0.0, 1.0);
   const double ahead = 30.0 + kFront + 3.0;
@@ -63,6 +75,16 @@ TEST_F(HoldBack, from_the_flank_of_one_that_may_drive_off_on_a_bend) {
   EXPECT_GT(standing, 10.0 - kHalfWidth - kRadius - 0.06) << "close to one that stands";
   vehicle.starts = 2.0;
   EXPECT_LT(walked_to(beside, vehicle), standing - 0.05) << "it would cut the corner";
+}
+
+TEST_F(HoldBack, from_all_places_to_which_one_may_drive_off) {
+  // In the end it has turned away from who comes from the right.
+  const Polyline way{{24.0, 10.0}, {30.5, 10.0}, {30.5, 40.0}};
+  VehicleState vehicle = vehicle_at({26.5, 10}, 0.0, 0.0);
+  vehicle.way = way;
+  EXPECT_NEAR(walked_to(30.3, vehicle), 9.5, 0.05) << "it stands";
+  vehicle.starts = 3.5;
+  EXPECT_LT(walked_to(30.3, vehicle), 9.2);
 }
 
 TEST_F(HoldBack, from_before_one_that_may_drive_off) {
