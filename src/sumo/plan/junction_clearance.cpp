@@ -63,8 +63,7 @@ std::vector<const FleetVehicle*> in_junctions(std::span<const FleetVehicle> vehi
 }
 
 std::optional<Obstruction> first_in_junction(const FleetVehicle& vehicle,
-                                             std::span<const FleetVehicle* const> inside,
-                                             double dt) {
+                                             std::span<const FleetVehicle* const> inside) {
   const double braking = braking_distance(vehicle);
   const double near = braking + vehicle.speed + vehicle.traits.length;
   if (vehicle.junction.junction < 0 || vehicle.junction.begin > near) return std::nullopt;
@@ -81,11 +80,9 @@ std::optional<Obstruction> first_in_junction(const FleetVehicle& vehicle,
   auto first = first_in_way(vehicle, discs, 0.0, outside ? through : near);
   if (!first) return std::nullopt;
   first->distance = std::max(0.0, first->distance - kBetween);
-  // It comes in when it gets through, and else waits at the line, if it can stop there: SUMO's
-  // vehicles have their next speed for the whole of a step.
+  // It comes in when it gets through, and else waits at the line, if it can stop there.
   const double line = vehicle.junction.begin;
-  if (outside && line >= braking - 0.5 * vehicle.speed * dt)
-    first->distance = std::min(first->distance, line);
+  if (outside && line >= braking) first->distance = std::min(first->distance, line);
   return first;
 }
 

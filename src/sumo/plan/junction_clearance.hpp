@@ -22,9 +22,8 @@ std::vector<const FleetVehicle*> in_junctions(std::span<const FleetVehicle> vehi
 /// drives or that people hold: it waits at its line, if it can, since SUMO lets it come in and
 /// stand where the other is yet to pass. Of two that are both inside, the one waits that stands,
 /// else the one that has farther to go, for where the other gets to within 2 s: nobody for one that
-/// stands. `dt` [s]: of SUMO's steps.
+/// stands.
 std::optional<Obstruction> first_in_junction(const FleetVehicle& vehicle,
-                                             std::span<const FleetVehicle* const> inside,
-                                             double dt);
+                                             std::span<const FleetVehicle* const> inside);
 
 }  // namespace pedzone

@@ -49,7 +49,7 @@ void Yielding::keep_junctions_clear(std::span<FleetVehicle> vehicles, const Safe
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     FleetVehicle& vehicle = vehicles[i];
     if (!gives_way(vehicle) || (planned[i] && planned[i]->emergency)) continue;
-    const auto ahead = first_in_junction(vehicle, inside, dt);
+    const auto ahead = first_in_junction(vehicle, inside);
     if (!ahead) continue;
     const double safe = safe_speeds.before(vehicle, *ahead, ahead->distance);
     slow_to(safe, vehicle, dt, planned[i]);

@@ -12,7 +12,7 @@ from SUMO's own messages and outputs:
 - nobody whom pedzone walks is touched, but at a vehicle's insertion or, with turned shoulders, by one
   that stands
 In one run of twelve something of this may be wrong. Of 80 runs in steps of 1 s (seeds 1 to 40, with
-footways and without) one is: a tail touches somebody by 4 cm.
+footways and without) two are: two cars meet.
 """
 import argparse
 import json
