@@ -87,13 +87,6 @@ class JunctionWays {
   std::map<int, int> before_;
 };
 
-/// Whether it has a lane for vehicles only.
-bool has_carriageway(const Network& network, int edge) {
-  return std::ranges::any_of(network.edges[edge].lanes, [&](int index) {
-    return network.lanes[index].vehicles && !network.lanes[index].persons;
-  });
-}
-
 std::vector<Link> links_on_foot(const Network& network, const std::vector<int>& edges) {
   const FootGraph graph(network, edges);
   // The shortest way of each pair of edges and junction.
@@ -114,11 +107,10 @@ std::vector<Link> links_on_foot(const Network& network, const std::vector<int>& 
       }
     }
   }
-  const std::set<std::string> ends = street_ends(network);
   std::vector<Link> links;
   for (const auto& [key, entry] : best) {
     const auto& [junction, from, to] = key;
-    if (ends.contains(junction)) continue;
+    if (is_street_end(network, junction)) continue;
     Link link{from, to, junction, {}};
     bool signalled = false;
     for (const int edge : entry.second) {
@@ -198,20 +190,6 @@ bool leads_over_carriageway(const Network& network, int crossing) {
     const auto found = network.edge_index.find(id);
     return found != network.edge_index.end() && has_carriageway(network, found->second);
   });
-}
-
-std::set<std::string> street_ends(const Network& network) {
-  std::map<std::string, std::set<std::string>> beyond;
-  std::set<std::string> with_carriageway;
-  for (int index = 0; index < static_cast<int>(network.edges.size()); ++index) {
-    const Edge& edge = network.edges[index];
-    if (edge.function != EdgeFunction::kNormal) continue;
-    beyond[edge.from].insert(edge.to);
-    beyond[edge.to].insert(edge.from);
-    if (has_carriageway(network, index)) with_carriageway.insert({edge.from, edge.to});
-  }
-  std::erase_if(with_carriageway, [&](const std::string& id) { return beyond.at(id).size() > 1; });
-  return with_carriageway;
 }
 
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges) {

@@ -1,7 +1,6 @@
 // How zone edges hang together at junctions: where SUMO's persons pass from one to the other.
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,10 +15,6 @@ struct Link {
   std::vector<int> way;    ///< lanes of walking areas and crossings passed, in order; empty
                            ///< at junctions without walking areas
 };
-
-/// Junctions at which one street with a carriageway ends, and nothing else is: ids. netconvert lays
-/// a walking area across its end, where vehicles appear and vanish.
-std::set<std::string> street_ends(const Network& network);
 
 /// All passages between edges of a zone (`edges`, ascending), one per pair and junction. At a
 /// junction with walking areas: the shortest way over walking areas and crossings, none where it

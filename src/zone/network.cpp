@@ -32,6 +32,16 @@ int walking_lane(const Network& network, int edge) {
   return shared;
 }
 
+bool has_carriageway(const Network& network, int edge) {
+  return std::ranges::any_of(network.edges[edge].lanes,
+                             [&](int lane) { return network.lanes[lane].vehicles_only(); });
+}
+
+bool is_street_end(const Network& network, const std::string& junction) {
+  const auto found = network.junction_index.find(junction);
+  return found != network.junction_index.end() && network.junctions[found->second].street_end;
+}
+
 bool is_too_short(const Network& network, int edge) {
   const int lane = walking_lane(network, edge);
   return lane < 0 || network.lanes[lane].length < kShortEdge;

@@ -40,6 +40,7 @@ struct Lane {
   bool outline = false;                  ///< `shape` is an outline
   std::vector<double> z;  ///< [m] height of each shape point; empty when the file has none
 
+  bool vehicles_only() const { return vehicles && !persons; }
   /// Whether a vehicle of that class (0: unknown) may use it.
   bool lets_in(RoadClasses its) const {
     return vehicles && (its == 0 || (road_classes & its) != 0);
@@ -65,7 +66,10 @@ struct Connection {
 
 struct Junction {
   std::string id, type;
-  Ring shape;  ///< [m]
+  Ring shape;               ///< [m]
+  bool street_end = false;  ///< one street with a carriageway ends here, and nothing else is:
+                            ///< netconvert lays a walking area across its end, where vehicles
+                            ///< appear and vanish
 };
 
 /// A polygon drawn by the user or imported from a map (SUMO's <poly>).
@@ -97,6 +101,12 @@ struct Network {
 /// The lane of an edge that SUMO's persons walk on: the first for pedestrians only, else the
 /// first that allows them; -1 when none does.
 int walking_lane(const Network& network, int edge);
+
+/// Whether an edge has a lane for vehicles only.
+bool has_carriageway(const Network& network, int edge);
+
+/// Junction::street_end of that id; false for an id that no junction has.
+bool is_street_end(const Network& network, const std::string& junction);
 
 /// Edges shorter than this are never the place where persons are put or taken over: that makes
 /// SUMO 1.15 abort in MSPModel_Striping::moveToNextLane (measured: 7 of 36 runs with them, 0 of 60

@@ -30,10 +30,8 @@ constexpr double kSideStep = 0.25;  // [m] numerical
 std::vector<const Lane*> roads_of(const Network& network) {
   std::vector<const Lane*> roads;
   for (const Lane& lane : network.lanes) {
-    if (lane.vehicles && !lane.persons &&
-        network.edges[lane.edge].function == EdgeFunction::kNormal) {
-      roads.push_back(&lane);
-    }
+    const bool between_junctions = network.edges[lane.edge].function == EdgeFunction::kNormal;
+    if (lane.vehicles_only() && between_junctions) roads.push_back(&lane);
   }
   return roads;
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
+#include <string>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -94,6 +97,7 @@ class NetworkReader {
       if (found != network_.lane_index.end()) network_.lanes[lane].opposite = found->second;
     }
     for (const pugi::xml_node& node : root.children("junction")) read_junction(node);
+    mark_street_ends();
     for (const pugi::xml_node& node : root.children("connection")) read_connection(node);
   }
 
@@ -152,6 +156,22 @@ class NetworkReader {
     junction.shape = read_shape(file_, node, nullptr);
     network_.junction_index.emplace(junction.id, static_cast<int>(network_.junctions.size()));
     network_.junctions.push_back(std::move(junction));
+  }
+
+  void mark_street_ends() {
+    std::map<std::string, std::set<std::string>> beyond;  // of a junction: the others' ids
+    std::set<std::string> with_carriageway;
+    for (int index = 0; index < static_cast<int>(network_.edges.size()); ++index) {
+      const Edge& edge = network_.edges[index];
+      if (edge.function != EdgeFunction::kNormal) continue;
+      beyond[edge.from].insert(edge.to);
+      beyond[edge.to].insert(edge.from);
+      if (has_carriageway(network_, index)) with_carriageway.insert({edge.from, edge.to});
+    }
+    for (Junction& junction : network_.junctions) {
+      junction.street_end =
+          with_carriageway.contains(junction.id) && beyond.at(junction.id).size() == 1;
+    }
   }
 
   void read_connection(const pugi::xml_node& node) {

@@ -5,7 +5,6 @@
 #include "sumo/files/truth.hpp"
 #include "sumo/live/person_hints.hpp"
 #include "sumo/plan/outside_walkers.hpp"
-#include "zone/links.hpp"
 
 namespace pedzone {
 
@@ -21,7 +20,6 @@ Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
       striping_share_(striping_share(dawdling)),
       zone_of_edge_(zones_of_edges(network, zones)),
       entries_(entries_of_zones(network, zone_of_edge_)),
-      street_ends_(street_ends(network)),
       bystanders_(zones),
       seen_(zones.size()) {}
 
@@ -150,15 +148,10 @@ int Takeover::zone_of(const std::string& edge) const {
   return found == network_.edge_index.end() ? -1 : zone_of_edge_[found->second];
 }
 
-/// Whether SUMO walks it on across the end of a street, since that is shorter than to go back.
+/// Whether SUMO is about to walk it on across the end of a street.
 bool Takeover::is_about_to_round_end(int edge, const WalkerSeen& walker) const {
-  const Edge& here = network_.edges[edge];
-  const bool ends = street_ends_.contains(here.from) || street_ends_.contains(here.to);
-  if (!ends || walker.edges.size() < 2) return false;
-  const auto found = network_.edge_index.find(sumo_.next_edge(walker.id));
-  if (found == network_.edge_index.end()) return false;
-  const Edge& next = network_.edges[found->second];
-  return next.function == EdgeFunction::kWalkingArea && street_ends_.contains(junction_of(next));
+  return touches_street_end(network_, edge) && walker.edges.size() > 1 &&
+         leads_round_street_end(network_, sumo_.next_edge(walker.id));
 }
 
 /// False where it need not be asked again for as long as the person is on this edge in this stage.

@@ -14,7 +14,6 @@
 #pragma once
 
 #include <memory>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -118,11 +117,10 @@ class Takeover {
   const Profiles& profiles_;
   const std::vector<WaypointPath>& paths_;
   SumoPersons& sumo_;
-  double striping_share_;              ///< of top speed, see takeover_plan.hpp
-  std::vector<int> zone_of_edge_;      ///< -1: SUMO's
-  std::vector<bool> entries_;          ///< of edges: people come from there to a zone
-  std::set<std::string> street_ends_;  ///< junctions
-  double dt_ = 0.0;                    ///< [s] of the last step
+  double striping_share_;          ///< of top speed, see takeover_plan.hpp
+  std::vector<int> zone_of_edge_;  ///< -1: SUMO's
+  std::vector<bool> entries_;      ///< of edges: people come from there to a zone
+  double dt_ = 0.0;                ///< [s] of the last step
   Bystanders bystanders_;
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;

@@ -8,6 +8,7 @@
 #include "sumo/plan/late_braking.hpp"
 #include "sumo/plan/yield_plan.hpp"
 #include "zone/lane_geometry.hpp"
+#include "zone/links.hpp"
 
 namespace pedzone {
 namespace {
@@ -177,6 +178,18 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
   plan->from_sumo = !walked_until_now;
   plan->place_freely = plan->from_sumo && (departs || fleet.touches(plan->start, walker.radius));
   return plan;
+}
+
+bool touches_street_end(const Network& network, int edge) {
+  const Edge& here = network.edges[edge];
+  return is_street_end(network, here.from) || is_street_end(network, here.to);
+}
+
+bool leads_round_street_end(const Network& network, const std::string& next_edge) {
+  const auto found = network.edge_index.find(next_edge);
+  if (found == network.edge_index.end()) return false;
+  const Edge& next = network.edges[found->second];
+  return next.function == EdgeFunction::kWalkingArea && is_street_end(network, junction_of(next));
 }
 
 std::vector<bool> entries_of_zones(const Network& network, const std::vector<int>& zone_of_edge) {

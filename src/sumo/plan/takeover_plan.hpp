@@ -60,6 +60,13 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
                                           const WalkerSeen& walker, bool walked_until_now,
                                           const Fleet& fleet, PersonPast& past);
 
+/// Whether an edge begins or ends where a street does.
+bool touches_street_end(const Network& network, int edge);
+
+/// Whether SUMO walks somebody on across the end of a street if `next_edge` (id; empty: none) is
+/// what it walks on next: that is shorter than to go back.
+bool leads_round_street_end(const Network& network, const std::string& next_edge);
+
 /// Whether people can come from an edge to a junction of a zone's edges. No edge of a zone is one.
 std::vector<bool> entries_of_zones(const Network& network, const std::vector<int>& zone_of_edge);
 

@@ -207,6 +207,30 @@ TEST_F(NetReader, a_missing_network_is_named) {
       InputError);
 }
 
+TEST_F(NetReader, tells_where_a_street_ends) {
+  const auto edge = [](const std::string& id, const std::string& from, const std::string& to,
+                       const std::string& lanes) {
+    return "<edge id=\"" + id + "\" from=\"" + from + "\" to=\"" + to + "\">" + lanes + "</edge>";
+  };
+  const auto lane = [](const std::string& id, const std::string& who) {
+    return "<lane id=\"" + id + "\" index=\"0\" " + who + " " + kGoodLane + "/>";
+  };
+  const auto junction = [](const std::string& id) {
+    return "<junction id=\"" + id + "\" type=\"priority\" x=\"0\" y=\"0\" shape=\"0,0 1,0 1,1\"/>";
+  };
+  const std::string road = "disallow=\"pedestrian\"", foot = "allow=\"pedestrian\"";
+  const Network network =
+      read("<net>" + edge("out", "a", "b", lane("out_0", road)) +
+           edge("back", "b", "a", lane("back_0", road)) + edge("on", "b", "c", lane("on_0", road)) +
+           edge("path", "b", "d", lane("path_0", foot)) + junction("a") + junction("b") +
+           junction("c") + junction("d") + "</net>");
+  EXPECT_TRUE(is_street_end(network, "a")) << "in both directions it is one street";
+  EXPECT_FALSE(is_street_end(network, "b")) << "others go on";
+  EXPECT_TRUE(is_street_end(network, "c"));
+  EXPECT_FALSE(is_street_end(network, "d")) << "no vehicles";
+  EXPECT_FALSE(is_street_end(network, "e")) << "no junction";
+}
+
 TEST_F(NetReader, reads_polygons_and_says_which_it_cannot_use) {
   Network network;
   std::ofstream(path_) << "<additional>\n"

@@ -40,6 +40,30 @@ TEST_F(TakeoverPlanTest, person_is_taken_over_on_the_zones_first_edge) {
   EXPECT_EQ(past_.refused_edge, -1);
 }
 
+TEST_F(TakeoverPlanTest, person_goes_round_a_streets_end_only_over_its_walking_area) {
+  Junction end;
+  end.id = network.edges[e2].to;
+  end.street_end = true;
+  network.junction_index = {{end.id, 0}};
+  network.junctions = {end};
+  EXPECT_FALSE(touches_street_end(network, e1));
+  EXPECT_TRUE(touches_street_end(network, e2));
+  for (const auto& [id, function] :
+       {std::pair(":" + end.id + "_w0", EdgeFunction::kWalkingArea),
+        std::pair(":" + end.id + "_c0", EdgeFunction::kCrossing),
+        std::pair(std::string(":else_w0"), EdgeFunction::kWalkingArea)}) {
+    Edge edge;
+    edge.id = id;
+    edge.function = function;
+    network.edge_index[id] = static_cast<int>(network.edges.size());
+    network.edges.push_back(edge);
+  }
+  EXPECT_TRUE(leads_round_street_end(network, ":" + end.id + "_w0"));
+  EXPECT_FALSE(leads_round_street_end(network, ":" + end.id + "_c0"));
+  EXPECT_FALSE(leads_round_street_end(network, ":else_w0"));
+  EXPECT_FALSE(leads_round_street_end(network, ""));
+}
+
 TEST_F(TakeoverPlanTest, person_beside_the_area_begins_inside_it_or_is_left_to_sumo) {
   walker_.position = {60.0, 2.9};
   const auto found = plan(e1);
