@@ -202,7 +202,7 @@ double keep_from(const CrowdState& crowd, const Rectangle& body, std::uint32_t p
 double apart_of_places(const VehicleState& vehicle) {
   const double swing = std::abs(vehicle.yaw_rate) * vehicle.length;  // [m/s]
   const double apart = vehicle.velocity.norm() * kSwing / std::max(swing, kNoGap);
-  return std::clamp(apart, kLeastApart, vehicle.length);
+  return std::max(kLeastApart, std::min(apart, vehicle.length));
 }
 
 /// A vehicle took its speed for the step before people walk, and SUMO may brake it or let it drive
