@@ -21,7 +21,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from junction import SUMO_HOME, all_contacts, call, run_both
+from junction import SUMO_HOME, call, contacts_but_turned, run_both
 from lane_changes import mean
 
 SECONDS, END = 400, 1500  # [s] in which all depart, of the run
@@ -54,8 +54,7 @@ def check(pedzone, folder, town, seed, step):
     """What is wrong."""
     make_scene(folder, town, seed, step)
     plain, ours = run_both(pedzone, folder)
-    found = all_contacts(folder)
-    inserted, touched = (found[kind]["pairs"] for kind in ("at_insertion", "controlled"))
+    inserted, touched = contacts_but_turned(folder)
     drives = [mean(run.driven) for run in (plain, ours)]
     walks = [mean(run.walks.values()) for run in (plain, ours)]
     print(f"{town}, seed {seed}, step {step} s: contacts {touched} and {inserted} at insertions, emergency "
