@@ -16,6 +16,7 @@
 #include "crowd/behaviour/jams.hpp"
 #include "crowd/behaviour/kerbs.hpp"
 #include "crowd/behaviour/pace.hpp"
+#include "crowd/behaviour/rears.hpp"
 #include "crowd/behaviour/stepping_aside.hpp"
 #include "crowd/behaviour/way.hpp"
 #include "crowd/behaviour/waypoints.hpp"
@@ -133,6 +134,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   restraints.begin(crowd.persons.walking);
   restrain_by_activity(crowd, restraints);
   restrain_beside_claims(crowd, restraints);
+  restrain_beside_rears(crowd, restraints);
   restrain_by_groups(crowd, restraints);
   restrain_adults(crowd, restraints);
   restrain_at_kerbs(crowd, restraints);

@@ -65,16 +65,17 @@ Vec2 moved_out(const WallIndex& walls, double radius, const Rectangle& frame, co
                double reach, double least, double longest) {
   const Vec2 local = frame.into_frame(here);
   Vec2 best = here;
-  double best_room = frame.local_distance(local);
-  if (best_room >= reach) return here;
-  if (longest <= 0.0) return here;
+  if (frame.local_distance(local) >= reach || longest <= 0.0) return here;
+  const double room_here = signed_distance(frame.half, local);
+  double best_room = room_here;
   for (const Vec2& exit : exits(frame, local, reach)) {
     Vec2 step = frame.out_of_frame(exit) - here;
     if (step.norm() > longest) step *= longest / step.norm();
     const Vec2 at = walls.slide(here, here + step, radius);
-    const double room = frame.distance(at);
+    const double room = frame.signed_distance(at);
     const bool barred = (here + step - at).norm() > kNoGap;
-    if (room >= least - kNoGap || !barred) return at;
+    // The first steps to an exit across it lead farther under it.
+    if (room >= least - kNoGap || (!barred && room > room_here + kNoGap)) return at;
     if (room > best_room) {
       best = at;
       best_room = room;

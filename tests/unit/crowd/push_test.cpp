@@ -233,6 +233,16 @@ TEST_F(Push, against_a_wall_runs_into_who_has_no_room_left) {
   EXPECT_GE(scene.least_wall_gap(), -1e-6);
 }
 
+TEST_F(Push, takes_nobody_who_has_no_room_left_across_the_vehicle) {
+  // Between its flank and two walls: the only exit that is free is the one on its other side.
+  const Zone corner = zone_of(box(27.3, 0, 80, 11.35));
+  Scene scene(corner, 1, standing_model());
+  scene.add({27.7, 11.1}, point(70, 5), 1.34, 0.0);
+  scene.vehicles = {vehicle_at({30, 10}, 0.0, 1.0)};
+  scene.step();
+  EXPECT_GE(clearance(scene.vehicles[0], scene.people[0].view.position), 0.2 - 1e-3);
+}
+
 TEST_F(Push, is_none_before_one_that_stands_or_passes) {
   Scene scene(zone_, 1, blind_model());
   scene.add({30, 10}, point(70, 10));
