@@ -7,6 +7,7 @@
 #include "sumo/calls/api.hpp"
 #include "sumo/calls/both.hpp"
 #include "sumo/files/frames.hpp"
+#include "sumo/files/truth.hpp"
 
 namespace pedzone::PEDZONE_CALLS {
 namespace {
@@ -82,6 +83,10 @@ class VehicleCalls final : public SumoVehicles {
     traits.emergency_decel = std::max(traits.decel, Vehicle::getEmergencyDecel(id));
     traits.accel = Vehicle::getAccel(id);
     traits.min_gap = Vehicle::getMinGap(id);
+    if (!ballistic_) {
+      ballistic_ = is_true(api::Simulation::getOption("step-method.ballistic"));
+    }
+    traits.ballistic = *ballistic_;
   }
 
   std::string parameter(const std::string& id, const std::string& key) const override {
@@ -111,6 +116,7 @@ class VehicleCalls final : public SumoVehicles {
         set_lane_changes(order.vehicle, *changes);
       } else {
         Vehicle::setSpeed(order.vehicle, std::get<double>(order.what));
+        act_now(order.vehicle);
       }
     }
   }
@@ -128,11 +134,22 @@ class VehicleCalls final : public SumoVehicles {
   }
 
   void forget(const std::string& id) override {
+    action_steps_.erase(id);
     own_lane_changes_.erase(id);
     own_speed_modes_.erase(id);
   }
 
  private:
+  /// A vehicle whose driver acts more seldom than SUMO steps (actionStepLength) keeps its
+  /// acceleration meanwhile: told once to brake, and then to drive on, it would brake on. The
+  /// pattern of its acts begins anew with the next step.
+  void act_now(const std::string& id) {
+    const auto [own, is_new] = action_steps_.try_emplace(id, 0.0);
+    if (is_new) own->second = Vehicle::getActionStepLength(id);
+    if (own->second <= api::Simulation::getDeltaT()) return;
+    Vehicle::setActionStepLength(id, own->second, true);
+  }
+
   void set_lane_changes(const std::string& id, LaneChanges changes) {
     if (changes == LaneChanges::kNone) {
       own_lane_changes_.try_emplace(id, Vehicle::getLaneChangeMode(id));
@@ -154,6 +171,8 @@ class VehicleCalls final : public SumoVehicles {
     }
   }
 
+  std::unordered_map<std::string, double> action_steps_;  // [s]
+  mutable std::optional<bool> ballistic_;                 // nobody can change it
   // What clients had set before pedzone told them otherwise.
   std::unordered_map<std::string, int> own_lane_changes_, own_speed_modes_;
 };

@@ -63,7 +63,7 @@ std::optional<double> gap_before(const FleetVehicle& vehicle, const FleetVehicle
   return gap && *gap <= distance ? gap : std::nullopt;
 }
 
-/// [m/s] it will drive in the next step of `dt` [s], as far as it can be foreseen.
+/// [m/s] it will drive in the next step of `dt` [s], as far as it can be foreseen, in the mean.
 struct NextSpeed {
   double least = 0.0, expected = 0.0, most = 0.0;
 };
@@ -78,6 +78,9 @@ NextSpeed next_speed(const FleetVehicle& vehicle, double dt) {
   next.expected = std::min(next.most, vehicle.follows_at);
   if (vehicle.stopped || vehicle.waits) next.expected = 0.0;  // as long as it does not drive off
   next.least = std::clamp(vehicle.speed - vehicle.traits.decel * dt, 0.0, next.expected);
+  for (double* const speed : {&next.least, &next.expected, &next.most}) {
+    *speed = mean_speed(vehicle.traits, vehicle.speed, *speed);
+  }
   return next;
 }
 

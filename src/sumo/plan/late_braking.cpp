@@ -1,6 +1,7 @@
 #include "sumo/plan/late_braking.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "sumo/plan/yield_plan.hpp"
@@ -11,6 +12,29 @@ namespace {
 constexpr double kMoment = 0.1;  // [s] numerical: bodies are compared so often
 constexpr double kReach = 2.0;   // [m] numerical: bodies of persons, and a body's swing in a bend
 constexpr int kHalvings = 4;     // numerical: of the span from decel to emergency_decel
+
+/// A vehicle that brakes to a standstill, step by step, as SUMO moves it.
+class BrakingStep {
+ public:
+  BrakingStep(const FleetVehicle& vehicle, double deceleration, double dt)
+      : ballistic_(vehicle.traits.ballistic), less_(deceleration * dt), before_(vehicle.speed) {
+    after_ = std::max(0.0, before_ - less_);
+  }
+  bool moves() const { return speed(0.5) > 0.0; }
+  void next() {
+    before_ = after_;
+    after_ = std::max(0.0, after_ - less_);
+  }
+  /// [m/s] after that share of the step.
+  double speed(double share) const {
+    return ballistic_ ? std::lerp(before_, after_, share) : after_;
+  }
+
+ private:
+  bool ballistic_;
+  double less_;  ///< [m/s] after each step
+  double before_, after_ = 0.0;
+};
 
 /// Whether the vehicle runs into a person on its way from `before` to `body`: with its front, or
 /// with a flank that swings over where the person is. The person was at `then` [m], and is at
@@ -29,10 +53,10 @@ bool meets_anybody(const FleetVehicle& vehicle, std::span<const PersonAhead> peo
   const double moment = dt / moments;
   double travelled = 0.0, time = 0.0;
   Rectangle before = body_of(vehicle);
-  double speed = std::max(0.0, vehicle.speed - deceleration * dt);
-  while (speed > 0.0) {
+  BrakingStep step(vehicle, deceleration, dt);
+  for (; step.moves(); step.next()) {
     for (int i = 0; i < moments; ++i) {
-      travelled += speed * moment;
+      travelled += step.speed((i + 0.5) / moments) * moment;
       const Rectangle body = body_after(vehicle, travelled);
       for (const PersonAhead& person : people) {
         const Vec2 then = person.position + person.velocity * time;
@@ -43,7 +67,6 @@ bool meets_anybody(const FleetVehicle& vehicle, std::span<const PersonAhead> peo
       time += moment;
       before = body;
     }
-    speed = std::max(0.0, speed - deceleration * dt);
   }
   return false;
 }
@@ -51,11 +74,9 @@ bool meets_anybody(const FleetVehicle& vehicle, std::span<const PersonAhead> peo
 /// Whether it comes nearer to its leader than its min_gap, braking with `deceleration` [m/s²].
 bool comes_too_near(const FleetVehicle& vehicle, double gap, const VehicleTraits& leader,
                     double next, double deceleration, double dt) {
-  double speed = std::max(0.0, vehicle.speed - deceleration * dt);
-  while (speed > 0.0) {
-    gap += (next - speed) * dt;
+  for (BrakingStep step(vehicle, deceleration, dt); step.moves(); step.next()) {
+    gap += (next - step.speed(0.5)) * dt;
     if (gap < vehicle.traits.min_gap) return true;
-    speed = std::max(0.0, speed - deceleration * dt);
     next = std::max(0.0, next - leader.decel * dt);
   }
   return false;

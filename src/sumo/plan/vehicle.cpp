@@ -18,6 +18,10 @@ double braking_distance(const FleetVehicle& vehicle) {
   return vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
 }
 
+double mean_speed(const VehicleTraits& traits, double before, double after) {
+  return traits.ballistic ? 0.5 * (before + after) : after;
+}
+
 bool is_in_junction(const FleetVehicle& vehicle) {
   return vehicle.junction.junction >= 0 && vehicle.junction.begin <= 0.0;
 }

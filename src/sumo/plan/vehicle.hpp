@@ -19,10 +19,12 @@ inline constexpr double kShortMove = 0.01;  ///< [m] numerical: so little gives 
 struct VehicleTraits {
   double length = 5.0, width = 1.8;                        ///< [m]
   double decel = 4.5, emergency_decel = 9.0, accel = 2.6;  ///< [m/s²] > 0
-  double min_gap = 2.5;   ///< [m] ≥ 0 to the one before it, as it likes to keep
-  bool yields = true;     ///< vType or vehicle parameter pedzone.yield
-  bool external = false;  ///< another program drives it: perceived, never touched
-  bool electric = false;  ///< parameter pedzone.electric: no engine is heard
+  double min_gap = 2.5;    ///< [m] ≥ 0 to the one before it, as it likes to keep
+  bool yields = true;      ///< vType or vehicle parameter pedzone.yield
+  bool external = false;   ///< another program drives it: perceived, never touched
+  bool electric = false;   ///< parameter pedzone.electric: no engine is heard
+  bool ballistic = false;  ///< within a step its speed changes evenly (SUMO's
+                           ///< step-method.ballistic); else it has the new one from the beginning
 };
 
 /// What SUMO tells of a vehicle at present.
@@ -95,6 +97,9 @@ bool gives_way(const FleetVehicle& vehicle);
 
 /// [m] in which it stops as it likes to brake.
 double braking_distance(const FleetVehicle& vehicle);
+
+/// [m/s] in the mean of a step of SUMO's that changes its speed from `before` to `after` [m/s].
+double mean_speed(const VehicleTraits& traits, double before, double after);
 
 /// Whether its front is inside a junction.
 bool is_in_junction(const FleetVehicle& vehicle);

@@ -248,6 +248,18 @@ TEST_F(FleetTest, shows_people_how_sure_it_is_where_a_vehicle_gets_to) {
   EXPECT_EQ(state(vehicle, 1.0).starts, 0.0) << "at its own stop";
 }
 
+TEST_F(FleetTest, shows_people_where_one_gets_to_whose_speed_changes_evenly_within_a_step) {
+  FleetVehicle vehicle = one(car(70.0, 6.0));
+  vehicle.traits.ballistic = true;
+  vehicle.allowed_speed = 14.0;
+  const VehicleState free = state(vehicle, 1.0);
+  EXPECT_NEAR(free.velocity.norm(), 6.0 + 0.5 * 2.6, 1e-9);
+  EXPECT_NEAR(free.lead, 6.0 + 0.5 * 2.6, 1e-9);
+  EXPECT_NEAR(free.slower, 0.5 * (2.6 + 4.5), 1e-9);
+  vehicle.commanded = 0.0;
+  EXPECT_NEAR(state(vehicle, 1.0).velocity.norm(), 3.0, 1e-9) << "it does not stop at once";
+}
+
 TEST_F(FleetTest, shows_people_that_a_vehicle_speeds_up) {
   for (const double dt : {0.1, 0.2, 1.0}) {
     Fleet fleet(network, zones());

@@ -135,6 +135,21 @@ TEST(PlanYield, asks_for_no_more_than_comfort_where_only_the_gap_would_be_lost) 
   EXPECT_NEAR(order->speed, 8.0 - 4.5 * 0.1, 1e-9);
 }
 
+TEST(PlanYield, brakes_hard_where_the_way_in_its_steps_is_too_long) {
+  // From 8 m/s at 4.5 m/s² in steps of 1 s: 3.5 m if its speed changes at once, 7.5 m if evenly.
+  const SafeSpeeds none{[](const FleetVehicle&, double) { return 0.0; },
+                        [](const FleetVehicle&, double, double) { return 0.0; }};
+  const auto brakes_hard = [&](double distance, bool ballistic) {
+    FleetVehicle vehicle = driving(8.0);
+    vehicle.traits.ballistic = ballistic;
+    const std::vector<PersonAhead> people{{{distance, 0.0}, {0.0, 0.0}, 0.24}};
+    return plan_yield(vehicle, people, Parameters(), none, 1.0)->emergency;
+  };
+  EXPECT_FALSE(brakes_hard(6.0, false));
+  EXPECT_TRUE(brakes_hard(6.0, true));
+  EXPECT_FALSE(brakes_hard(8.5, true));
+}
+
 TEST(PlanYield, does_not_brake_hard_for_who_will_be_across) {
   const PersonAhead stays{{4.0, 0.9}, {0.0, 0.0}, 0.24}, leaves{{4.0, 0.9}, {0.0, 2.0}, 0.24};
   EXPECT_TRUE(told(stays, 0.1)->emergency);
