@@ -144,10 +144,18 @@ class VehicleCalls final : public SumoVehicles {
   /// acceleration meanwhile: told once to brake, and then to drive on, it would brake on. The
   /// pattern of its acts begins anew with the next step.
   void act_now(const std::string& id) {
-    const auto [own, is_new] = action_steps_.try_emplace(id, 0.0);
-    if (is_new) own->second = Vehicle::getActionStepLength(id);
-    if (own->second <= api::Simulation::getDeltaT()) return;
-    Vehicle::setActionStepLength(id, own->second, true);
+    const double length = action_step(id);
+    if (length > 0.0) Vehicle::setActionStepLength(id, length, true);
+  }
+
+  /// [s] 0: it acts in every step.
+  double action_step(const std::string& id) {
+    const auto [known, is_new] = action_steps_.try_emplace(id, 0.0);
+    if (is_new) {
+      const double length = Vehicle::getActionStepLength(id);
+      if (length > api::Simulation::getDeltaT()) known->second = length;
+    }
+    return known->second;
   }
 
   void set_lane_changes(const std::string& id, LaneChanges changes) {

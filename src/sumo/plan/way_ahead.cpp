@@ -41,6 +41,21 @@ void append_before(const Polyline& line, double offset, double lateral, double& 
   append_from(backwards, std::max(0.0, length_of(line) - offset), -lateral, left, out);
 }
 
+/// Makes a line end so far [m] from its beginning: cut off, or straight on.
+void end_at(double length, Polyline& line) {
+  double passed = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2 piece = line[i] - line[i - 1];
+    const double here = piece.norm();
+    const bool last = i + 1 == line.size();
+    if (here > 0.0 && (last || passed + here >= length)) {
+      line[i] = line[i - 1] + piece * ((length - passed) / here);
+      line.resize(i + 1);
+    }
+    passed += here;
+  }
+}
+
 /// From its rear to its front by its heading.
 Polyline straight_behind(const FleetVehicle& vehicle) {
   return {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
@@ -125,6 +140,8 @@ Polyline WayAhead::way_behind(const FleetVehicle& vehicle, double offset) const 
     const Vec2 piece = back[n - 1] - back[n - 2];
     if (piece.norm() > 0.0) back.push_back(back[n - 1] + piece.normalized() * left);
   }
+  // Beside a lane's middle a bend is shorter or longer.
+  if (vehicle.lateral != 0.0) end_at(length, back);
   const Vec2 chord = back.front() - back.back();
   const bool fits =
       chord.norm() > kChord && std::abs(wrap_angle(angle_of(chord) - vehicle.heading)) < kFits;

@@ -143,6 +143,20 @@ TEST_F(RearTest, follows_the_lanes_that_the_vehicle_came_by) {
   EXPECT_TRUE(turning.way.front().isApprox(Vec2(198.0, 0.0), 1e-6));
 }
 
+TEST_F(RearTest, is_its_length_behind_the_front_of_one_beside_its_lanes_middle) {
+  route_ = {e3, e4_};
+  for (const double lateral : {-0.3, 0.3}) {
+    VehicleSeen before = car(199.0, 195.0), now = car(202.0, 198.0);
+    before.lateral = now.lateral = lateral;
+    before.front.y() += lateral;
+    now.front.x() -= lateral;
+    const FleetVehicle turning = moved(before, now, 1.0);
+    const double length = turning.traits.length;
+    EXPECT_TRUE(point_on(turning.way, length).point.isApprox(turning.front, 1e-9)) << lateral;
+    EXPECT_NEAR(point_on(turning.way, 0.0).point.y(), lateral, 0.1) << "on the lane it came by";
+  }
+}
+
 TEST_F(RearTest, is_straight_behind_the_first_lane_of_one_inserted_on_less_than_its_length) {
   route_ = {e3, e4_};
   network.lanes[lane_of(e3)].shape = {{198.0, 0.0}, {200.0, 0.0}};
