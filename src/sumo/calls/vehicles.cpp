@@ -1,6 +1,7 @@
 #include "sumo/calls/vehicles.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <unordered_map>
 
@@ -83,10 +84,9 @@ class VehicleCalls final : public SumoVehicles {
     traits.emergency_decel = std::max(traits.decel, Vehicle::getEmergencyDecel(id));
     traits.accel = Vehicle::getAccel(id);
     traits.min_gap = Vehicle::getMinGap(id);
-    if (!ballistic_) {
-      ballistic_ = is_true(api::Simulation::getOption("step-method.ballistic"));
-    }
-    traits.ballistic = *ballistic_;
+    if (!motion_) motion_ = read_motion();
+    traits.ballistic = motion_->ballistic;
+    traits.drifts = motion_->drifts;
   }
 
   std::string parameter(const std::string& id, const std::string& key) const override {
@@ -140,6 +140,19 @@ class VehicleCalls final : public SumoVehicles {
   }
 
  private:
+  /// How SUMO moves vehicles.
+  struct Motion {
+    bool ballistic, drifts;
+  };
+  static Motion read_motion() {
+    const auto number = [](const char* option) {
+      return std::strtod(api::Simulation::getOption(option).c_str(), nullptr);
+    };
+    const bool sublanes = number("lateral-resolution") > 0.0;
+    return {is_true(api::Simulation::getOption("step-method.ballistic")),
+            !sublanes && number("lanechange.duration") > 0.0};
+  }
+
   /// A vehicle whose driver acts more seldom than SUMO steps (actionStepLength) keeps its
   /// acceleration meanwhile: told once to brake, and then to drive on, it would brake on. The
   /// pattern of its acts begins anew with the next step.
@@ -180,7 +193,7 @@ class VehicleCalls final : public SumoVehicles {
   }
 
   std::unordered_map<std::string, double> action_steps_;  // [s]
-  mutable std::optional<bool> ballistic_;                 // nobody can change it
+  mutable std::optional<Motion> motion_;                  // nobody can change it
   // What clients had set before pedzone told them otherwise.
   std::unordered_map<std::string, int> own_lane_changes_, own_speed_modes_;
 };

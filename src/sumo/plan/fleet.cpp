@@ -37,6 +37,15 @@ void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   if (dt > 0.0 && moved.norm() > kShortMove) vehicle.velocity = moved.normalized() * vehicle.speed;
 }
 
+/// [m/s] sideways on its lane since a step of `dt` [s] before.
+double drift_of(const Network& network, const FleetVehicle& before, const FleetVehicle& vehicle,
+                double dt) {
+  if (!vehicle.traits.drifts || vehicle.lane < 0 || before.lane < 0 || dt <= 0.0) return 0.0;
+  const Lane& lane = network.lanes[vehicle.lane];
+  if (network.lanes[before.lane].edge != lane.edge) return 0.0;
+  return (vehicle.lateral - project_on(lane.shape, before.front).lateral) / dt;
+}
+
 /// [m/s] that is safe `gap` [m] behind one that drives at `speed` and may brake as hard: SUMO's
 /// default model (Krauss 1998), with its reaction time of 1 s.
 double safe_behind(const VehicleTraits& traits, double gap, double speed) {
@@ -179,6 +188,7 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     if (before != nullptr) {
       carry_over(*before, dt, vehicle);
       ways_.remember(*before, vehicle);
+      vehicle.drift = drift_of(network_, *before, vehicle, dt);
     }
     ways_.look(vehicle, braking_distance(vehicle) + kLookAhead);
     vehicle.reverses = before != nullptr && came_from_ahead(vehicle, before->front);

@@ -25,6 +25,7 @@ struct VehicleTraits {
   bool electric = false;   ///< parameter pedzone.electric: no engine is heard
   bool ballistic = false;  ///< within a step its speed changes evenly (SUMO's
                            ///< step-method.ballistic); else it has the new one from the beginning
+  bool drifts = false;     ///< it changes lanes bit by bit (SUMO's lanechange.duration)
 };
 
 /// What SUMO tells of a vehicle at present.
@@ -67,6 +68,7 @@ struct FleetVehicle : VehicleSeen {
   Vec2 velocity = Vec2::Zero();  ///< [m/s] from its last two places: reversing and side-slip too
   double yaw_rate = 0.0;         ///< [rad/s] of a steered one (steering.hpp)
   SpeedGain gain;                ///< as people see it
+  double drift = 0.0;            ///< [m/s] sideways, to the left, while it changes lanes so
   std::vector<int> behind;       ///< lanes that it came by to its present one, the last first
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
   bool leaves = false;           ///< where its way ends its trip does, or before

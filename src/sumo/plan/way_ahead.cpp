@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sumo/plan/lane_end.hpp"
 
@@ -12,6 +13,8 @@ constexpr std::size_t kMostLanes = 8;  // numerical: that one vehicle stands on 
 constexpr double kFits = 0.1;          // [rad] numerical: SUMO's heading is that of the chord from
                                        // rear to front, but for a change of lanes
 constexpr double kChord = 0.1;         // [m] numerical
+constexpr double kDrifts = 0.2;        // [m/s] numerical: slower nobody changes lanes
+constexpr double kThere = 0.05;        // [m] numerical: so near to a lane's middle it is there
 constexpr double kSoon = 0.1;          // [m] numerical: one that stands may change lanes, too
 
 /// Adds the part of a lane's line from `offset` [m] on, `lateral` [m] to its left and at most
@@ -165,6 +168,22 @@ double WayAhead::way_inside(const FleetVehicle& vehicle, double offset) const {
   return way;
 }
 
+std::optional<WayAhead::Drift> WayAhead::drift_of(const FleetVehicle& vehicle,
+                                                  double offset) const {
+  if (std::abs(vehicle.drift) < kDrifts || is_internal(vehicle.lane)) return std::nullopt;
+  const double side = vehicle.drift < 0.0 ? -1.0 : 1.0;
+  const double away = side * vehicle.lateral;  // < 0: it comes to the middle of this lane
+  double to = away < -kThere ? 0.0 : std::numeric_limits<double>::infinity();
+  for (const Beside& other : neighbours(vehicle.lane)) {
+    const Vec2 there = point_on(network_.lanes[other.lane].shape, offset).point;
+    const double middle =
+        side * (project_on(network_.lanes[vehicle.lane].shape, there).lateral + other.aside);
+    if (middle > away + kThere) to = std::min(to, middle);
+  }
+  if (std::isinf(to)) return std::nullopt;
+  return Drift{side * to, (to - away) / std::abs(vehicle.drift) * vehicle.speed};
+}
+
 void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   Polyline& way = vehicle.way;
   way = straight_behind(vehicle);
@@ -185,11 +204,20 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   JunctionAhead& junction = vehicle.junction;
   junction = {};
   const double came_in = way_inside(vehicle, offset);
+  double lateral = vehicle.lateral;
+  if (const auto drift = drift_of(vehicle, offset)) {
+    const double along = std::min({drift->way, left, length_of(own.shape) - offset});
+    lateral = std::lerp(lateral, drift->lateral, drift->way > 0.0 ? along / drift->way : 1.0);
+    offset += along;
+    left -= along;
+    const LinePoint there = point_on(own.shape, offset);
+    way.push_back(there.point + left_of(there.direction) * lateral);
+  }
   bool passed = false;
   while (lane >= 0 && left > 0.0) {
     const bool inside = is_internal(lane);
     const double begin = distance - left;
-    append_from(network_.lanes[lane].shape, offset, vehicle.lateral, left, way);
+    append_from(network_.lanes[lane].shape, offset, lateral, left, way);
     if (inside && !passed) {
       if (junction.junction < 0) junction = {junction_after(vehicle.route, index), begin - came_in};
       junction.end = distance - left;

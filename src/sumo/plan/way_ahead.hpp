@@ -1,6 +1,7 @@
 // The way that a vehicle takes: its route's last and next lanes as a line.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sumo/plan/vehicle.hpp"
@@ -35,6 +36,12 @@ class WayAhead {
     double aside;
   };
   std::vector<Beside> neighbours(int lane) const;
+  /// Where on its lane one that changes lanes bit by bit will drive on.
+  struct Drift {
+    double lateral;  ///< [m] beside its lane's middle, to the left
+    double way;      ///< [m] until it is there
+  };
+  std::optional<Drift> drift_of(const FleetVehicle& vehicle, double offset) const;
   void append_way(const Beside& from, const VehicleSeen& vehicle, int index, double offset,
                   double left, Polyline& way) const;
   int junction_after(std::span<const int> route, int index) const;

@@ -72,6 +72,31 @@ TEST_F(WayAheadTest, goes_onto_the_lane_that_SUMO_means) {
   EXPECT_NEAR(one(widening).way.back().y(), 3.0, 1e-9);
 }
 
+TEST_F(WayAheadTest, of_one_that_changes_lanes_bit_by_bit_leads_to_the_other_lane) {
+  const int wide = add_edge("wide", "C", "W", 100, 150, 2);
+  const std::vector<int>& lanes = network.edges[wide].lanes;
+  network.lanes[lanes[1]].shape = {{100.0, 3.0}, {150.0, 3.0}};
+  route_ = {wide};
+  const auto at = [&](const Vec2& front, int lane, double lateral, bool drifts) {
+    VehicleSeen seen = test::seen_vehicle("car", front, 5.0);
+    seen.lane = lanes[lane];
+    seen.lateral = lateral;
+    seen.route = route_;
+    seen.traits.drifts = drifts;
+    return seen;
+  };
+  const auto way_of = [&](const VehicleSeen& now) {
+    return moved(at({105.0, 0.0}, 0, 0.0, now.traits.drifts), now, 1.0).way;
+  };
+  const Polyline before_half = way_of(at({110.0, 1.0}, 0, 1.0, true));
+  EXPECT_NEAR(project_on(before_half, {115.0, 2.0}).lateral, 0.0, 1e-9) << "1 m/s sideways";
+  EXPECT_TRUE(before_half.back().isApprox(Vec2(142.8, 3.0), 0.01)) << "then along it";
+  const Polyline after_half = way_of(at({110.0, 2.0}, 1, -1.0, true));
+  EXPECT_NEAR(project_on(after_half, {112.5, 3.0}).lateral, 0.0, 1e-9);
+  EXPECT_NEAR(after_half.back().y(), 3.0, 1e-9);
+  EXPECT_NEAR(way_of(at({110.0, 1.0}, 0, 1.0, false)).back().y(), 1.0, 1e-9) << "SUMO jumps";
+}
+
 TEST_F(WayAheadTest, tells_how_far_a_junction_is_or_how_far_the_front_has_come_into_it) {
   const int first = add_edge(":J_0", "J", "J", 100, 106),
             second = add_edge(":J_1", "J", "J", 106, 112);
