@@ -53,7 +53,8 @@ void restrain_beside_rears(const CrowdState& crowd, Restraints& restraints) {
   if (crowd.vehicles.empty()) return;
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      if (!crowd.walkers[i].arrived && !crowd.is_over(i) && waits_for_rear(crowd, i)) restraints.wait(i);
+      if (!crowd.walkers[i].arrived && !crowd.is_over(i) && waits_for_rear(crowd, i))
+        restraints.wait(i);
     }
   });
 }

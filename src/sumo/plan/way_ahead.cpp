@@ -168,8 +168,8 @@ double WayAhead::way_inside(const FleetVehicle& vehicle, double offset) const {
   return way;
 }
 
-std::optional<WayAhead::Drift> WayAhead::drift_of(const FleetVehicle& vehicle,
-                                                  double offset) const {
+std::optional<WayAhead::Drift> WayAhead::drift_ahead(const FleetVehicle& vehicle,
+                                                     double offset) const {
   if (std::abs(vehicle.drift) < kDrifts || is_internal(vehicle.lane)) return std::nullopt;
   const double side = vehicle.drift < 0.0 ? -1.0 : 1.0;
   const double away = side * vehicle.lateral;  // < 0: it comes to the middle of this lane
@@ -182,6 +182,23 @@ std::optional<WayAhead::Drift> WayAhead::drift_of(const FleetVehicle& vehicle,
   }
   if (std::isinf(to)) return std::nullopt;
   return Drift{side * to, (to - away) / std::abs(vehicle.drift) * vehicle.speed};
+}
+
+/// Adds the part of its lane's way on which it drifts to where it will drive on. Returns how far
+/// [m] beside its lane's middle that is, to the left.
+double WayAhead::append_drift(const FleetVehicle& vehicle, double& offset, double& left,
+                              Polyline& way) const {
+  const auto drift = drift_ahead(vehicle, offset);
+  if (!drift) return vehicle.lateral;
+  const Polyline& shape = network_.lanes[vehicle.lane].shape;
+  const double along = std::min({drift->way, left, length_of(shape) - offset});
+  const double share = drift->way > 0.0 ? along / drift->way : 1.0;
+  const double lateral = std::lerp(vehicle.lateral, drift->lateral, share);
+  offset += along;
+  left -= along;
+  const LinePoint there = point_on(shape, offset);
+  way.push_back(there.point + left_of(there.direction) * lateral);
+  return lateral;
 }
 
 void WayAhead::look(FleetVehicle& vehicle, double distance) const {
@@ -204,15 +221,7 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   JunctionAhead& junction = vehicle.junction;
   junction = {};
   const double came_in = way_inside(vehicle, offset);
-  double lateral = vehicle.lateral;
-  if (const auto drift = drift_of(vehicle, offset)) {
-    const double along = std::min({drift->way, left, length_of(own.shape) - offset});
-    lateral = std::lerp(lateral, drift->lateral, drift->way > 0.0 ? along / drift->way : 1.0);
-    offset += along;
-    left -= along;
-    const LinePoint there = point_on(own.shape, offset);
-    way.push_back(there.point + left_of(there.direction) * lateral);
-  }
+  const double lateral = append_drift(vehicle, offset, left, way);
   bool passed = false;
   while (lane >= 0 && left > 0.0) {
     const bool inside = is_internal(lane);

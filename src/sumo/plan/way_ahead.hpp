@@ -41,7 +41,9 @@ class WayAhead {
     double lateral;  ///< [m] beside its lane's middle, to the left
     double way;      ///< [m] until it is there
   };
-  std::optional<Drift> drift_of(const FleetVehicle& vehicle, double offset) const;
+  std::optional<Drift> drift_ahead(const FleetVehicle& vehicle, double offset) const;
+  double append_drift(const FleetVehicle& vehicle, double& offset, double& left,
+                      Polyline& way) const;
   void append_way(const Beside& from, const VehicleSeen& vehicle, int index, double offset,
                   double left, Polyline& way) const;
   int junction_after(std::span<const int> route, int index) const;
