@@ -88,7 +88,7 @@ NextSpeed next_speed(const FleetVehicle& vehicle, double dt) {
   if (vehicle.stopped || vehicle.waits) next.expected = 0.0;  // as long as it does not drive off
   next.least = std::clamp(vehicle.speed - vehicle.traits.decel * dt, 0.0, next.expected);
   for (double* const speed : {&next.least, &next.expected, &next.most}) {
-    *speed = mean_speed(vehicle.traits, vehicle.speed, *speed);
+    *speed = speed_within(vehicle.traits, vehicle.speed, *speed, 0.5);
   }
   return next;
 }

@@ -17,23 +17,22 @@ constexpr int kHalvings = 4;     // numerical: of the span from decel to emergen
 class BrakingStep {
  public:
   BrakingStep(const FleetVehicle& vehicle, double deceleration, double dt)
-      : ballistic_(vehicle.traits.ballistic), less_(deceleration * dt), before_(vehicle.speed) {
-    after_ = std::max(0.0, before_ - less_);
-  }
+      : traits_(vehicle.traits),
+        less_(deceleration * dt),
+        before_(vehicle.speed),
+        after_(std::max(0.0, before_ - less_)) {}
   bool moves() const { return speed(0.5) > 0.0; }
   void next() {
     before_ = after_;
     after_ = std::max(0.0, after_ - less_);
   }
   /// [m/s] after that share of the step.
-  double speed(double share) const {
-    return ballistic_ ? std::lerp(before_, after_, share) : after_;
-  }
+  double speed(double share) const { return speed_within(traits_, before_, after_, share); }
 
  private:
-  bool ballistic_;
+  const VehicleTraits& traits_;
   double less_;  ///< [m/s] after each step
-  double before_, after_ = 0.0;
+  double before_, after_;
 };
 
 /// Whether the vehicle runs into a person on its way from `before` to `body`: with its front, or

@@ -18,8 +18,8 @@ double braking_distance(const FleetVehicle& vehicle) {
   return vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
 }
 
-double mean_speed(const VehicleTraits& traits, double before, double after) {
-  return traits.ballistic ? 0.5 * (before + after) : after;
+double speed_within(const VehicleTraits& traits, double before, double after, double share) {
+  return traits.ballistic ? std::lerp(before, after, share) : after;
 }
 
 bool is_in_junction(const FleetVehicle& vehicle) {

@@ -100,8 +100,9 @@ bool gives_way(const FleetVehicle& vehicle);
 /// [m] in which it stops as it likes to brake.
 double braking_distance(const FleetVehicle& vehicle);
 
-/// [m/s] in the mean of a step of SUMO's that changes its speed from `before` to `after` [m/s].
-double mean_speed(const VehicleTraits& traits, double before, double after);
+/// [m/s] after that share [0, 1] of a step of SUMO's that changes its speed from `before` to
+/// `after` [m/s]; after half of it: the mean of the step.
+double speed_within(const VehicleTraits& traits, double before, double after, double share);
 
 /// Whether its front is inside a junction.
 bool is_in_junction(const FleetVehicle& vehicle);
