@@ -53,6 +53,27 @@ LineProjection project_on(std::span<const Vec2> line, const Vec2& point) {
   return best;
 }
 
+std::optional<LineStretch> stretch_within(std::span<const Vec2> line, const Vec2& point,
+                                          double distance) {
+  std::optional<LineStretch> stretch;
+  double passed = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2 piece = line[i] - line[i - 1];
+    const double length = piece.norm();
+    if (length <= 0.0) continue;
+    const Vec2 direction = piece / length, there = point - line[i - 1];
+    const double along = there.dot(direction), lateral = cross(direction, there);
+    const double half = std::sqrt(std::max(0.0, distance * distance - lateral * lateral));
+    const double begin = std::max(0.0, along - half), end = std::min(length, along + half);
+    if (std::abs(lateral) <= distance && begin <= end) {
+      if (!stretch) stretch = {passed + begin, passed + end};
+      stretch->last = passed + end;
+    }
+    passed += length;
+  }
+  return stretch;
+}
+
 double most_cut(std::span<const Vec2> line, double length) {
   double turned = 0.0;
   Vec2 before = Vec2::Zero();

@@ -1,6 +1,7 @@
 // Places on lines: how far along, how far to the side.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/vec.hpp"
@@ -38,6 +39,17 @@ struct LineProjection {
   double lateral;  ///< [m] signed distance, positive to the left
 };
 LineProjection project_on(std::span<const Vec2> line, const Vec2& point);
+
+/// Where a line comes near a point, and where it leaves it for good: of one that turns back, the
+/// nearest point may be on either leg.
+struct LineStretch {
+  double first, last;  ///< [m] along the line
+};
+
+/// The first and the last place on a line at most `distance` [m] ≥ 0 from a point; nothing where
+/// there is none.
+std::optional<LineStretch> stretch_within(std::span<const Vec2> line, const Vec2& point,
+                                          double distance);
 
 /// [m] by which a chord between two points that are `length` [m] apart along the line leaves it at
 /// most: a bound by all that it turns. The chord is shorter than that by at most twice as much.

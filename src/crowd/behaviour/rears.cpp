@@ -14,6 +14,7 @@ namespace {
 constexpr double kRoom = 0.1;       // [m] assumed: left between a body and the rear that passes it
 constexpr double kReach = 2.0;      // [m] numerical: nobody gets farther while a rear swings by
 constexpr double kForesight = 1.5;  // [s] assumed: so far ahead people see it swing
+constexpr double kStays = 3.0;      // [s] numerical: as long as anybody waits for a rear
 constexpr double kLook = 0.2;       // [s] numerical: sampling of that
 constexpr double kTurns = 0.01;     // [rad] numerical: less is no bend
 constexpr double kRounding = 1e-6;  // [s] numerical
@@ -37,13 +38,31 @@ bool swings_at(const VehicleState& vehicle, const Rectangle& body, const Vec2& h
   return false;
 }
 
+/// Whether the vehicle is about to get nearer than `reach` [m], and than it is, to who stays.
+bool comes_over(const VehicleState& vehicle, const Vec2& here, double reach) {
+  const double speed = vehicle.velocity.norm(), now = distance_to(vehicle, here);
+  if (speed < kHaltingSpeed || now > reach + speed * kStays + vehicle.length) return false;
+  for (double ahead = kLook; ahead < kStays + kRounding; ahead += kLook) {
+    const double room = distance_to(moved_on(vehicle, ahead), here);
+    if (room < reach && room < now) return true;
+  }
+  return false;
+}
+
+/// Not for one that turns round, nor on another's lane: it would be reached where it waits.
 bool waits_for_rear(const CrowdState& crowd, std::size_t i) {
   const Decision& decided = crowd.decisions[i];
   if (decided.speed < kStaticSpeed) return false;
   const Vec2 here = crowd.position(i), velocity = unit(decided.direction) * decided.speed;
-  const double reach = crowd.persons.radius[i] + kRoom;
-  return std::ranges::any_of(crowd.vehicles_near.at(here, kReach), [&](std::uint32_t v) {
+  const double radius = crowd.persons.radius[i], reach = radius + kRoom;
+  const auto swings = [&](std::uint32_t v) {
     return swings_at(crowd.vehicles[v], crowd.vehicle_bodies[v], here, velocity, reach);
+  };
+  if (std::ranges::none_of(crowd.vehicles_near.at(here, kReach), swings)) return false;
+  const auto coming = crowd.vehicles_near.at(here, reach, kStays);
+  return std::ranges::none_of(coming, [&](std::uint32_t v) {
+    // Past the one that it waits for it need not be clear by more than its body.
+    return comes_over(crowd.vehicles[v], here, swings(v) ? radius : reach);
   });
 }
 

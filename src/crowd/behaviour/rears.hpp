@@ -6,7 +6,7 @@
 namespace pedzone {
 
 /// Who would step to where a rear is about to swing waits until it has passed, where standing
-/// leaves more room.
+/// leaves more room and no vehicle comes.
 void restrain_beside_rears(const CrowdState& crowd, Restraints& restraints);
 
 }  // namespace pedzone

@@ -225,10 +225,12 @@ double hold_back(const CrowdState& crowd, std::uint32_t person, const VehicleSta
     keep(body_shifted(later, ahead), straight);
   }
   if (later.starts > kNoGap) {
-    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-      keep(flanks_if_started(later, share * later.starts), beside);
+    const double places = std::ceil(later.starts / kLeastApart);
+    for (double place = 1.0; place <= places; place += 1.0) {
+      const double ahead = later.starts * place / places;
+      keep(flanks_if_started(later, ahead), beside);
       // Who comes to its front is seen there, and the vehicle stays: a step later they may pass.
-      keep(body_if_started(later, share * later.starts), straight);
+      keep(body_if_started(later, ahead), straight);
     }
   }
   return way;

@@ -91,7 +91,7 @@ VehicleState moved_on(const VehicleState& vehicle, double dt) {
 }
 
 Rectangle body_shifted(const VehicleState& vehicle, double ahead) {
-  const auto rear = place_on_way(vehicle);
+  const auto rear = vehicle.forwards ? rear_on_way(vehicle) : place_on_way(vehicle);
   const auto travelled = rear ? farther_on_way(vehicle, *rear, ahead) : std::nullopt;
   if (travelled) return body_on_way(vehicle, std::max(0.0, *travelled));
   Rectangle body = rectangle_of(vehicle);

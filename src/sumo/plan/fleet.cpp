@@ -78,15 +78,16 @@ struct NextSpeed {
 };
 
 /// Expected is as fast as it may: taken too fast, people behind it walk into its rear (in steps of
-/// 1 s by metres), so that behind another it is expected to keep its distance.
+/// 1 s by metres), so that behind another it is expected to keep its distance, braking as it likes.
 NextSpeed next_speed(const FleetVehicle& vehicle, double dt) {
   NextSpeed next;
   next.most = std::min(vehicle.speed + vehicle.traits.accel * dt,
                        std::max(vehicle.allowed_speed, vehicle.speed));
   if (vehicle.commanded >= 0.0) next.most = std::min(next.most, vehicle.commanded);
-  next.expected = std::min(next.most, vehicle.follows_at);
+  const double slowest = std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
+  next.expected = std::min(next.most, std::max(vehicle.follows_at, slowest));
   if (vehicle.stopped || vehicle.waits) next.expected = 0.0;  // as long as it does not drive off
-  next.least = std::clamp(vehicle.speed - vehicle.traits.decel * dt, 0.0, next.expected);
+  next.least = std::min(slowest, next.expected);
   for (double* const speed : {&next.least, &next.expected, &next.most}) {
     *speed = speed_within(vehicle.traits, vehicle.speed, *speed, 0.5);
   }

@@ -33,19 +33,28 @@ bool touches(const FleetVehicle& vehicle, double travelled, const Vec2& person, 
   return body_after(vehicle, travelled).signed_distance(person) < reach;
 }
 
+/// [m] just before the body touches that person, which it does at `travelled` and not a sample ago.
+double last_clear(const FleetVehicle& vehicle, double travelled, const Vec2& person, double reach) {
+  double clear = travelled - kSample;
+  for (double half = 0.5 * kSample; half > kTouch; half *= 0.5) {
+    if (!touches(vehicle, clear + half, person, reach)) clear += half;
+  }
+  return clear;
+}
+
 /// How far the front may go before the body touches a disc of `reach` [m] round a point; nothing
 /// when it does not within `distance`. `cut` [m]: by which the body leaves its front's way at most.
 std::optional<double> contact_distance(const FleetVehicle& vehicle, double cut, const Vec2& point,
                                        double reach, double distance) {
-  const double length = vehicle.traits.length;
-  const LineProjection at = project_on(vehicle.way, point);
-  if (std::abs(at.lateral) > 0.5 * vehicle.traits.width + reach + cut) return std::nullopt;
-  double begin = std::max(0.0, at.offset - length - reach - kSample);
-  if (begin > distance) return std::nullopt;
   // Where the chord of its way is short, in a sharp bend, the rear hangs over behind it.
-  const double end = std::min(distance, at.offset + reach + 2.0 * cut);
+  const double widest = std::max(0.0, 0.5 * vehicle.traits.width + reach + 2.0 * cut);
+  const auto near = stretch_within(vehicle.way, point, widest);
+  if (!near) return std::nullopt;
+  const double begin = std::max(0.0, near->first - vehicle.traits.length);
+  const double end = std::min(distance, near->last);
   for (double travelled = begin; travelled <= end + kSample; travelled += kSample) {
-    if (touches(vehicle, travelled, point, reach)) return std::max(0.0, travelled - kSample);
+    if (touches(vehicle, travelled, point, reach))
+      return travelled > begin ? last_clear(vehicle, travelled, point, reach) : begin;
   }
   return std::nullopt;
 }

@@ -2,6 +2,9 @@
 // out of wherever one may be when the step ends, but nobody is moved out of there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "crowd/sense/vehicle_motion.hpp"
 #include "scene.hpp"
 
 namespace pedzone::test {
@@ -12,15 +15,19 @@ constexpr double kHalfWidth = 0.9, kFront = 2.5;  // [m] of a vehicle, from its 
 
 class HoldBack : public ::testing::Test {
  protected:
-  /// y [m] of somebody who goes north from (x, 8.0) at 1.5 m/s for a step of 1 s, past a vehicle
-  /// with its centre at (30, 10).
-  double walked_to(double x, const VehicleState& vehicle, double from = 8.0) const {
+  /// Place of somebody who goes north from (x, `from`) at 1.5 m/s for a step of 1 s, past a
+  /// vehicle.
+  Vec2 place_after(double x, const VehicleState& vehicle, double from) const {
     Scene scene(zone_, 1, fixed_model({kPi / 2.0, 1.5, 10.0, false}));
     scene.add({x, from}, line_at_y(19.0, x - 9.0, x + 9.0), 1.5);
     scene.vehicles = {vehicle};
     scene.step(1.0);
     EXPECT_TRUE(scene.crowd.pushes().empty()) << "nobody is pushed";
-    return scene.people[0].view.position.y();
+    return scene.people[0].view.position;
+  }
+  /// [m] y of that place. The vehicle's centre is at (30, 10).
+  double walked_to(double x, const VehicleState& vehicle, double from = 8.0) const {
+    return place_after(x, vehicle, from).y();
   }
 
   const Zone zone_ = zone_of(box(0, 0, 80, 20));
@@ -60,6 +67,17 @@ TEST_F(HoldBack, from_where_a_vehicle_may_get_until_the_step_ends) {
   EXPECT_NEAR(walked_to(ahead + 5.0, vehicle), 10.0 - kHalfWidth - kRadius, kRounding);
 }
 
+TEST_F(HoldBack, from_where_one_may_get_that_is_expected_to_stand) {
+  VehicleState vehicle = vehicle_at({30, 10}, 0.0, 0.0);
+  const Polyline way{{27.5, 10.0}, {32.5, 10.0}, {60.0, 10.0}};
+  vehicle.way = way;
+  vehicle.forwards = true;
+  const double ahead = 30.0 + kFront + 1.0;
+  EXPECT_NEAR(walked_to(ahead, vehicle), 9.5, 0.05) << "as if it were sure to stand";
+  vehicle.lead = 2.0;
+  EXPECT_NEAR(walked_to(ahead, vehicle), 10.0 - kHalfWidth - kRadius, kRounding);
+}
+
 TEST_F(HoldBack, not_who_is_there_already) {
   VehicleState vehicle = vehicle_at({30, 10}, 0.0, 1.0);
   vehicle.lead = 4.0;
@@ -85,6 +103,25 @@ TEST_F(HoldBack, from_all_places_to_which_one_may_drive_off) {
   EXPECT_NEAR(walked_to(30.3, vehicle), 9.5, 0.05) << "it stands";
   vehicle.starts = 3.5;
   EXPECT_LT(walked_to(30.3, vehicle), 9.2);
+}
+
+TEST_F(HoldBack, from_every_place_on_a_turn_about_to_which_one_may_drive_off) {
+  const Polyline way{{24.0, 10.0}, {29.0, 10.0}, {30.0, 11.5}, {29.0, 13.0}, {0.0, 13.0}};
+  VehicleState vehicle = vehicle_at({26.5, 10}, 0.0, 0.0);
+  vehicle.way = way;
+  vehicle.starts = 4.0;
+  const auto nearest = [&](const Vec2& place) {
+    double least = 100.0;
+    for (double ahead = 0.0; ahead <= vehicle.starts; ahead += 0.02)
+      least = std::min(least, body_if_started(vehicle, ahead).distance(place));
+    return least;
+  };
+  for (double x = 22.0; x <= 31.0; x += 0.1) {
+    for (double from = 7.4; from <= 8.8; from += 0.2) {
+      const double room = nearest(place_after(x, vehicle, from));
+      EXPECT_GT(room, std::min(kRadius, nearest({x, from})) - 0.03) << x << " " << from;
+    }
+  }
 }
 
 TEST_F(HoldBack, from_before_one_that_may_drive_off) {

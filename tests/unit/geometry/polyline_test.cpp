@@ -63,5 +63,21 @@ TEST(MostCut, is_nothing_on_a_straight_line) {
   EXPECT_EQ(most_cut(std::vector<Vec2>{}, kLength), 0.0);
 }
 
+TEST(StretchWithin, is_from_where_a_line_first_comes_near_to_where_it_last_is) {
+  const std::vector<Vec2> turns_back{{0.0, 0.0}, {10.0, 0.0}, {10.0, 3.0}, {0.0, 3.0}};
+  const auto both = stretch_within(turns_back, {4.0, 2.0}, 2.5);
+  ASSERT_TRUE(both);
+  EXPECT_NEAR(both->first, 4.0 - 1.5, 1e-9) << "on the farther leg";
+  EXPECT_NEAR(both->last, 13.0 + 6.0 + std::sqrt(2.5 * 2.5 - 1.0), 1e-9);
+  const auto one = stretch_within(turns_back, {4.0, 2.0}, 1.5);
+  ASSERT_TRUE(one);
+  EXPECT_NEAR(one->first, 13.0 + 6.0 - std::sqrt(1.25), 1e-9) << "on the nearer one alone";
+  EXPECT_FALSE(stretch_within(turns_back, {4.0, 1.5}, 1.4));
+  EXPECT_FALSE(stretch_within(turns_back, {-3.0, 0.0}, 2.0)) << "before its beginning";
+  const auto end = stretch_within(turns_back, {-1.0, 0.0}, 1.5);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->first, 0.0);
+}
+
 }  // namespace
 }  // namespace pedzone

@@ -23,9 +23,9 @@ const FleetVehicle kStraight = shuttle({{30.0, 0.0}});
 TEST(FirstInWay, is_the_person_before_the_bumper) {
   const auto found = ahead_of(kStraight, {{10.0, 0.0}, {0.0, 0.0}, 0.24});
   ASSERT_TRUE(found);
-  // Contact when the front is at 10 - 0.24 - margin; the sampling may stop up to 0.5 m before.
+  // Contact when the front is at 10 - 0.24 - margin, found to 2 cm.
   EXPECT_LE(found->distance, 10.0 - 0.24 - kMargin + 1e-9);
-  EXPECT_GE(found->distance, 10.0 - 0.24 - kMargin - 0.6);
+  EXPECT_GE(found->distance, 10.0 - 0.24 - kMargin - 0.02);
 }
 
 TEST(FirstInWay, is_the_nearest_of_several) {
@@ -106,6 +106,18 @@ TEST(FirstInWay, counts_the_rear_of_a_body_that_turns) {
   const Vec2 outside{-1.5, -1.5};
   EXPECT_TRUE(ahead_of(turning, {outside, {0, 0}, 0.24}));
   EXPECT_FALSE(ahead_of(kStraight, {outside, {0, 0}, 0.24}));
+}
+
+TEST(FirstInWay, is_beside_the_flank_of_one_that_turns_round_though_it_comes_back_nearer) {
+  const FleetVehicle turning = shuttle({{1.0, 1.5}, {0.0, 3.2}, {-30.0, 3.2}});
+  const PersonAhead inside{{-1.0, 1.7}, {0.0, 0.0}, 0.24};
+  double touched = 0.0;
+  while (body_after(turning, touched).signed_distance(inside.position) > inside.radius)
+    touched += 0.01;
+  ASSERT_LT(touched, 3.0) << "the flank comes over them at once";
+  const auto found = ahead_of(turning, inside);
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->distance, touched);
 }
 
 }  // namespace

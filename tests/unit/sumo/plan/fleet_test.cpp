@@ -170,6 +170,18 @@ TEST_F(FleetTest, shows_people_that_nobody_drives_off_in_a_queue) {
   EXPECT_GT(behind(30.0, 0.0), 3.0);
 }
 
+TEST_F(FleetTest, shows_people_that_nobody_brakes_harder_in_a_queue_than_it_likes_to) {
+  VehicleSeen leader = car(60.0, 0.0);
+  leader.id = "leader";
+  VehicleSeen follower = car(60.0 - leader.traits.length - leader.traits.min_gap, 5.0);
+  const std::vector<Zone> all = zones();
+  Fleet fleet(network, all);
+  fleet.update({follower, leader}, 1.0);
+  std::vector<VehicleState> states;
+  fleet.states(1.0, states);
+  EXPECT_NEAR(states.at(0).velocity.norm(), 5.0 - follower.traits.decel, 1e-9);
+}
+
 TEST_F(FleetTest, follows_a_long_vehicle_in_whatever_direction) {
   constexpr double kGap = 9.0, kLength = 18.0;  // [m]
   const std::vector<Zone> all = zones();
