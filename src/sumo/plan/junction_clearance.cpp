@@ -35,7 +35,8 @@ bool goes_first(const FleetVehicle& other, const FleetVehicle& vehicle) {
   return other.junction.end < vehicle.junction.end;
 }
 
-/// Adds discs that cover the body, and where it gets to in the junction within `time` [s].
+/// Adds discs that cover the body, and where it gets to in the junction within `time` [s]; 0: the
+/// body alone.
 void add_discs(const FleetVehicle& vehicle, double time, std::vector<PersonAhead>& discs) {
   const double radius = 0.5 * vehicle.traits.width, length = vehicle.traits.length;
   const auto add = [&](const Vec2& front, const Vec2& axis, const Vec2& velocity) {
@@ -50,6 +51,15 @@ void add_discs(const FleetVehicle& vehicle, double time, std::vector<PersonAhead
     const Rectangle body = body_after(vehicle, ahead);
     add(body.centre + body.axis * (0.5 * length), body.axis, Vec2::Zero());
   }
+}
+
+/// Whether it stands in the junction and could go on, were it let: whoever is inside, too, does not
+/// drive into it. Two in each other's way would wait for each other.
+bool stands_beyond(const FleetVehicle& other, const FleetVehicle& vehicle) {
+  if (!stands(other)) return false;
+  std::vector<PersonAhead> body;
+  add_discs(vehicle, 0.0, body);
+  return !first_in_way(other, body, 0.0, other.junction.end + other.traits.length);
 }
 
 }  // namespace
@@ -72,8 +82,12 @@ std::optional<Obstruction> first_in_junction(const FleetVehicle& vehicle,
   for (const FleetVehicle* const other : inside) {
     if (other == &vehicle || other->lane == vehicle.lane) continue;
     if (other->junction.junction != vehicle.junction.junction) continue;
-    if (!goes_first(*other, vehicle) || (!was_told(vehicle) && !was_told(*other))) continue;
-    add_discs(*other, outside ? kWholeWay : kForeseen, discs);
+    if (!was_told(vehicle) && !was_told(*other)) continue;
+    if (goes_first(*other, vehicle)) {
+      add_discs(*other, outside ? kWholeWay : kForeseen, discs);
+    } else if (!outside && stands_beyond(*other, vehicle)) {
+      add_discs(*other, 0.0, discs);
+    }
   }
   if (discs.empty()) return std::nullopt;
   const double through = vehicle.junction.end + vehicle.traits.length;

@@ -21,8 +21,8 @@ std::vector<const FleetVehicle*> in_junctions(std::span<const FleetVehicle> vehi
 /// Who is outside looks as far as its way out of the junction, and at all of the way of one that
 /// drives or that people hold: it waits at its line, if it can, since SUMO lets it come in and
 /// stand where the other is yet to pass. Of two that are both inside, the one waits that stands,
-/// else the one that has farther to go, for where the other gets to within 2 s: nobody for one that
-/// stands.
+/// else the one that has farther to go, for where the other gets to within 2 s. For the body alone
+/// of one that stands, unless it is itself in the way of that one.
 std::optional<Obstruction> first_in_junction(const FleetVehicle& vehicle,
                                              std::span<const FleetVehicle* const> inside);
 

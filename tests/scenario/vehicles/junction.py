@@ -12,8 +12,7 @@ from SUMO's own messages and outputs:
 - nobody whom pedzone walks is touched, but at a vehicle's insertion or, with turned shoulders, by one
   that stands
 In one run of twenty something of this may be wrong. Of 180 runs with one lane in steps of 1 s (seeds
-1 to 180) one is: two cars meet. With footways (seeds 1 to 40) one is, too:
-two cars meet.
+1 to 180) one is: two cars meet. With footways (seeds 1 to 40) none is.
 """
 import argparse
 import json

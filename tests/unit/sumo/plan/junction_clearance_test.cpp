@@ -74,8 +74,26 @@ TEST_F(JunctionClearance, is_kept_by_one_that_comes_for_one_that_people_hold) {
   EXPECT_TRUE(first()) << "it would have driven on";
   vehicles_[0].junction.begin = -0.9;
   EXPECT_TRUE(first()) << "it is as good as outside";
-  vehicles_[0].junction.begin = -1.1;
-  EXPECT_FALSE(first()) << "both are inside: they might wait for each other";
+}
+
+TEST_F(JunctionClearance, is_kept_by_one_inside_from_the_body_of_one_that_stands_and_could_go_on) {
+  vehicles_[1].speed = 0.0;
+  vehicles_[0].junction.begin = -2.0;
+  const auto ahead = first();
+  ASSERT_TRUE(ahead);
+  EXPECT_NEAR(ahead->distance, 6.0 - 0.9 - 0.5, 0.05) << "its flank, and half a metre between";
+  vehicles_[1].front.x() = -3.0;
+  vehicles_[1].way = {{-8.0, 0.0}, {-3.0, 0.0}, {60.0, 0.0}};
+  EXPECT_FALSE(first()) << "nobody waits for where it might get to";
+}
+
+TEST_F(JunctionClearance, is_not_kept_where_two_inside_would_wait_for_each_other) {
+  vehicles_[1].speed = 0.0;
+  FleetVehicle& turns = vehicles_[0];
+  turns.front = {3.0, 0.0};
+  turns.way = {{3.0, -5.0}, {3.0, 0.0}, {-60.0, 0.0}};
+  turns.junction.begin = -2.0;
+  EXPECT_FALSE(first());
 }
 
 TEST_F(JunctionClearance, is_sumos_matter_where_people_held_nobody) {
