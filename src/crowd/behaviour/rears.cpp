@@ -40,8 +40,8 @@ bool swings_at(const VehicleState& vehicle, const Rectangle& body, const Vec2& h
 
 /// Whether the vehicle is about to get nearer than `reach` [m], and than it is, to who stays.
 bool comes_over(const VehicleState& vehicle, const Vec2& here, double reach) {
-  const double speed = vehicle.velocity.norm(), now = distance_to(vehicle, here);
-  if (speed < kHaltingSpeed || now > reach + speed * kStays + vehicle.length) return false;
+  if (vehicle.velocity.norm() < kHaltingSpeed) return false;
+  const double now = distance_to(vehicle, here);
   for (double ahead = kLook; ahead < kStays + kRounding; ahead += kLook) {
     const double room = distance_to(moved_on(vehicle, ahead), here);
     if (room < reach && room < now) return true;

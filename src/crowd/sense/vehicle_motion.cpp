@@ -91,6 +91,7 @@ VehicleState moved_on(const VehicleState& vehicle, double dt) {
 }
 
 Rectangle body_shifted(const VehicleState& vehicle, double ahead) {
+  // One that drives forwards may go on even where it is expected to stand.
   const auto rear = vehicle.forwards ? rear_on_way(vehicle) : place_on_way(vehicle);
   const auto travelled = rear ? farther_on_way(vehicle, *rear, ahead) : std::nullopt;
   if (travelled) return body_on_way(vehicle, std::max(0.0, *travelled));

@@ -84,7 +84,7 @@ NextSpeed next_speed(const FleetVehicle& vehicle, double dt) {
   next.most = std::min(vehicle.speed + vehicle.traits.accel * dt,
                        std::max(vehicle.allowed_speed, vehicle.speed));
   if (vehicle.commanded >= 0.0) next.most = std::min(next.most, vehicle.commanded);
-  const double slowest = std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
+  const double slowest = speed_if_braked(vehicle, dt);
   next.expected = std::min(next.most, std::max(vehicle.follows_at, slowest));
   if (vehicle.stopped || vehicle.waits) next.expected = 0.0;  // as long as it does not drive off
   next.least = std::min(slowest, next.expected);

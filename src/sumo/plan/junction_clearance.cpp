@@ -53,10 +53,9 @@ void add_discs(const FleetVehicle& vehicle, double time, std::vector<PersonAhead
   }
 }
 
-/// Whether it stands in the junction and could go on, were it let: whoever is inside, too, does not
-/// drive into it. Two in each other's way would wait for each other.
-bool stands_beyond(const FleetVehicle& other, const FleetVehicle& vehicle) {
-  if (!stands(other)) return false;
+/// Whether the way of `other` is free of the body of `vehicle`: of two in each other's way both
+/// would wait.
+bool could_go_on(const FleetVehicle& other, const FleetVehicle& vehicle) {
   std::vector<PersonAhead> body;
   add_discs(vehicle, 0.0, body);
   return !first_in_way(other, body, 0.0, other.junction.end + other.traits.length);
@@ -85,7 +84,7 @@ std::optional<Obstruction> first_in_junction(const FleetVehicle& vehicle,
     if (!was_told(vehicle) && !was_told(*other)) continue;
     if (goes_first(*other, vehicle)) {
       add_discs(*other, outside ? kWholeWay : kForeseen, discs);
-    } else if (!outside && stands_beyond(*other, vehicle)) {
+    } else if (!outside && stands(*other) && could_go_on(*other, vehicle)) {
       add_discs(*other, 0.0, discs);
     }
   }

@@ -117,7 +117,7 @@ void StandOffs::tell(FleetVehicle& vehicle, Way before, Way now, bool commanded,
     vehicle.lets_go = true;
     // No harder than SUMO brakes at its client's word: what does not do as told seems to be driven
     // by another program.
-    orders.push_back({vehicle.id, std::max(0.0, vehicle.speed - vehicle.traits.decel * dt)});
+    orders.push_back({vehicle.id, speed_if_braked(vehicle, dt)});
   }
 }
 

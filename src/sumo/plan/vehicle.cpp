@@ -18,6 +18,10 @@ double braking_distance(const FleetVehicle& vehicle) {
   return vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
 }
 
+double speed_if_braked(const FleetVehicle& vehicle, double dt) {
+  return std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
+}
+
 double speed_within(const VehicleTraits& traits, double before, double after, double share) {
   return traits.ballistic ? std::lerp(before, after, share) : after;
 }

@@ -100,6 +100,9 @@ bool gives_way(const FleetVehicle& vehicle);
 /// [m] in which it stops as it likes to brake.
 double braking_distance(const FleetVehicle& vehicle);
 
+/// [m/s] after a step of `dt` [s] in which it brakes as it likes to.
+double speed_if_braked(const FleetVehicle& vehicle, double dt);
+
 /// [m/s] after that share [0, 1] of a step of SUMO's that changes its speed from `before` to
 /// `after` [m/s]; after half of it: the mean of the step.
 double speed_within(const VehicleTraits& traits, double before, double after, double share);

@@ -196,7 +196,7 @@ YieldOrder comfortable_order(FleetVehicle& vehicle, double safe, double dt) {
   const VehicleTraits& traits = vehicle.traits;
   const double eased = vehicle.commanded < 0.0 ? traits.accel : vehicle.pull + kEase * dt;
   const double most = vehicle.speed + std::min(eased, traits.accel) * dt;
-  const double least = std::max(0.0, vehicle.speed - traits.decel * dt);
+  const double least = speed_if_braked(vehicle, dt);
   const double speed = std::max(least, std::min(safe, most));
   vehicle.pull = dt > 0.0 ? (speed - vehicle.speed) / dt : 0.0;
   return {speed, false};
@@ -279,7 +279,7 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   // People who made room for one that traffic holds would wait for nothing, and for each other.
   vehicle.slowed = by_traffic ? 0.0 : vehicle.slowed + dt;
   if (vehicle.slowed > kClaimAfter && !stays_out) vehicle.claim = kClaim;
-  if (safe < vehicle.speed - vehicle.traits.decel * dt) {
+  if (safe < speed_if_braked(vehicle, dt)) {
     const double needed = needed_deceleration(vehicle, people, dt);
     if (needed > vehicle.traits.decel) {
       vehicle.pull = -needed;

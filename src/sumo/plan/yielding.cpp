@@ -118,8 +118,8 @@ void Yielding::keep_behind_late_brakers(std::span<FleetVehicle> vehicles,
       const FleetVehicle& leader = vehicles[vehicle.leader->index];
       if (!braked_just_now(leader, time)) continue;
       const auto& order = planned[vehicle.leader->index];
-      const double likes = std::max(0.0, leader.speed - leader.traits.decel * dt);
-      const double next = order ? order->speed : likes, gap = vehicle.leader->gap;
+      const double next = order ? order->speed : speed_if_braked(leader, dt),
+                   gap = vehicle.leader->gap;
       const double needed = needed_deceleration_behind(vehicle, gap, leader.traits, next, dt);
       if (needed > vehicle.traits.decel) {
         vehicle.pull = -needed;
