@@ -16,12 +16,20 @@ class Outlook {
   /// Looks round from a point. To be called first, and again for each other point.
   void look(const WallIndex& walls, const Vec2& from);
 
+  /// Hides all places in directions from `a` on counter-clockwise to `b`, less than half a turn,
+  /// but for a hair beside these.
+  void hide_between(const Vec2& a, const Vec2& b);
+
   /// Whether a wall lies between the point and the one at `offset` [m] from it, so that
   /// WallIndex::sees() says no. False says nothing.
   bool hides(const Vec2& offset) const {
     const double farthest = farthest_[sector_of(offset)];
     return offset.squaredNorm() > farthest * farthest;
   }
+
+  /// Whether it hides all places in a box, as told by the offsets [m] of two of its corners. False
+  /// says nothing.
+  bool hides_box(const Vec2& low, const Vec2& high) const;
 
  private:
   static constexpr int kSectors = 512;  // numerical, by timing
@@ -37,10 +45,15 @@ class Outlook {
   }
   /// Unit vectors along the borders at which the sectors begin.
   static const std::array<Vec2, kSectors>& borders();
+  struct Borders {
+    int first, last;
+  };
+  static Borders borders_between(const Vec2& a, const Vec2& b, double margin);
   void hide_behind(const Vec2& a, const Vec2& b);
 
   std::array<double, kSectors> farthest_;  ///< [m] what is farther away in the sector is hidden
-  std::vector<std::uint32_t> near_;
+  std::vector<std::uint64_t> seen_;        ///< of each wall, the last look that met it
+  std::uint64_t looks_ = 0;
 };
 
 }  // namespace pedzone

@@ -51,6 +51,29 @@ bool crosses(const Wall& wall, const Vec2& point, const Vec2& corner, const Vec2
   return odd;
 }
 
+/// What lies within `clearance` [m] of a segment.
+class Strip {
+ public:
+  Strip(const Vec2& from, const Vec2& to, double clearance)
+      : from_(from),
+        to_(to),
+        along_(to - from),
+        clearance_(clearance - kOnBorder),
+        beside_((clearance + kOnBorder) * along_.norm()) {}
+
+  bool meets(const Wall& wall) const {
+    // Most walls lie wholly on one side of the line: cheaper to see than a distance is to measure.
+    const double a_side = cross(along_, wall.a - from_), b_side = cross(along_, wall.b - from_);
+    if (std::min(a_side, b_side) > beside_ || std::max(a_side, b_side) < -beside_) return false;
+    const double distance = segment_distance(from_, to_, wall.a, wall.b);
+    return !(distance > 0.0 && distance >= clearance_);
+  }
+
+ private:
+  Vec2 from_, to_, along_;
+  double clearance_, beside_;
+};
+
 }  // namespace
 
 std::uint64_t WallIndex::next_identity() {
@@ -142,15 +165,18 @@ bool WallIndex::inside(const Vec2& point) const {
 }
 
 bool WallIndex::free_line(const Vec2& from, const Vec2& to, double clearance) const {
-  const Vec2 along = to - from;
-  const double beside = (clearance + kOnBorder) * along.norm();
+  std::uint32_t anything = 0;
+  return free_line(from, to, clearance, anything);
+}
+
+bool WallIndex::free_line(const Vec2& from, const Vec2& to, double clearance,
+                          std::uint32_t& in_the_way) const {
+  const Strip strip(from, to, clearance);
+  if (in_the_way < walls_.size() && strip.meets(walls_[in_the_way])) return false;
   return grid_.visit_along(from, to, clearance, [&](std::uint32_t index) {
-    const Wall& wall = walls_[index];
-    // Most walls lie wholly on one side of the line: cheaper to see than a distance is to measure.
-    const double a_side = cross(along, wall.a - from), b_side = cross(along, wall.b - from);
-    if (std::min(a_side, b_side) > beside || std::max(a_side, b_side) < -beside) return true;
-    const double distance = segment_distance(from, to, wall.a, wall.b);
-    return distance > 0.0 && distance >= clearance - kOnBorder;
+    if (!strip.meets(walls_[index])) return true;
+    in_the_way = index;
+    return false;
   });
 }
 

@@ -29,6 +29,16 @@ class WallIndex {
   /// appended to `out` (cleared first). A superset: all that are within reach are there.
   void near(const Vec2& point, double reach, std::vector<std::uint32_t>& out) const;
 
+  /// Calls visit(index) for all of these and others, some of them more than once.
+  template <class Visit>
+  void visit_near(const Vec2& point, double reach, Visit visit) const {
+    const Vec2 margin = Vec2::Constant(reach);
+    grid_.visit_box(point - margin, point + margin, [&](std::uint32_t index) {
+      visit(index);
+      return true;
+    });
+  }
+
   /// Distance [m] to the nearest wall, or `limit` where none is nearer.
   double room(const Vec2& point, double limit) const;
 
@@ -40,6 +50,11 @@ class WallIndex {
 
   /// Whether the segment from → to meets no wall within `clearance` [m] of it.
   bool free_line(const Vec2& from, const Vec2& to, double clearance = 0.0) const;
+
+  /// The same for who asks again and again from nearly the same place: `in_the_way` is the wall
+  /// that is looked at first, and becomes the one that was found.
+  bool free_line(const Vec2& from, const Vec2& to, double clearance,
+                 std::uint32_t& in_the_way) const;
 
   /// Whether the segment crosses no wall. Its own ends may lie on walls; a wall's end point on
   /// the way counts as crossed.

@@ -187,6 +187,8 @@ Vec2 WallIndex::slide(const Vec2& from, const Vec2& to, double radius) const {
   const double reach = move.norm() + size;
   const double room_here = room(from, reach);
   if (room_here >= reach) return to;
+  // Most who walk near a wall come no nearer to it than they may: nothing of what follows stops them.
+  if (move.norm() > kTouch && free_line(from, to, size + kPushSlack)) return from + move;
 
   const Walk walk = walk_along(from, move, std::clamp(room_here, kLeastRoom, size));
   Vec2 end = walk.end;

@@ -57,21 +57,30 @@ void WayFinder::add_corners(const Ring& ring, int part) {
 }
 
 void WayFinder::link_corners() {
-  std::vector<Vec2> points;  // close together: of most pairs no more is read
+  std::vector<Vec2> points;
   for (const Node& node : nodes_) points.push_back(node.point);
+  corners_ = PointTree(points);
   Outlook outlook;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    outlook.look(walls_, points[i]);
-    for (std::size_t j = i + 1; j < nodes_.size(); ++j) {
-      const Vec2 line = points[j] - points[i];
-      if (outlook.hides(line)) continue;
-      Node &u = nodes_[i], &v = nodes_[j];
-      if (u.part != v.part) continue;
-      if (!is_taut(u, line) || !is_taut(v, line) || !walls_.sees(u.point, v.point)) continue;
-      u.edges.emplace_back(static_cast<int>(j), line.norm());
-      v.edges.emplace_back(static_cast<int>(i), line.norm());
-    }
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    outlook.look(walls_, node.point);
+    // Between its walls, and opposite, no line is tight.
+    outlook.hide_between(node.before, node.after);
+    outlook.hide_between(-node.before, -node.after);
+    corners_.visit_in_view(outlook, node.point, [&](std::uint32_t j, const Vec2& line) {
+      if (j > i) link(i, j, line);
+    });
   }
+  for (Node& node : nodes_) std::ranges::sort(node.edges);
+}
+
+/// Links two corners that see each other along a `line` that is tight at both.
+void WayFinder::link(std::uint32_t i, std::uint32_t j, const Vec2& line) {
+  Node &u = nodes_[i], &v = nodes_[j];
+  if (u.part != v.part) return;
+  if (!is_taut(u, line) || !is_taut(v, line) || !walls_.sees(u.point, v.point)) return;
+  u.edges.emplace_back(static_cast<int>(j), line.norm());
+  v.edges.emplace_back(static_cast<int>(i), line.norm());
 }
 
 /// Whether both walls of a corner are on the same side of a line through it.
@@ -166,10 +175,10 @@ class WayFinder::Search {
   void link_start() {
     Outlook outlook;
     outlook.look(finder_.walls_, from_);
-    for (int i = 0; i < first_goal_; ++i) {
-      const Vec2 line = node(i).point - from_;
-      if (!outlook.hides(line) && is_taut(node(i), line)) push(i, kStart, line.norm());
-    }
+    finder_.corners_.visit_in_view(outlook, from_, [&](std::uint32_t k, const Vec2& line) {
+      const int i = static_cast<int>(k);
+      if (is_taut(node(i), line)) push(i, kStart, line.norm());
+    });
     for (std::size_t k = 1; k < goals_.size(); ++k) link_goal(k, kStart, 0.0);
   }
 

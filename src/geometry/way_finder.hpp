@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/point_tree.hpp"
 #include "geometry/wall_index.hpp"
 
 namespace pedzone {
@@ -45,6 +46,7 @@ class WayFinder {
   void add_part(const Polygon& polygon, int part);
   void add_corners(const Ring& ring, int part);
   void link_corners();
+  void link(std::uint32_t i, std::uint32_t j, const Vec2& line);
   static bool is_taut(const Node& node, const Vec2& direction);
   Vec2 place_near(const Vec2& point) const;
   int part_of(const Vec2& place) const;
@@ -53,6 +55,7 @@ class WayFinder {
   WallIndex area_;                 ///< borders of the walkable area itself
   WallIndex walls_;                ///< borders of the shrunk area
   std::vector<Node> nodes_;        ///< its reflex corners
+  PointTree corners_;              ///< these again
   std::vector<int> part_of_wall_;  ///< of walls_
 };
 

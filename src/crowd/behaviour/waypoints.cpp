@@ -87,6 +87,10 @@ class Follower {
     return walls_.free_line(here_, point, clearance);
   }
 
+  bool sees_point_after(double clearance) const {
+    return walls_.free_line(here_, point_after(), clearance, walker_.hiding);
+  }
+
   /// The point that would be headed for if the next waypoint were taken.
   Vec2 point_after() const {
     if (route_.next + 2 < route_.points.size()) return route_.points[route_.next + 1];
@@ -103,7 +107,7 @@ class Follower {
   /// so that a corner holds nobody and a large radius leads nobody into a wall.
   void take_entered() {
     const double clearance = passing_clearance(radius_);
-    if (sees(point_after(), clearance)) {
+    if (sees_point_after(clearance)) {
       take_next(true);
     } else if (sees(route_.points[route_.next + 1], clearance) ||
                (heading_point(route_, here_) - here_).norm() <= kOnWaypoint) {
@@ -114,7 +118,7 @@ class Follower {
   /// Skips waypoints that need not be visited.
   void look_ahead() {
     const double clearance = std::min(radius_ + kPullMargin, kWayClearance);
-    while (!route_.on_last() && sees(point_after(), clearance)) take_next(true);
+    while (!route_.on_last() && sees_point_after(clearance)) take_next(true);
   }
 
   /// On the last leg, finds out whether the nearest point of the destination can be headed for.
@@ -160,7 +164,7 @@ class Follower {
     walker_.blocked = 0.0;
     if (left <= kGiveUpWithin) {
       walker_.arrived = walker_.gave_up = true;
-    } else if (!route_.on_last() && sees(point_after(), passing_clearance(radius_))) {
+    } else if (!route_.on_last() && sees_point_after(passing_clearance(radius_))) {
       take_next(true);
     } else {
       plan_again();

@@ -35,6 +35,7 @@ struct WalkState {
   double own_speed = 1.34;    ///< [m/s] preferred, but for activity and weather
   float full_radius = 0.24F;  ///< [m] of the body while it does not squeeze
   float turned_width = 0.5F;  ///< with the shoulders turned, over the full width
+  std::uint32_t hiding = 0;   ///< wall that hid the waypoint after the next one last time
   bool entered = false;       ///< has been within the radius of the current waypoint
   bool waits = false;         ///< for a vehicle
   bool new_here = true;       ///< has not been walked yet

@@ -38,6 +38,24 @@ TEST(Outlook, hides_in_all_directions) {
   }
 }
 
+TEST(Outlook, hides_directions_between_two_others_but_not_these) {
+  Outlook outlook;
+  for (int k = 0; k < 64; ++k) {
+    const double angle = k * kPi / 32.0 + 0.001;
+    outlook.look(WallIndex(), {0, 0});
+    outlook.hide_between(unit(angle), 3.0 * unit(angle + 1.0));
+    for (const double inside : {0.05, 0.5, 0.95}) {
+      EXPECT_TRUE(outlook.hides(0.1 * unit(angle + inside))) << angle << " " << inside;
+    }
+    for (const double beside : {-0.5, -1e-6, 0.0, 1e-6, 1.0, 1.5, 4.0}) {
+      EXPECT_FALSE(outlook.hides(unit(angle + beside))) << angle << " " << beside;
+    }
+    outlook.look(WallIndex(), {0, 0});
+    outlook.hide_between(unit(angle + 1.0), unit(angle));
+    EXPECT_FALSE(outlook.hides(unit(angle + 2.0))) << "more than half a turn";
+  }
+}
+
 TEST(Outlook, looks_round_again_from_each_point) {
   const WallIndex walls(std::vector<Wall>{{{-5, 2}, {5, 2}}});
   Outlook outlook;
@@ -74,6 +92,33 @@ TEST(Outlook, hides_nothing_that_is_seen) {
     }
   }
   EXPECT_GT(hidden, not_seen / 2);
+}
+
+TEST(Outlook, hides_no_box_that_holds_a_place_it_does_not_hide) {
+  Random random(21);
+  const WallIndex walls(shapes::obstacle_scene(random, 120.0, 60));
+  Outlook outlook;
+  int hidden = 0, boxes = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto place = [&] {
+      return Vec2(shapes::uniform(random, 0.0, 120.0), shapes::uniform(random, 0.0, 120.0));
+    };
+    const Vec2 from = place(), low = place() - from;
+    const Vec2 size(shapes::uniform(random, 0.0, 9.0), shapes::uniform(random, 0.0, 9.0));
+    outlook.look(walls, from);
+    bool all = true;
+    for (int k = 0; k <= 20; ++k) {
+      for (int j = 0; j <= 20; ++j) {
+        all = all && outlook.hides(low + size.cwiseProduct(Vec2(0.05 * k, 0.05 * j)));
+      }
+    }
+    const bool is_hidden = outlook.hides_box(low, low + size);
+    ASSERT_FALSE(is_hidden && !all) << from.transpose() << ": " << low.transpose();
+    hidden += is_hidden ? 1 : 0;
+    boxes += all ? 1 : 0;
+  }
+  EXPECT_GT(hidden, boxes * 3 / 4);
+  EXPECT_FALSE(outlook.hides_box({-1.0, -1.0}, {1.0, 1.0})) << "the point itself is in it";
 }
 
 TEST(Outlook, hides_nothing_that_is_seen_along_the_axes) {

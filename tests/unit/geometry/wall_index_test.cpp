@@ -141,6 +141,7 @@ TEST(WallIndexFreeLine, agrees_with_the_distance_to_every_wall) {
   const Region scene = shapes::obstacle_scene(random, 60.0, 25);
   const WallIndex index(scene);
   int free = 0;
+  std::uint32_t in_the_way = 0;
   for (int i = 0; i < 4000; ++i) {
     const Vec2 from = random_point(random, -5.0, 65.0),
                to = from + random_point(random, -20.0, 20.0);
@@ -157,6 +158,9 @@ TEST(WallIndexFreeLine, agrees_with_the_distance_to_every_wall) {
     const bool expected = nearest > 0.0 && nearest >= clearance;
     free += expected;
     ASSERT_EQ(index.free_line(from, to, clearance), expected);
+    ASSERT_EQ(index.free_line(from, to, clearance, in_the_way), expected);
+    const WallIndex found(std::vector<Wall>{index.walls()[in_the_way]});
+    ASSERT_TRUE(expected || !found.free_line(from, to, clearance));
   }
   EXPECT_GT(free, 400);
 }
