@@ -76,9 +76,9 @@ bool walks_undisturbed(const CrowdState& crowd, std::size_t i) {
          walker.route.found && !walker.entered && !is_at_street(crowd, i);
 }
 
-/// [m] that it walks within the step, at most.
-double longest_way(const CrowdState& crowd, std::size_t i, double dt) {
-  return std::max(crowd.persons.preferred_speed[i], crowd.velocity(i).norm()) * dt;
+/// [m] that it walks within `time` [s], at most.
+double longest_way(const CrowdState& crowd, std::size_t i, double time) {
+  return std::max(crowd.persons.preferred_speed[i], crowd.velocity(i).norm()) * time;
 }
 
 bool room_ahead(const CrowdState& crowd, std::size_t i, double way) {
@@ -87,15 +87,16 @@ bool room_ahead(const CrowdState& crowd, std::size_t i, double way) {
   return (aim - crowd.position(i)).norm() > way + near + crowd.persons.radius[i];
 }
 
-bool nobody_within_reach(const CrowdState& crowd, std::size_t i, double way, double most,
-                         double widest, double dt) {
+/// Whether it could meet nobody within `time` [s].
+bool nobody_within_reach(const CrowdState& crowd, std::size_t i, double most, double widest,
+                         double time) {
   const Persons& persons = crowd.persons;
   const Vec2 here = crowd.position(i);
-  const double own = way + persons.radius[i] + kGap;
+  const double own = longest_way(crowd, i, time) + persons.radius[i] + kGap;
   const Vec2 box = Vec2::Constant(own + most + widest);
   bool alone = true;
   crowd.grid.visit_box(here - box, here + box, [&](std::uint32_t j, const Vec2& there) {
-    const double reach = own + longest_way(crowd, j, dt) + persons.radius[j];
+    const double reach = own + longest_way(crowd, j, time) + persons.radius[j];
     alone = alone && (j == i || (there - here).squaredNorm() > reach * reach);
   });
   return alone;
@@ -117,9 +118,11 @@ void swap_rows(CrowdState& crowd, std::size_t a, std::size_t b) {
 std::vector<std::uint8_t> find_free(CrowdState& crowd, double dt) {
   const Persons& persons = crowd.persons;
   std::vector<std::uint8_t> free(persons.walking, 0);
+  // People turn their shoulders before others whom they meet so soon.
+  const double time = std::max(dt, crowd.zone.parameters.turn_time);
   double most = 0.0;
   for (std::size_t i = 0; i < persons.size(); ++i) {
-    most = std::max(most, longest_way(crowd, i, dt));
+    most = std::max(most, longest_way(crowd, i, time));
   }
   const double widest = std::ranges::max(persons.radius);
   crowd.grid.build(persons.x, persons.y, 2.0 * (most + widest) + kGap);
@@ -133,7 +136,7 @@ std::vector<std::uint8_t> find_free(CrowdState& crowd, double dt) {
       };
       free[i] = walks_undisturbed(crowd, i) && room_ahead(crowd, i, way) &&
                         !comes_to_kerb(crowd, i, way) &&
-                        nobody_within_reach(crowd, i, way, most, widest, dt) &&
+                        nobody_within_reach(crowd, i, most, widest, time) &&
                         std::ranges::none_of(traffic, minds)
                     ? 1
                     : 0;

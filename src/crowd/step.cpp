@@ -186,6 +186,7 @@ void walk_free(CrowdState& crowd, double dt, std::uint64_t substeps) {
   move_freely(crowd, crowd.walkers, crowd.moves);
   commit(crowd, crowd.walkers, crowd.persons, crowd.moves);
   follow_waypoints(crowd, dt, substeps, crowd.ways());
+  forget_neighbours(crowd, crowd.near);
   notice_jams(crowd, dt, crowd.jams, crowd.jam_notices);
 
   crowd.clock.person_steps += free * substeps;

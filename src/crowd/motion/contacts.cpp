@@ -170,6 +170,12 @@ void find_neighbours(const CrowdState& crowd, BodyGrid& grid, Neighbourhood& nea
   });
 }
 
+void forget_neighbours(const CrowdState& crowd, Neighbourhood& near) {
+  prepare_lists(crowd.persons.size(), near.lists);
+  near.first.assign(crowd.persons.walking, 0);
+  near.last.assign(crowd.persons.walking, 0);
+}
+
 void move_freely(const CrowdState& crowd, std::vector<WalkState>& walkers, Moves& moves) {
   for_each_block(crowd.persons.walking, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {

@@ -9,6 +9,9 @@ namespace pedzone {
 /// within the substep.
 void find_neighbours(const CrowdState& crowd, BodyGrid& grid, Neighbourhood& near);
 
+/// Lists nobody for anybody: all walk freely.
+void forget_neighbours(const CrowdState& crowd, Neighbourhood& near);
+
 /// Moves everybody as meant, as far as the walls let them: to moves.x, y. Of the walkers it writes
 /// `wall_room`, as all that moves bodies does.
 void move_freely(const CrowdState& crowd, std::vector<WalkState>& walkers, Moves& moves);

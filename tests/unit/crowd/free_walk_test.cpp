@@ -79,6 +79,33 @@ TEST(FreeWalk, ends_where_two_could_touch_if_both_hurried) {
   EXPECT_EQ(far.decisions_of(2), 1);
 }
 
+TEST(FreeWalk, ends_where_two_turn_their_shoulders_before_each_other) {
+  // In short steps, too: they do a second before they meet.
+  for (const double distance : {4.5, 6.0}) {
+    Footway footway;
+    footway.walk(10, 2, 190);
+    footway.walk(10 + distance, 2, 0);
+    footway.scene.step(0.2);
+    footway.decisions.clear();
+    footway.scene.step(0.2);
+    EXPECT_EQ(footway.decisions[1], distance < 5.0 ? 2 : 1) << distance;
+  }
+}
+
+TEST(FreeWalk, has_nobody_before_it_whatever_its_model_says) {
+  Decision hindered;
+  hindered.speed = 1.34;
+  hindered.free_distance = 10.0;
+  hindered.turns = true;  // as if somebody were
+  const Zone zone = zone_of(box(0, 0, 900, 4), {}, true);
+  Scene scene(zone, 1, fixed_model(hindered));
+  for (int k = 0; k < 100; ++k) {  // one after the other: only who is new walks in substeps
+    scene.add({2, 2}, point(890, 2));
+    for (int n = 0; n < 5; ++n) scene.step(1.0);
+  }
+  EXPECT_TRUE(scene.crowd.jams().empty());
+}
+
 TEST(FreeWalk, minds_people_in_SUMOs_hands) {
   Footway footway;
   footway.walk(10, 2, 190);
