@@ -8,6 +8,7 @@
 #include "model/walking_model.hpp"
 #include "sumo/files/hint_values.hpp"
 #include "sumo/files/path_vehicles.hpp"
+#include "sumo/files/walk_speeds.hpp"
 #include "sumo/live/gui_view.hpp"
 #include "sumo/live/stuck_watch.hpp"
 #include "sumo/live/vehicle_reader.hpp"
@@ -97,7 +98,7 @@ struct Simulation::Parts {
                           : static_cast<std::uint64_t>(number_option(*session, "seed"))),
         profiles(options.profiles),
         crowds(make_crowds()),
-        takeover(network, zones, crowds, profiles, paths,
+        takeover(network, zones, crowds, profiles, paths, read_walk_speeds(panel_people.scenario()),
                  number_option(*session, "pedestrian.striping.dawdling"), session->persons()),
         gui(session->view(), session->persons(), crowds, takeover, options.screenshots) {
     if (session->option("pedestrian.model") != "striping") {

@@ -114,6 +114,23 @@ class BackAndForth(ScenarioCase):
             self.assertEqual(visits, 2, name)
 
 
+class WalksThatSaySo(ScenarioCase):
+    """By speed or duration of a <walk>."""
+
+    def test_they_take_as_long_as_in_sumo(self):
+        over = 'edges="shared" departPos="0" arrivalPos="60"'
+        self.scenario(routes=f"""<routes>
+          <person id="slow" depart="0"><walk {over} speed="0.5"/></person>
+          <person id="long" depart="20"><walk {over} duration="100"/></person>
+          <person id="usual" depart="40"><walk {over}/></person>
+          <personFlow id="flow" begin="60" end="100" number="2"><walk {over} speed="2.2"/>
+            <walk from="shared" to="west" arrivalPos="20" duration="70"/></personFlow></routes>""")
+        self.check_as_in_sumo()
+        walks = {name: legs[0][2] for name, (_, legs) in self.trips("pedzone").items()}
+        self.assertGreater(walks["slow"], 2.0 * walks["usual"])
+        self.assertLess(walks["flow.0"], 0.75 * walks["usual"])
+
+
 class WithoutSharedSpace(ScenarioCase):
     def test_it_runs_as_in_sumo_with_one_warning(self):
         self.scenario(edges=NO_ZONE, routes=WALKS.replace("</routes>", CARS + "</routes>"))

@@ -60,6 +60,7 @@ class PersonCalls final : public SumoPersons {
     seen.id = id;
     seen.edges = edges(id);
     seen.stages_left = stages_left(id);
+    seen.length = stage.length;
     seen.arrival_position = stage.arrivalPos;
     seen.position = position(id);
     seen.heading = heading(id);

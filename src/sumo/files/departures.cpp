@@ -1,7 +1,6 @@
 #include "sumo/files/departures.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "core/xml_stream.hpp"
 #include "sumo/files/body_sizes.hpp"
+#include "sumo/files/number_text.hpp"
 
 namespace pedzone {
 namespace {
@@ -18,30 +18,6 @@ namespace {
 constexpr double kBehindStart = 0.1;  // [m] SUMO 1.15: departPos base is this and the length
 constexpr std::string_view kUsualType = "DEFAULT_VEHTYPE";
 constexpr double kForEver = std::numeric_limits<double>::infinity();
-
-std::optional<double> number_of(std::optional<std::string_view> text) {
-  double value = 0.0;
-  if (!text) return std::nullopt;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  if (error != std::errc() || end != text->data() + text->size()) return std::nullopt;
-  return value;
-}
-
-/// Seconds, or [days:]hours:minutes:seconds.
-std::optional<double> time_of(std::optional<std::string_view> text) {
-  if (!text) return std::nullopt;
-  double time = 0.0;
-  int parts = 0;
-  for (std::string_view rest = *text; parts < 4; ++parts) {
-    const std::size_t colon = rest.find(':');
-    const auto part = number_of(rest.substr(0, colon));
-    if (!part) return std::nullopt;
-    time = time * (parts == 1 && std::ranges::count(*text, ':') == 3 ? 24.0 : 60.0) + *part;
-    if (colon == std::string_view::npos) return time;
-    rest.remove_prefix(colon + 1);
-  }
-  return std::nullopt;
-}
 
 std::string first_word(std::string_view list) {
   const std::size_t begin = std::min(list.find_first_not_of(' '), list.size());

@@ -1,6 +1,7 @@
 #include "sumo/live/takeover.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "sumo/files/truth.hpp"
 #include "sumo/live/person_hints.hpp"
@@ -10,12 +11,14 @@ namespace pedzone {
 
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
                    std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
-                   const std::vector<WaypointPath>& paths, double dawdling, SumoPersons& sumo)
+                   const std::vector<WaypointPath>& paths, WalkSpeeds walk_speeds, double dawdling,
+                   SumoPersons& sumo)
     : network_(network),
       zones_(zones),
       crowds_(crowds),
       profiles_(profiles),
       paths_(paths),
+      walk_speeds_(std::move(walk_speeds)),
       sumo_(sumo),
       striping_share_(striping_share(dawdling)),
       zone_of_edge_(zones_of_edges(network, zones)),
@@ -215,7 +218,8 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   guest.stretch = plan.stretch;
   guest.watch.plan = plan.plan;
   guest.radius = walker.radius;
-  guest.preferred_speed = striping_share_ * walker.top_speed;
+  const auto told = walk_speeds_.of(walker.id, walker.stages_left, walker.length);
+  guest.preferred_speed = striping_share_ * told.value_or(walker.top_speed);
   const PersonHints hints = read_hints(sumo_, walker.id, {profiles_, paths_});
   guest.handle = crowds_[zone]->add(
       new_person(walker, plan, hints, static_cast<std::size_t>(zone), guest.preferred_speed));

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "sumo/calls/persons.hpp"
+#include "sumo/files/walk_speeds.hpp"
 #include "sumo/live/person_colour.hpp"
 #include "sumo/plan/bystanders.hpp"
 #include "sumo/plan/outside_drivers.hpp"
@@ -57,7 +58,8 @@ class Takeover {
   /// `dawdling`: SUMO's option pedestrian.striping.dawdling. The rest must outlive it.
   Takeover(const Network& network, const std::vector<Zone>& zones,
            std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
-           const std::vector<WaypointPath>& paths, double dawdling, SumoPersons& sumo);
+           const std::vector<WaypointPath>& paths, WalkSpeeds walk_speeds, double dawdling,
+           SumoPersons& sumo);
 
   /// After a step of SUMO, at `time` [s]: forgets persons that are gone, notices new plans, takes
   /// over who has entered a zone, and lets the crowds see who else is near.
@@ -116,6 +118,7 @@ class Takeover {
   std::vector<std::unique_ptr<Crowd>>& crowds_;
   const Profiles& profiles_;
   const std::vector<WaypointPath>& paths_;
+  WalkSpeeds walk_speeds_;
   SumoPersons& sumo_;
   double striping_share_;          ///< of top speed, see takeover_plan.hpp
   std::vector<int> zone_of_edge_;  ///< -1: SUMO's

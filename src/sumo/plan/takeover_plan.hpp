@@ -17,6 +17,7 @@ struct WalkerSeen {
   std::string id;
   std::vector<std::string> edges;  ///< of its present walk
   int stages_left = 0;
+  double length = 0.0;            ///< [m] of its present walk, as SUMO counts it
   double arrival_position = 0.0;  ///< [m] on the last edge
   Vec2 position = Vec2::Zero();   ///< [m]
   double heading = 0.0;           ///< [rad]
