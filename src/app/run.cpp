@@ -134,6 +134,13 @@ void warn_of_shapes(const Simulation& simulation) {
   }
 }
 
+void warn_of_counts(const Simulation& simulation) {
+  if (!simulation.miscounts_walking()) return;
+  print_warning(
+      "in person-summary-output 'walking' and 'riding' are wrong, but their sum is right: SUMO "
+      "counts each place of somebody whom pedzone walks as one more who walks.");
+}
+
 /// To its end, or until it is interrupted. What ended it early, if SUMO did.
 std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progress,
                  StepWatch& watch) {
@@ -181,6 +188,7 @@ int simulate(RunOptions& options) {
   tell_of_no_zone(options, simulation);
   warn_of_far_places(simulation.network());
   warn_of_shapes(simulation);
+  warn_of_counts(simulation);
   const std::string lost = walk(simulation, outputs, progress, watch);
   RunSummary totals = simulation.summary();
   totals.interrupted_by = noted_interrupt();

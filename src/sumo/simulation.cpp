@@ -360,6 +360,10 @@ bool Simulation::warns() const {
          parts_->session->option("aggregate-warnings") == "-1";
 }
 
+bool Simulation::miscounts_walking() const {
+  return !zones().empty() && !parts_->session->option("person-summary-output").empty();
+}
+
 const Standstills& Simulation::stuck_persons() const { return parts_->stuck.persons(); }
 
 std::vector<Insight> Simulation::insights() {

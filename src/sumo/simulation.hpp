@@ -88,6 +88,9 @@ class Simulation {
   const Standstills& stuck_persons() const;
   /// Whether SUMO prints each of its warnings. Not to be asked after close().
   bool warns() const;
+  /// Whether SUMO is to write a person-summary-output. Each place that pedzone tells it counts
+  /// there as one more who walks (SUMO 1.15 and 1.18). Not to be asked after close().
+  bool miscounts_walking() const;
   /// Figures so far.
   RunSummary summary() const;
 

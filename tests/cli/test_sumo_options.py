@@ -82,6 +82,15 @@ class TheUserWins(OptionsCase):
         done = self.succeeds(self.pedzone("--pedestrians", "3", "--", "-a", "more.add.xml"))
         self.assertRegex(done.stdout, r"seen +6\n")
 
+    def test_a_summary_of_persons_that_is_wrong_is_told(self):
+        done = self.succeeds(self.after("--person-summary-output", "from-sumo.xml"))
+        self.assertIn("person-summary-output 'walking' and 'riding' are wrong", done.stderr)
+        step = ElementTree.parse(self.folder / "from-sumo.xml").getroot()[-1]
+        number = {name: int(value) for name, value in step.items() if name != "time"}
+        self.assertGreater(number["walking"], 3)  # all that there are: else SUMO has mended it
+        self.assertEqual(number["walking"] + number["riding"], number["inserted"] - number["ended"])
+        self.assertNotIn("person-summary-output", self.after().stderr)
+
 
 class Mistakes(OptionsCase):
     def test_a_typo_is_the_users(self):
