@@ -9,7 +9,8 @@ one zone. Methods (options of SUMO):
 - actions: steps of 0.1 s, of which drivers act in every tenth (default.action-step-length)
 - sublanes: vehicles have a place within their lane (lateral-resolution)
 Everything is read from SUMO's own messages and outputs, for each method summed over the seeds:
-- everybody arrives, cars in at most 1.05 times plain SUMO's time
+- everybody arrives, cars in at most 1.08 times plain SUMO's time (in the mean of four seeds with
+  ballistic steps 1.03 with SUMO 1.15, 1.05 with 1.18; of two it scatters by 0.02)
 - at most one person a run is touched, but at insertions, or with turned shoulders
 - no more vehicles are teleported than in plain SUMO, and one; nor collide with another
 """
@@ -30,7 +31,7 @@ METHODS = {  # [s] of a step, and what the configuration says
 }
 CARS, PEOPLE = 400, 400
 SECONDS, END = 600, 1500
-SLOWER = 1.05
+SLOWER = 1.08
 
 
 def make_trips(folder, name, number, seed, *options):
