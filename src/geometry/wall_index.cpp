@@ -131,12 +131,10 @@ void WallIndex::mark_cells() {
 
 void WallIndex::near(const Vec2& point, double reach, std::vector<std::uint32_t>& out) const {
   out.clear();
-  const Vec2 margin = Vec2::Constant(reach + kOnBorder);
   const double limit2 = (reach + kOnBorder) * (reach + kOnBorder);
-  grid_.visit_box(point - margin, point + margin, [&](std::uint32_t index) {
+  visit_near(point, reach + kOnBorder, [&](std::uint32_t index) {
     const Wall& wall = walls_[index];
     if ((nearest_on(wall.a, wall.b, point) - point).squaredNorm() <= limit2) out.push_back(index);
-    return true;
   });
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -197,8 +195,7 @@ bool WallIndex::sees(const Vec2& from, const Vec2& to) const {
 std::optional<WallIndex::Nearest> WallIndex::nearest(const Vec2& point, double limit) const {
   Nearest best{std::numeric_limits<std::uint32_t>::max(), Vec2::Zero(), limit * limit};
   bool found = false;
-  const Vec2 margin = Vec2::Constant(limit);
-  grid_.visit_box(point - margin, point + margin, [&](std::uint32_t index) {
+  visit_near(point, limit, [&](std::uint32_t index) {
     const Wall& wall = walls_[index];
     const Vec2 place = nearest_on(wall.a, wall.b, point);
     const double distance2 = (place - point).squaredNorm();
@@ -207,7 +204,6 @@ std::optional<WallIndex::Nearest> WallIndex::nearest(const Vec2& point, double l
       best = {index, place, distance2};
       found = true;
     }
-    return true;
   });
   if (!found) return std::nullopt;
   best.distance = std::sqrt(best.distance);

@@ -160,16 +160,14 @@ Vec2 WallIndex::push_out(const Vec2& point, double radius, double step) const {
   // Of the walls that would be as near after the push, the one that is most opposed to it.
   Vec2 opposed = away;
   const double reach = std::min(radius, place->distance + 2.0 * wanted);
-  const Vec2 margin = Vec2::Constant(reach);
-  grid_.visit_box(point - margin, point + margin, [&](std::uint32_t index) {
+  visit_near(point, reach, [&](std::uint32_t index) {
     const Wall& wall = walls_[index];
     const Vec2 offset = point - nearest_on(wall.a, wall.b, point);
     const double distance = offset.norm();
-    if (distance >= reach) return true;
+    if (distance >= reach) return;
     const Vec2 normal =
         distance > kTouch ? Vec2(offset / distance) : left_of((wall.b - wall.a).normalized());
     if (normal.dot(away) < opposed.dot(away)) opposed = normal;
-    return true;
   });
   const Vec2 both = away + opposed;
   if (both.norm() > kParallel) {
@@ -187,7 +185,7 @@ Vec2 WallIndex::slide(const Vec2& from, const Vec2& to, double radius) const {
   const double reach = move.norm() + size;
   const double room_here = room(from, reach);
   if (room_here >= reach) return to;
-  // Most who walk near a wall come no nearer to it than they may: nothing of what follows stops them.
+  // Most who walk near a wall come no nearer to it than they may: nothing stops or turns them.
   if (move.norm() > kTouch && free_line(from, to, size + kPushSlack)) return from + move;
 
   const Walk walk = walk_along(from, move, std::clamp(room_here, kLeastRoom, size));

@@ -8,7 +8,7 @@
 #include "model/walking_model.hpp"
 #include "sumo/files/hint_values.hpp"
 #include "sumo/files/path_vehicles.hpp"
-#include "sumo/files/walk_speeds.hpp"
+#include "sumo/files/type_files.hpp"
 #include "sumo/live/gui_view.hpp"
 #include "sumo/live/stuck_watch.hpp"
 #include "sumo/live/vehicle_reader.hpp"
@@ -56,19 +56,14 @@ const std::vector<VehiclePath>& known_vehicles(const SimulationOptions& options)
   return options.vehicle_paths;
 }
 
-DesiredSpeeds desired_speeds(const Scenario& scenario) {
-  DesiredSpeeds speeds;
-  for (const auto* files : {&scenario.additional_files, &scenario.route_files}) {
-    for (const std::string& file : *files) speeds.read(file);
-  }
-  return speeds;
-}
-
 std::unique_ptr<Session> open_session(const SimulationOptions& options, const Scenario& scenario) {
-  if (options.attach) return join_over_traci(*options.attach, desired_speeds(scenario));
+  if (options.attach) {
+    return join_over_traci(*options.attach, read_type_files<DesiredSpeeds>(scenario));
+  }
   if (options.own) {
     return start_own(*options.own, scenario.config,
-                     words_for_sumo(scenario, options.seed, options.end), desired_speeds(scenario));
+                     words_for_sumo(scenario, options.seed, options.end),
+                     read_type_files<DesiredSpeeds>(scenario));
   }
   return start_in_process(scenario.config, words_for_sumo(scenario, options.seed, options.end));
 }
@@ -98,7 +93,8 @@ struct Simulation::Parts {
                           : static_cast<std::uint64_t>(number_option(*session, "seed"))),
         profiles(options.profiles),
         crowds(make_crowds()),
-        takeover(network, zones, crowds, profiles, paths, read_walk_speeds(panel_people.scenario()),
+        takeover(network, zones, crowds, profiles, paths,
+                 read_type_files<WalkSpeeds>(panel_people.scenario()),
                  number_option(*session, "pedestrian.striping.dawdling"), session->persons()),
         gui(session->view(), session->persons(), crowds, takeover, options.screenshots) {
     if (session->option("pedestrian.model") != "striping") {

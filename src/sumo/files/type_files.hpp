@@ -1,4 +1,4 @@
-// What a scenario's files tell of people and vehicles: sizes, profiles, groups.
+// What a scenario's files tell of people and vehicles: sizes, speeds, profiles, groups.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace pedzone {
 
-/// A Reader (RecordingCast, BodySizes) that has read the scenario's additional and route files, and
-/// then `more` files. Throws InputError.
+/// A Reader (RecordingCast, BodySizes, DesiredSpeeds, WalkSpeeds) that has read the scenario's
+/// additional and route files, and then `more` files. Throws InputError.
 template <class Reader>
-Reader read_type_files(const Scenario& scenario, const std::vector<std::string>& more) {
+Reader read_type_files(const Scenario& scenario, const std::vector<std::string>& more = {}) {
   Reader reader;
   for (const auto* files : {&scenario.additional_files, &scenario.route_files, &more}) {
     for (const std::string& file : *files) reader.read(file);

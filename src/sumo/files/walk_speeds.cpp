@@ -69,12 +69,4 @@ std::optional<double> WalkSpeeds::of(const std::string& person, int stages_left,
   return stage.speed > 0.0 ? std::optional(stage.speed) : std::nullopt;
 }
 
-WalkSpeeds read_walk_speeds(const Scenario& scenario) {
-  WalkSpeeds speeds;
-  for (const auto* files : {&scenario.additional_files, &scenario.route_files}) {
-    for (const std::string& file : *files) speeds.read(file);
-  }
-  return speeds;
-}
-
 }  // namespace pedzone

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/xml_stream.hpp"
-#include "sumo/files/scenario.hpp"
 
 namespace pedzone {
 
@@ -41,8 +40,5 @@ class WalkSpeeds {
 
   std::unordered_map<std::string, std::vector<Stage>> stages_;  ///< where one says something
 };
-
-/// Those of all of a scenario's files. Throws InputError.
-WalkSpeeds read_walk_speeds(const Scenario& scenario);
 
 }  // namespace pedzone
