@@ -1,6 +1,7 @@
 // Who meets nobody within a long step walks it at once; everybody else in substeps.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -92,13 +93,27 @@ TEST(FreeWalk, ends_where_two_turn_their_shoulders_before_each_other) {
   }
 }
 
+/// Goes straight on, and turns its shoulders in steps of more than a substep: who walks freely.
+class TurningModel : public WalkingModel {
+ public:
+  void prepare(const Snapshot& snapshot) override { long_step_ = snapshot.step > 0.5; }
+  void decide(std::size_t first, std::size_t last, std::span<Decision> decisions) const override {
+    Decision decision;
+    decision.speed = 1.34;
+    decision.free_distance = 10.0;
+    decision.turns = long_step_;
+    std::fill(decisions.begin() + static_cast<std::ptrdiff_t>(first),
+              decisions.begin() + static_cast<std::ptrdiff_t>(last), decision);
+  }
+
+ private:
+  bool long_step_ = false;
+};
+
+/// Without this a stale list is read: the memory sanitizer and -D_GLIBCXX_ASSERTIONS see it.
 TEST(FreeWalk, has_nobody_before_it_whatever_its_model_says) {
-  Decision hindered;
-  hindered.speed = 1.34;
-  hindered.free_distance = 10.0;
-  hindered.turns = true;  // as if somebody were
   const Zone zone = zone_of(box(0, 0, 900, 4), {}, true);
-  Scene scene(zone, 1, fixed_model(hindered));
+  Scene scene(zone, 1, std::make_unique<TurningModel>());
   for (int k = 0; k < 100; ++k) {  // one after the other: only who is new walks in substeps
     scene.add({2, 2}, point(890, 2));
     for (int n = 0; n < 5; ++n) scene.step(1.0);
