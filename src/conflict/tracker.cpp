@@ -23,6 +23,11 @@ std::uint64_t pair_of(std::uint32_t person, std::uint32_t vehicle) {
   return (std::uint64_t{person} << 32) | vehicle;
 }
 
+/// What a part is known by. No id of SUMO's has such a character.
+std::string part_name(std::string_view vehicle, int part) {
+  return std::string(vehicle) + '\x1f' + std::to_string(part);
+}
+
 double direction_of(const Vec2& velocity, double heading) {
   return velocity.norm() >= kHaltingSpeed ? angle_of(velocity) : heading;
 }
@@ -99,7 +104,12 @@ void ConflictTracker::take(const VehicleSample& sample, std::size_t index) {
       !std::isfinite(sample.heading)) {
     return;
   }
-  Vehicle& vehicle = vehicles_.bodies[vehicles_.take(sample.id, index)];
+  const std::uint32_t place = sample.part == 0
+                                  ? vehicles_.take(sample.id, index)
+                                  : vehicles_.take(part_name(sample.id, sample.part), index);
+  Vehicle& vehicle = vehicles_.bodies[place];
+  vehicle.whole = place;
+  if (sample.part > 0 && vehicles_.find(sample.id, vehicle.whole) == nullptr) return;
   const double was = vehicle.velocity.norm(), is = sample.velocity.norm();
   VehiclePose pose{time_, sample.centre, unit(sample.heading), 0.0,
                    static_cast<float>(direction_of(sample.velocity, sample.heading))};
@@ -158,7 +168,8 @@ void ConflictTracker::meet(const PersonRow& person, std::uint32_t v, const Searc
   measure(persons_.bodies[person.place].trail, vehicle.trail, reasons, meeting);
   const bool matters = meeting.ttc || meeting.passing || meeting.closest.clearance <= kNear;
   const Person& known = persons_.bodies[person.place];
-  if (!matters || known.own_vehicle == vehicle.serial) return;
+  const Vehicle& whole = vehicles_.bodies[vehicle.whole];
+  if (!matters || known.own_vehicle == whole.serial) return;
 
   meeting.time = time_;
   meeting.before = before_;
@@ -171,11 +182,11 @@ void ConflictTracker::meet(const PersonRow& person, std::uint32_t v, const Searc
   meeting.by_pedzone = known.by_pedzone;
   meeting.type = type_of(approach, known.trail[0].direction, pose.direction,
                          vehicle.velocity.norm() < kHaltingSpeed);
-  const auto [entry, is_new] = encounters_.try_emplace(pair_of(person.place, v));
+  const auto [entry, is_new] = encounters_.try_emplace(pair_of(person.place, vehicle.whole));
   Encounter& encounter = entry->second;
   if (is_new) {
     encounter.conflict.person = known.id;
-    encounter.conflict.vehicle = vehicle.id;
+    encounter.conflict.vehicle = whole.id;
   }
   encounter.record(meeting, [&]() -> std::optional<bool> {
     return aware ? aware(known.sample, vehicle.sample) : std::nullopt;

@@ -38,13 +38,14 @@ struct PersonSample {
   std::optional<bool> by_pedzone = {};  ///< pedzone walks it; nothing: not known
 };
 
-/// A vehicle as it is in a step.
+/// A vehicle as it is in a step. One that bends is there part by part.
 struct VehicleSample {
   std::string_view id;
   Vec2 centre = Vec2::Zero();        ///< [m] of the rectangle
   double heading = 0.0;              ///< [rad]
   Vec2 velocity = Vec2::Zero();      ///< [m/s]
   double length = 5.0, width = 1.8;  ///< [m] > 0
+  int part = 0;                      ///< of the vehicle of that id; 0: the first, or all of it
 };
 
 /// Whether person i is aware of vehicle j (indices into the step's samples); nothing: not known.
@@ -64,7 +65,8 @@ class ConflictTracker {
   /// Takes in a step at `time` [s], later than the one before. Who was in the step before and is in
   /// this one has moved evenly in between; who has moved farther than its speeds explain (a
   /// teleport) begins anew. Appends conflicts that are over to `over`, by begin, person, vehicle.
-  /// A sample with a number that is not finite is left out.
+  /// A sample with a number that is not finite is left out. A vehicle's first part comes before its
+  /// others.
   void step(double time, std::span<const PersonSample> persons,
             std::span<const VehicleSample> vehicles, const AwareOf& aware,
             std::vector<Conflict>& over);
@@ -87,6 +89,7 @@ class ConflictTracker {
     Vec2 velocity = Vec2::Zero();
     double half_length = 0.0, half_width = 0.0;
     bool braking = false;
+    std::uint32_t whole = 0;  ///< place of the vehicle's first part
     Trail<VehiclePose> trail;
   };
 
@@ -110,7 +113,8 @@ class ConflictTracker {
   std::vector<PersonRow> unsorted_, rows_;               ///< this step's; rows_: by ascending x
   std::vector<std::pair<double, std::uint32_t>> order_;  ///< x [m] and index in unsorted_
   PersonExtremes most_;
-  std::unordered_map<std::uint64_t, Encounter> encounters_;  ///< by both places
+  std::unordered_map<std::uint64_t, Encounter> encounters_;  ///< by the places of the person
+                                                             ///< and of the vehicle's first part
 };
 
 }  // namespace pedzone

@@ -33,6 +33,20 @@ LinePoint LineWalk::to(double offset) {
   return last_;
 }
 
+void insert_point(double offset, Polyline& line) {
+  double passed = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2 piece = line[i] - line[i - 1];
+    const double length = piece.norm(), into = offset - passed;
+    if (into > 0.0 && into < length) {
+      line.insert(line.begin() + static_cast<std::ptrdiff_t>(i),
+                  line[i - 1] + piece * (into / length));
+      return;
+    }
+    passed += length;
+  }
+}
+
 LineProjection project_on(std::span<const Vec2> line, const Vec2& point) {
   LineProjection best{0.0, 0.0};
   double best_distance = std::numeric_limits<double>::infinity();

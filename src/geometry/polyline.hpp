@@ -33,6 +33,9 @@ class LineWalk {
   double passed_ = 0.0;   ///< [m] along the line, of where it begins
 };
 
+/// Makes the place at `offset` [m] along a line one of its points. Beyond its ends nothing is done.
+void insert_point(double offset, Polyline& line);
+
 /// Where a point projects on a line.
 struct LineProjection {
   double offset;   ///< [m] along the line, of the nearest point

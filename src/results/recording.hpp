@@ -43,6 +43,7 @@ struct RecordedVehicle {
   std::string id, type;
   double length = 0.0, width = 0.0;    ///< [m] > 0
   std::vector<VehicleMoment> moments;  ///< never empty
+  int part = 0;  ///< of a vehicle that bends, each part is by itself; 0: the first, or all of it
 };
 
 struct Recording {

@@ -165,9 +165,9 @@ std::string vehicles(const Recording& recording, const Frames& frames, Columns& 
     if (track.spans.empty()) continue;
     if (!text.empty()) text += ",\n";
     fmt::format_to(std::back_inserter(text),
-                   R"({{"id":{},"type":{},"length":{:.3f},"width":{:.3f},"spans":[{}]}})",
+                   R"({{"id":{},"type":{},"length":{:.3f},"width":{:.3f},"part":{},"spans":[{}]}})",
                    json_string(vehicle.id), json_string(vehicle.type), vehicle.length,
-                   vehicle.width, track.spans);
+                   vehicle.width, vehicle.part, track.spans);
   }
   return text;
 }

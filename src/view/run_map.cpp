@@ -151,6 +151,7 @@ void draw_vehicle_ways(SvgPage& page, const Recording& recording, double unit) {
   page.begin_group("id=\"vehicle-ways\" stroke-linejoin=\"round\" " +
                    stroke(kVehicleColour, 0.12 * unit));
   for (const RecordedVehicle& vehicle : recording.vehicles) {
+    if (vehicle.part > 0) continue;  // comes the same way
     for (const TrackPiece& piece : pieces_of(vehicle.moments, recording.times, gap)) {
       Polyline line;
       for (std::size_t i = piece.first; i <= piece.last; ++i) {

@@ -140,6 +140,7 @@ class TimePlot {
         const std::string attributes = fmt::format("stroke=\"{}\"", colour(moment.time));
         page_.region({{corners, {}}}, "class=\"outline\" " + attributes,
                      fmt::format("{} at {:g} s", vehicle.id, moment.time));
+        if (vehicle.part > 0) continue;
         page_.line({corners[0] - back, front, corners[3] - back}, attributes);
       }
     }
@@ -226,6 +227,7 @@ class TimePlot {
   /// A ring where a vehicle's way begins in the map, a square where it ends.
   void mark_ends(LabelPlaces& places) {
     for (const RecordedVehicle& vehicle : recording_.vehicles) {
+      if (vehicle.part > 0) continue;
       const auto inside = [&](const VehicleMoment& one) { return box_.contains(one.centre); };
       const auto first = std::ranges::find_if(vehicle.moments, inside);
       if (first == vehicle.moments.end()) continue;
@@ -256,6 +258,7 @@ class TimePlot {
         break;
       }
       for (const RecordedVehicle& vehicle : recording_.vehicles) {
+        if (vehicle.part > 0) continue;
         const VehicleMoment* at = there_at(vehicle.moments, moment.step, recording_.times, gap_);
         if (at == nullptr || !box_.contains(at->centre)) continue;
         label(places, at->centre, 0.5 * vehicle.width + 0.3 * unit_, size, text, look);

@@ -49,7 +49,7 @@ struct Persons {
 /// [m] assumed: nobody walks farther in the time that people look ahead (`discomfortHorizon`).
 inline constexpr double kGroundReach = 10.0;
 
-/// A vehicle: its rectangle and how that moves.
+/// A vehicle, or one part of a vehicle that bends: its rectangle and how that moves.
 struct VehicleState {
   Vec2 centre = Vec2::Zero();    ///< [m] of the rectangle
   double heading = 0.0;          ///< [rad]
@@ -71,7 +71,8 @@ struct VehicleState {
   double slower = 0.0;           ///< [m/s] ≥ 0 at which that grows
   double starts = 0.0;           ///< [m] ≥ 0 it stands, and may drive off so far in the step
   double length = 5.0, width = 1.8;           ///< [m]
-  std::uint64_t key = 0;                      ///< of its id, while it is the same vehicle
+  std::uint64_t key = 0;                      ///< of its id, while it is the same vehicle: its
+                                              ///< parts have the same
   bool electric = false;                      ///< no engine is heard
   bool horn = false;                          ///< sounds its horn
   bool invites = false;                       ///< signals "after you": people need not give way

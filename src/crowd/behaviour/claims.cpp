@@ -98,7 +98,8 @@ void order_claims(const CrowdState& crowd, std::vector<std::uint32_t>& claimants
   }
   std::ranges::sort(claimants, [&](std::uint32_t a, std::uint32_t b) {
     const VehicleState &one = crowd.vehicles[a], &other = crowd.vehicles[b];
-    return one.claimed != other.claimed ? one.claimed > other.claimed : one.key < other.key;
+    if (one.claimed != other.claimed) return one.claimed > other.claimed;
+    return one.key != other.key ? one.key < other.key : a < b;  // parts of one
   });
 }
 

@@ -133,7 +133,7 @@ class Observer {
     if (known != nullptr) {
       if (perceived) known->last = now_;
       known->warned = known->warned || (perceived && traffic_.shapes[v].horn);
-      known->near = view.distance < kDisturbs;
+      known->near = known->near || view.distance < kDisturbs;  // a vehicle may have several parts
     }
     const bool counts = known != nullptr && minds(*known);
     if (!counts && view.distance > kStartled) attention_.ignore(i_, v);

@@ -29,7 +29,7 @@ void RunSeries::step(const RunStep& step, std::span<const VehicleSample> vehicle
   Window& window = windows_.back();
   window.length += step.dt;
   for (const VehicleSample& vehicle : vehicles) {
-    if (in_any(zones_, vehicle.centre)) {
+    if (vehicle.part == 0 && in_any(zones_, vehicle.centre)) {
       add(window.vehicles, step.dt, vehicle.velocity.norm(), 0.0);
     }
   }

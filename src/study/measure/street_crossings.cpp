@@ -49,6 +49,7 @@ void StreetWatch::pass(double time, double from, double to) {
 void StreetWatch::note_passes(double time, std::span<const VehicleSample> vehicles) {
   std::unordered_map<std::string, double> fronts;
   for (const VehicleSample& vehicle : vehicles) {
+    if (vehicle.part > 0) continue;
     const Vec2 ahead = unit(vehicle.heading);
     const StreetPlace at = street_->place(vehicle.centre + 0.5 * vehicle.length * ahead);
     const bool here = at.t > street_->low && at.t < street_->high && at.s > -kUpstream &&

@@ -84,6 +84,8 @@ class VehicleCalls final : public SumoVehicles {
     traits.emergency_decel = std::max(traits.decel, Vehicle::getEmergencyDecel(id));
     traits.accel = Vehicle::getAccel(id);
     traits.min_gap = Vehicle::getMinGap(id);
+    traits.parts = parts_of(Vehicle::getShapeClass(id), Vehicle::getVehicleClass(id), traits.length,
+                            carriage_lengths(id));
     if (!motion_) motion_ = read_motion();
     traits.ballistic = motion_->ballistic;
     traits.drifts = motion_->drifts;
@@ -151,6 +153,15 @@ class VehicleCalls final : public SumoVehicles {
     const bool sublanes = number("lateral-resolution") > 0.0;
     return {is_true(api::Simulation::getOption("step-method.ballistic")),
             !sublanes && number("lanechange.duration") > 0.0};
+  }
+
+  /// As its type's parameters have them.
+  CarriageLengths carriage_lengths(const std::string& id) const {
+    const auto length = [&](const char* key) -> std::optional<double> {
+      const std::string value = parameter(id, key);
+      return value.empty() ? std::nullopt : std::optional(std::strtod(value.c_str(), nullptr));
+    };
+    return {length("locomotiveLength"), length("carriageLength"), length("carriageGap")};
   }
 
   /// A vehicle whose driver acts more seldom than SUMO steps (actionStepLength) keeps its

@@ -10,6 +10,7 @@ namespace pedzone {
 namespace {
 
 constexpr NumberRange kSizes{0.01, 1000.0};  // [m] what a body may measure
+constexpr NumberRange kGaps{0.0, 1000.0};    // [m] between two carriages
 
 struct ClassSize {
   std::string_view name;  ///< vClass
@@ -57,6 +58,7 @@ void BodySizes::read(const std::string& file) {
 
 void BodySizes::visit(const XmlElement& element) {
   if (element.depth() <= distribution_depth_) distribution_.clear();
+  if (element.depth() <= visited_depth_) visited_depth_ = -1;
   const std::string_view name = element.name();
   if (name == "vTypeDistribution") {
     distribution_ = element.required("id");
@@ -69,12 +71,25 @@ void BodySizes::visit(const XmlElement& element) {
     BodySize size = class_size(vclass);
     if (element.value("length")) size.length = element.number("length", kSizes);
     if (element.value("width")) size.width = element.number("width", kSizes);
-    types_[id] = {size, std::string(vclass)};
+    visited_ = &(types_[id] = {size, std::string(vclass)});
+    visited_->shape = element.value("guiShape").value_or("");
+    visited_depth_ = element.depth();
     if (!distribution_.empty()) first_of_.try_emplace(distribution_, id);
+  } else if (name == "param" && element.depth() == visited_depth_ + 1) {
+    visit_parameter(element);
   } else if (name == "person" || name == "personFlow") {
     const auto type = element.value("type");
     if (type) persons_[std::string(element.required("id"))] = *type;
   }
+}
+
+/// Of the type that encloses it.
+void BodySizes::visit_parameter(const XmlElement& element) {
+  const std::string_view key = element.value("key").value_or("");
+  CarriageLengths& lengths = visited_->carriages;
+  if (key == "locomotiveLength") lengths.locomotive = element.number("value", kSizes);
+  if (key == "carriageLength") lengths.carriage = element.number("value", kSizes);
+  if (key == "carriageGap") lengths.gap = element.number("value", kGaps);
 }
 
 const BodySizes::Type* BodySizes::find(std::string_view type) const {
@@ -88,6 +103,14 @@ const BodySizes::Type* BodySizes::find(std::string_view type) const {
 std::optional<BodySize> BodySizes::of_type(std::string_view type) const {
   const Type* const found = find(type);
   return found == nullptr ? std::nullopt : std::optional(found->size);
+}
+
+VehicleParts BodySizes::parts_of_type(std::string_view type, double length) const {
+  const Type* const found = find(type);
+  if (found == nullptr) return {};
+  const std::string_view shape =
+      found->shape.empty() ? bending_shape_of(found->vclass) : std::string_view(found->shape);
+  return parts_of(shape, found->vclass, length, found->carriages);
 }
 
 std::string_view BodySizes::class_of(std::string_view type) const {

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/xml_stream.hpp"
+#include "world/vehicle_parts.hpp"
 
 namespace pedzone {
 
@@ -32,6 +33,8 @@ class BodySizes {
   /// Size of a type; nothing where it is not known. A type that a program has derived for one
   /// vehicle ("van@car7") is as large as what it comes from; a distribution as its first member.
   std::optional<BodySize> of_type(std::string_view type) const;
+  /// Where vehicles of a type of that length [m] bend; as a whole where it is not known.
+  VehicleParts parts_of_type(std::string_view type, double length) const;
   /// SUMO's vClass of a type; passenger where it is not known.
   std::string_view class_of(std::string_view type) const;
   /// Size of a person: of its type where the files name one (also for those of a flow), else of
@@ -42,14 +45,19 @@ class BodySizes {
   struct Type {
     BodySize size;
     std::string vclass;
+    std::string shape = {};  ///< guiShape; empty: none is named
+    CarriageLengths carriages = {};
   };
   const Type* find(std::string_view type) const;
+  void visit_parameter(const XmlElement& element);
 
   std::unordered_map<std::string, Type> types_;
   std::unordered_map<std::string, std::string> first_of_;  ///< distribution -> its first type
   std::unordered_map<std::string, std::string> persons_;   ///< person or flow -> type
   std::string distribution_;                               ///< that encloses what is visited
   int distribution_depth_ = -1;
+  Type* visited_ = nullptr;  ///< the type that was visited last
+  int visited_depth_ = -1;
 };
 
 }  // namespace pedzone

@@ -18,6 +18,9 @@ constexpr NumberRange kSpeeds{-1000.0, 1000.0};  // [m/s]
 /// Assumed, against `pedzone run`, which knows velocities: with 0.3 m directions lag too much.
 constexpr double kDirectionWay = 0.05;
 
+/// [m] one that is so much farther than its speed explains has been put there.
+constexpr double kJump = 1.0;
+
 constexpr std::uint64_t kForgetEvery = 256;  // [steps] numerical: those who are gone
 
 auto place_of(const auto& row) {
@@ -48,6 +51,7 @@ void FcdReader::begin_step(const XmlElement& element, const StepVisitor& visitor
   if (step_ > 0 && time <= time_) {
     throw element.error("is not later than the step before", "time", *element.value("time"));
   }
+  before_ = time_;
   time_ = time;
   in_step_ = true;
   ++step_;
@@ -75,10 +79,14 @@ FcdReader::Row FcdReader::row_of(const XmlElement& element, bool person,
                           "types of the files given with --scenario and --vtypes");
     }
     mover.size = *size;
-    if (!person) mover.type = element.required("type");
+    if (!person) {
+      mover.type = element.required("type");
+      mover.parts = sizes_.parts_of_type(mover.type, mover.size.length);
+    }
   }
   Row row;
   row.id = &entry.first;
+  row.mover = &mover;
   row.edge = &mover.edge;
   if (const auto edge = element.value("edge"); person && edge && mover.edge != *edge) {
     mover.edge = *edge;
@@ -91,6 +99,7 @@ FcdReader::Row FcdReader::row_of(const XmlElement& element, bool person,
   // SUMO's reference of a vehicle is its front bumper.
   row.centre =
       person ? row.reference : Vec2(row.reference - unit(row.heading) * (0.5 * mover.size.length));
+  if (mover.parts.others > 0) follow_front(row, mover);
   if (mover.seen + 1 == step_ && mover.seen > 0) {
     const Vec2 moved = row.centre - mover.at;
     mover.way = mover.way * std::exp(-moved.norm() / kDirectionWay) + moved;
@@ -103,15 +112,39 @@ FcdReader::Row FcdReader::row_of(const XmlElement& element, bool person,
   return row;
 }
 
+/// Who was not there in the step before, or has been put elsewhere, begins anew.
+void FcdReader::follow_front(const Row& row, Mover& mover) const {
+  const bool was_here = mover.trail.begun() && mover.seen + 1 == step_;
+  const double most = kJump + 2.0 * std::abs(row.speed) * (time_ - before_);
+  if (was_here && (row.reference - mover.trail.front()).norm() <= most) {
+    mover.trail.go_to(row.reference);
+  } else {
+    mover.trail.begin(row.reference, row.heading, mover.size.length);
+  }
+}
+
+void FcdReader::add_samples(const Row& vehicle) {
+  const Mover& mover = *vehicle.mover;
+  if (mover.parts.others == 0) {
+    vehicle_samples_.push_back({*vehicle.id, vehicle.centre, vehicle.heading, vehicle.velocity,
+                                vehicle.size.length, vehicle.size.width});
+    return;
+  }
+  const double speed = vehicle.velocity.dot(unit(vehicle.heading)) < 0.0 ? -vehicle.velocity.norm()
+                                                                         : vehicle.velocity.norm();
+  int number = 0;
+  for (const Rectangle& part : mover.trail.parts(mover.parts, vehicle.size.width)) {
+    vehicle_samples_.push_back({*vehicle.id, part.centre, angle_of(part.axis), part.axis * speed,
+                                2.0 * part.half.x(), vehicle.size.width, number++});
+  }
+}
+
 void FcdReader::end_step(const StepVisitor& visitor) {
   if (!in_step_) return;
   in_step_ = false;
   vehicle_samples_.clear();
   person_samples_.clear();
-  for (const Row& row : vehicle_rows_) {
-    vehicle_samples_.push_back(
-        {*row.id, row.centre, row.heading, row.velocity, row.size.length, row.size.width});
-  }
+  for (const Row& row : vehicle_rows_) add_samples(row);
   // By place, to find who rides.
   std::sort(vehicle_rows_.begin(), vehicle_rows_.end(),
             [](const Row& a, const Row& b) { return place_of(a) < place_of(b); });

@@ -11,6 +11,7 @@
 #include "conflict/tracker.hpp"
 #include "core/xml_stream.hpp"
 #include "sumo/files/body_sizes.hpp"
+#include "sumo/files/front_trail.hpp"
 
 namespace pedzone {
 
@@ -42,10 +43,13 @@ class FcdReader {
     Vec2 way = Vec2::UnitX();  ///< [m] the latest way, what is longer ago counting less
     BodySize size{0.0, 0.0};   ///< [m] length 0: not known yet
     std::string type;          ///< of a vehicle
+    VehicleParts parts;        ///< of a vehicle
+    FrontTrail trail;          ///< of a vehicle that bends
     std::string edge;          ///< of a person; empty where the file has none
   };
   struct Row {
     const std::string* id;
+    const Mover* mover;
     const std::string* edge;
     Vec2 reference;         ///< [m] as in the file
     double angle, speed;    ///< [deg], [m/s] as in the file
@@ -57,13 +61,15 @@ class FcdReader {
 
   void begin_step(const XmlElement& element, const StepVisitor& visitor);
   void end_step(const StepVisitor& visitor);
+  void follow_front(const Row& row, Mover& mover) const;
+  void add_samples(const Row& vehicle);
   void add(const XmlElement& element, bool person);
   Row row_of(const XmlElement& element, bool person, Movers::value_type& mover);
 
   const BodySizes& sizes_;
   const std::unordered_set<std::string>& as_persons_;
   bool in_step_ = false;
-  double time_ = 0.0;
+  double time_ = 0.0, before_ = 0.0;  ///< [s] of this step and the one before
   std::uint64_t step_ = 0;
   Movers persons_, vehicles_;
   std::vector<Row> person_rows_, vehicle_rows_;

@@ -88,11 +88,13 @@ RecordedPerson& Collector::person(std::string_view id) {
 }
 
 RecordedVehicle& Collector::vehicle(const VehicleSample& sample, const FcdReader& reader) {
-  const auto [known, added] =
-      vehicles_.try_emplace(std::string(sample.id), recording_.vehicles.size());
+  // Each part of one that bends is drawn by itself.
+  std::string id(sample.id);
+  if (sample.part > 0) id += ", part " + std::to_string(sample.part + 1);
+  const auto [known, added] = vehicles_.try_emplace(id, recording_.vehicles.size());
   if (added) {
     recording_.vehicles.push_back(
-        {std::string(sample.id), reader.type_of(sample.id), sample.length, sample.width, {}});
+        {id, reader.type_of(sample.id), sample.length, sample.width, {}, sample.part});
   }
   return recording_.vehicles[known->second];
 }

@@ -10,8 +10,7 @@ Observation ObservationReader::read(double time) {
   persons_.clear();
   vehicles_.clear();
   for (const FleetVehicle& vehicle : fleet_.vehicles()) {
-    vehicles_.push_back({vehicle.id, vehicle.centre(), vehicle.heading, vehicle.velocity,
-                         vehicle.traits.length, vehicle.traits.width});
+    add(vehicle);
   }
   for (const Guest& guest : takeover_.guests()) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
@@ -21,6 +20,22 @@ Observation ObservationReader::read(double time) {
   add_bystanders();
   return {time, persons_, vehicles_,
           [this](std::size_t person, std::size_t vehicle) { return aware(person, vehicle); }};
+}
+
+void ObservationReader::add(const FleetVehicle& vehicle) {
+  const VehicleTraits& traits = vehicle.traits;
+  if (traits.parts.others == 0) {
+    vehicles_.push_back({vehicle.id, vehicle.centre(), vehicle.heading, vehicle.velocity,
+                         traits.length, traits.width});
+    return;
+  }
+  const double speed = vehicle.velocity.dot(unit(vehicle.heading));
+  const VehicleBody body = body_of(vehicle);
+  for (const Rectangle& part : body.parts()) {
+    vehicles_.push_back({vehicle.id, part.centre, angle_of(part.axis), part.axis * speed,
+                         2.0 * part.half.x(), traits.width,
+                         static_cast<int>(&part - body.parts().data())});
+  }
 }
 
 /// Reading people from SUMO is dear: what is known of them has to do, and only who is exactly at a

@@ -14,7 +14,8 @@ struct Observation {
   double time = 0.0;  ///< [s] by which SUMO's own outputs name the step
   /// Those whom pedzone walks, then those near a zone whom SUMO walks, riders included.
   std::span<const PersonSample> persons;
-  std::span<const VehicleSample> vehicles;  ///< within 60 m of a zone
+  std::span<const VehicleSample> vehicles;  ///< within 60 m of a zone; of one that
+                                            ///< bends, each part
   AwareOf aware;                            ///< not known of those whom SUMO walks
 };
 
@@ -28,6 +29,7 @@ class ObservationReader {
   Observation read(double time);
 
  private:
+  void add(const FleetVehicle& vehicle);
   void add_bystanders();
   std::optional<bool> aware(std::size_t person, std::size_t vehicle) const;
 

@@ -39,17 +39,19 @@ void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
     const double loss = vehicle.time_loss;
     const auto [entry, is_new] = delays_.try_emplace(vehicle.id, Delay{loss, loss});
     entry->second.last = loss;
-    const Rectangle body = body_of(vehicle);
-    for (const std::uint32_t k : near.within(body.centre, kRange)) {
-      const Guest& guest = guests[k];
-      if ((guest.position - body.centre).norm() > kRange) continue;
-      const double clearance = body.signed_distance(guest.position) - guest.radius;
-      min_clearance_ = std::min(min_clearance_, clearance);
-      if (clearance >= -kContact) continue;
-      const Contact first = is_new ? Contact::kInsertion : Contact::kStanding;
-      Contact& contact = contacts_.try_emplace({guest.id, vehicle.id}, first).first->second;
-      const bool drives = vehicle.speed > kDrives;
-      if (drives && contact == Contact::kStanding) contact = Contact::kDriving;
+    const Contact first = is_new ? Contact::kInsertion : Contact::kStanding;
+    const VehicleBody body = body_of(vehicle);
+    for (const Rectangle& part : body.parts()) {
+      for (const std::uint32_t k : near.within(part.centre, kRange)) {
+        const Guest& guest = guests[k];
+        if ((guest.position - part.centre).norm() > kRange) continue;
+        const double clearance = part.signed_distance(guest.position) - guest.radius;
+        min_clearance_ = std::min(min_clearance_, clearance);
+        if (clearance >= -kContact) continue;
+        Contact& contact = contacts_.try_emplace({guest.id, vehicle.id}, first).first->second;
+        const bool drives = vehicle.speed > kDrives;
+        if (drives && contact == Contact::kStanding) contact = Contact::kDriving;
+      }
     }
   }
 }

@@ -10,6 +10,8 @@ namespace pedzone {
 namespace {
 
 constexpr double kAskAgain = 1.0;       // [s] numerical: each question is a message to SUMO
+constexpr double kLong = 50.0;          // [m] numerical: a shorter one is out of all zones when its
+                                        // front is no longer near them
 constexpr double kForksWithin = 100.0;  // [m] numerical: farther away nobody minds it
 
 /// [m] to the left of the lane's middle. SUMO counts to the right where vehicles drive on the left.
@@ -39,6 +41,13 @@ VehicleReader::Known VehicleReader::begin(const std::string& id, double grip) co
   }
   traits.electric = is_true(sumo_.parameter(id, "pedzone.electric"));
   return known;
+}
+
+bool VehicleReader::is_near(const Fleet& fleet, const std::string& id, const Vec2& front) const {
+  if (fleet.near_zone(front)) return true;
+  const auto known = known_.find(id);
+  if (known == known_.end() || known->second.traits.length < kLong) return false;
+  return fleet.near_zone(front - unit(sumo_.heading(id)) * known->second.traits.length);
 }
 
 /// Which lanes it will take matters only where its lane leads onto several of the next edge.
@@ -75,7 +84,7 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& tol
   std::vector<VehicleSeen> seen;
   for (const std::string& id : sumo_.ids()) {
     const auto front = sumo_.front(id);
-    if (!front || !(fleet.near_zone(*front) || told.speed(id))) continue;
+    if (!front || !(is_near(fleet, id, *front) || told.speed(id))) continue;
     auto found = known_.find(id);
     if (found == known_.end()) found = known_.emplace(id, begin(id, fleet.grip())).first;
     Known& known = found->second;

@@ -38,6 +38,8 @@ class VehicleReader {
     std::vector<int> means;  ///< those, where it can take several
   };
   Known begin(const std::string& id, double grip) const;
+  /// The rear of a long one is near zones when its front no longer is.
+  bool is_near(const Fleet& fleet, const std::string& id, const Vec2& front) const;
   void ask(const std::string& id, double time, Known& known) const;
   void ask_lanes(const VehicleSeen& vehicle, bool again, Known& known) const;
 

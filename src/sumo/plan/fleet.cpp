@@ -18,6 +18,7 @@ constexpr double kNearStreets = 150.0;  // [m] ... where people cross streets: a
 constexpr double kReaction = 1.0;       // [s] SUMO's default (tau)
 constexpr double kLookAhead = 30.0;     // [m] numerical: least length of the way that is built
 constexpr double kLeaderAhead = 10.0;   // [m] numerical: who is farther ahead lets it drive off
+constexpr double kRounding = 1e-6;      // [m] numerical
 constexpr double kWaitingSpeed = 0.5;   // [m/s] numerical: slower vehicles wait
 
 /// What is carried over from a vehicle's last step, of `dt` [s].
@@ -60,14 +61,16 @@ std::optional<double> gap_before(const FleetVehicle& vehicle, const FleetVehicle
   const Vec2 to = other.front - vehicle.front;
   if (to.norm() > distance + other.traits.length) return std::nullopt;
   std::optional<double> gap;
-  const Vec2 axis = unit(other.heading);
-  for (const double back : {0.0, 0.5, 1.0}) {
-    const Vec2 point = other.front - axis * (back * other.traits.length);
-    const LineProjection at = project_on(vehicle.way, point);
-    const double ahead = at.offset - vehicle.traits.length;
-    const double sideways = 0.5 * (vehicle.traits.width + other.traits.width);
-    if (ahead <= 0.0 || std::abs(at.lateral) >= sideways) continue;
-    gap = std::min(gap.value_or(ahead), ahead);
+  const double sideways = 0.5 * (vehicle.traits.width + other.traits.width);
+  const VehicleBody body = body_of(other);
+  for (const Rectangle& part : body.parts()) {
+    for (const double along : {1.0, 0.0, -1.0}) {
+      const Vec2 point = part.centre + part.axis * (along * part.half.x());
+      const LineProjection at = project_on(vehicle.way, point);
+      const double ahead = at.offset - vehicle.traits.length;
+      if (ahead <= 0.0 || std::abs(at.lateral) >= sideways) continue;
+      gap = std::min(gap.value_or(ahead), ahead);
+    }
   }
   return gap && *gap <= distance ? gap : std::nullopt;
 }
@@ -94,39 +97,90 @@ NextSpeed next_speed(const FleetVehicle& vehicle, double dt) {
   return next;
 }
 
-VehicleState state_of(const FleetVehicle& vehicle, double dt) {
+/// As people see the vehicle, but for where its parts are and how they move.
+VehicleState looks_of(const FleetVehicle& vehicle) {
   VehicleState state;
-  state.centre = vehicle.centre();
-  state.heading = vehicle.heading;
-  state.length = vehicle.traits.length;
   state.width = vehicle.traits.width;
-  state.claim = vehicle.claim;
-  state.claimed = vehicle.slowed;
   state.way = vehicle.way;
   state.leaves = vehicle.leaves;
-  if (vehicle.traits.external || vehicle.reverses || !goes_on(vehicle) || dt <= 0.0) {
-    state.velocity = vehicle.velocity;
-    state.yaw_rate = vehicle.yaw_rate;
-    state.gain = vehicle.gain.ahead();
-  } else {
-    const NextSpeed next = next_speed(vehicle, dt);
-    const Rectangle body = body_after(vehicle, next.expected * dt);
-    const Vec2 moved = body.centre - state.centre;
-    state.velocity =
-        moved.norm() > 0.0 ? Vec2(moved.normalized() * next.expected) : Vec2(Vec2::Zero());
-    state.forwards = true;
-    state.yaw_rate = wrap_angle(angle_of(body.axis) - vehicle.heading) / dt;
-    state.slower = next.expected - next.least;
-    // The velocity is what it will drive in the step: in a long one the gain is in it.
-    const double shown = next.expected - vehicle.speed;
-    if (shown >= 0.0) state.gain = std::max(0.0, vehicle.gain.ahead() - shown);
-    if (!vehicle.stopped) (vehicle.waits ? state.starts : state.lead) = next.most * dt;
-  }
   state.key = person_key(vehicle.id);
   state.electric = vehicle.traits.electric;
   state.horn = vehicle.horn;
   state.invites = vehicle.invites;
   return state;
+}
+
+/// How a part moves that gets to `later` within `dt` [s].
+void set_motion(const FleetVehicle& vehicle, const NextSpeed& next, const Rectangle& later,
+                double dt, VehicleState& part) {
+  const Vec2 moved = later.centre - part.centre;
+  part.velocity =
+      moved.norm() > 0.0 ? Vec2(moved.normalized() * next.expected) : Vec2(Vec2::Zero());
+  part.forwards = true;
+  part.yaw_rate = wrap_angle(angle_of(later.axis) - part.heading) / dt;
+  part.slower = next.expected - next.least;
+  // The velocity is what it will drive in the step: in a long one the gain is in it.
+  const double shown = next.expected - vehicle.speed;
+  if (shown >= 0.0) part.gain = std::max(0.0, vehicle.gain.ahead() - shown);
+  if (!vehicle.stopped) (vehicle.waits ? part.starts : part.lead) = next.most * dt;
+}
+
+/// The same of one that moves on as it did: nobody knows its way.
+void set_last_motion(const FleetVehicle& vehicle, VehicleState& part) {
+  part.velocity = vehicle.velocity;
+  if (vehicle.traits.parts.others > 0) {
+    part.velocity = unit(part.heading) * vehicle.velocity.dot(unit(vehicle.heading));
+  }
+  part.yaw_rate = vehicle.yaw_rate;
+  part.gain = vehicle.gain.ahead();
+}
+
+/// Makes the rear of each part a point of the vehicle's way: the part's own begins there.
+void mark_parts(FleetVehicle& vehicle) {
+  const VehicleTraits& traits = vehicle.traits;
+  for (int k = 0; k < traits.parts.others; ++k) {
+    insert_point(part_of(traits.parts, traits.length, k).rear, vehicle.way);
+  }
+}
+
+/// The way of a part, from its rear on, as far as that is a point of the vehicle's.
+void set_way(const FleetVehicle& vehicle, double rear, VehicleState& part) {
+  std::span<const Vec2> way = vehicle.way;
+  double left = rear;
+  while (way.size() > 1) {
+    const double piece = (way[1] - way[0]).norm();
+    if (piece > left + kRounding) break;
+    left -= piece;
+    way = way.subspan(1);
+  }
+  part.way = way;
+  part.gone = std::max(0.0, left);
+}
+
+/// Adds each part of the vehicle, its first one first.
+void add_states(const FleetVehicle& vehicle, double dt, std::vector<VehicleState>& out) {
+  const VehicleTraits& traits = vehicle.traits;
+  const bool foreseen = !traits.external && !vehicle.reverses && goes_on(vehicle) && dt > 0.0;
+  const NextSpeed next = foreseen ? next_speed(vehicle, dt) : NextSpeed{};
+  const VehicleBody now = body_of(vehicle);
+  const VehicleBody later = body_after(vehicle, next.expected * dt);
+  for (int k = 0; k < static_cast<int>(now.parts().size()); ++k) {
+    const VehiclePart part = part_of(traits.parts, traits.length, k);
+    VehicleState state = looks_of(vehicle);
+    state.centre = now.parts()[k].centre;
+    state.heading = traits.parts.others > 0 ? angle_of(now.parts()[k].axis) : vehicle.heading;
+    state.length = 2.0 * now.parts()[k].half.x();
+    if (traits.parts.others > 0) set_way(vehicle, part.rear, state);
+    // Each part asks for the room up to there: in a bend those behind sweep what is beside it.
+    if (vehicle.claim > 0.0) state.claim = vehicle.claim + traits.length - part.rear - part.length;
+    state.claimed = vehicle.slowed;
+    if (foreseen) {
+      set_motion(vehicle, next, later.parts()[k], dt, state);
+    } else {
+      set_last_motion(vehicle, state);
+    }
+    out.push_back(state);
+  }
 }
 
 /// [m] in which a usual vehicle stops that comes to the zone as fast as it may.
@@ -192,6 +246,7 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
       vehicle.drift = drift_of(network_, *before, vehicle, dt);
     }
     ways_.look(vehicle, braking_distance(vehicle) + kLookAhead);
+    mark_parts(vehicle);
     vehicle.reverses = before != nullptr && came_from_ahead(vehicle, before->front);
     vehicles_.push_back(std::move(vehicle));
   }
@@ -250,7 +305,7 @@ void Fleet::share_junctions() {
 
 void Fleet::states(double dt, std::vector<VehicleState>& out) const {
   out.clear();
-  for (const FleetVehicle& vehicle : vehicles_) out.push_back(state_of(vehicle, dt));
+  for (const FleetVehicle& vehicle : vehicles_) add_states(vehicle, dt, out);
 }
 
 bool Fleet::touches(const Vec2& point, double radius) const {

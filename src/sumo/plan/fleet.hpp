@@ -35,7 +35,8 @@ class Fleet {
   std::vector<FleetVehicle>& vehicles() { return vehicles_; }
   const std::vector<FleetVehicle>& vehicles() const { return vehicles_; }
 
-  /// The same as the crowd sees them, moving as they will in the next `dt` [s].
+  /// The same as the crowd sees them, moving as they will in the next `dt` [s]. Of one that bends
+  /// each part is there, with the key of the whole.
   void states(double dt, std::vector<VehicleState>& out) const;
 
   /// As WayAhead::beside.

@@ -38,18 +38,20 @@ bool goes_first(const FleetVehicle& other, const FleetVehicle& vehicle) {
 /// Adds discs that cover the body, and where it gets to in the junction within `time` [s]; 0: the
 /// body alone.
 void add_discs(const FleetVehicle& vehicle, double time, std::vector<PersonAhead>& discs) {
-  const double radius = 0.5 * vehicle.traits.width, length = vehicle.traits.length;
-  const auto add = [&](const Vec2& front, const Vec2& axis, const Vec2& velocity) {
-    for (double back = radius; back < length; back += kDisc) {
-      discs.push_back({front - axis * back, velocity, radius, {}});
+  const double radius = 0.5 * vehicle.traits.width;
+  const auto add = [&](const VehicleBody& body, const Vec2& velocity) {
+    for (const Rectangle& part : body.parts()) {
+      const Vec2 front = part.centre + part.axis * part.half.x();
+      for (double back = radius; back < 2.0 * part.half.x(); back += kDisc) {
+        discs.push_back({front - part.axis * back, velocity, radius, {}});
+      }
     }
   };
-  add(vehicle.front, unit(vehicle.heading), vehicle.velocity);
+  add(body_of(vehicle), vehicle.velocity);
   const double most = (vehicle.speed + 0.5 * vehicle.traits.accel * time) * time;
   const double way = std::min(most, vehicle.junction.end + radius);
   for (double ahead = kDisc; ahead < way; ahead += kDisc) {
-    const Rectangle body = body_after(vehicle, ahead);
-    add(body.centre + body.axis * (0.5 * length), body.axis, Vec2::Zero());
+    add(body_after(vehicle, ahead), Vec2::Zero());
   }
 }
 

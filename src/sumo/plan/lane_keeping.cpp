@@ -17,7 +17,7 @@ bool is_barred(const FleetVehicle& vehicle, Polyline way, std::span<const Person
   moved.front = point_on(way, vehicle.traits.length).point;
   moved.heading = vehicle.heading;
   moved.way = std::move(way);
-  const Rectangle body = body_of(moved);
+  const VehicleBody body = body_of(moved);
   const auto touches = [&](const PersonAhead& person) {
     const double reach = person.radius + margin;
     return body.signed_distance(person.position) < reach ||

@@ -38,10 +38,11 @@ class BrakingStep {
 /// Whether the vehicle runs into a person on its way from `before` to `body`: with its front, or
 /// with a flank that swings over where the person is. The person was at `then` [m], and is at
 /// `now`; who walks into a flank by itself is not run into.
-bool runs_into(const Rectangle& before, const Vec2& then, const Rectangle& body, const Vec2& now,
-               double radius) {
+bool runs_into(const VehicleBody& before, const Vec2& then, const VehicleBody& body,
+               const Vec2& now, double radius) {
   if (body.signed_distance(now) >= radius) return false;
-  if ((then - before.centre).dot(before.axis) > before.half.x()) return true;
+  const Rectangle& first = before.first();
+  if ((then - first.centre).dot(first.axis) > first.half.x()) return true;
   return before.signed_distance(then) >= radius && body.signed_distance(then) < radius;
 }
 
@@ -51,12 +52,12 @@ bool meets_anybody(const FleetVehicle& vehicle, std::span<const PersonAhead> peo
   const int moments = std::max(1, static_cast<int>(std::ceil(dt / kMoment)));
   const double moment = dt / moments;
   double travelled = 0.0, time = 0.0;
-  Rectangle before = body_of(vehicle);
+  VehicleBody before = body_of(vehicle);
   BrakingStep step(vehicle, deceleration, dt);
   for (; step.moves(); step.next()) {
     for (int i = 0; i < moments; ++i) {
       travelled += step.speed((i + 0.5) / moments) * moment;
-      const Rectangle body = body_after(vehicle, travelled);
+      const VehicleBody body = body_after(vehicle, travelled);
       for (const PersonAhead& person : people) {
         const Vec2 then = person.position + person.velocity * time;
         if (runs_into(before, then, body, then + person.velocity * moment, person.radius)) {

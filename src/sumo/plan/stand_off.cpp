@@ -20,13 +20,15 @@ constexpr double kMargin = 0.05;    // [m] as a creeping vehicle's
 constexpr double kDrives = 0.2;     // [m/s] numerical: told so much or more, it is to drive
 
 /// [m] between the bodies, or less: the other's ends are taken to be round.
-double clearance(const Rectangle& body, const FleetVehicle& other) {
-  const Rectangle its = body_of(other);
+double clearance(const VehicleBody& body, const FleetVehicle& other) {
   double least = body.signed_distance(other.front);
-  for (double along = -its.half.x(); along <= its.half.x(); along += kSample) {
-    least = std::min(least, body.signed_distance(its.centre + its.axis * along));
+  const VehicleBody others = body_of(other);
+  for (const Rectangle& its : others.parts()) {
+    for (double along = -its.half.x(); along <= its.half.x(); along += kSample) {
+      least = std::min(least, body.signed_distance(its.centre + its.axis * along));
+    }
   }
-  return least - its.half.y();
+  return least - 0.5 * other.traits.width;
 }
 
 /// Whether it gets too near to no other. One that is near already may stay so near.
@@ -80,7 +82,7 @@ StandOffs::Way StandOffs::way_out(const FleetVehicle& vehicle,
                                   std::span<const PersonAhead> people) const {
   if (!meets_zone(vehicle)) return Way::kWait;
   if (first_in_way(vehicle, people, kMargin, kFreeWay)) return Way::kLetGo;
-  const Rectangle body = body_of(vehicle);
+  const VehicleBody body = body_of(vehicle);
   const bool beside = std::any_of(people.begin(), people.end(), [&](const PersonAhead& person) {
     return body.signed_distance(person.position) < kBeside;
   });

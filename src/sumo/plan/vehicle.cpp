@@ -7,6 +7,16 @@ namespace pedzone {
 namespace {
 
 constexpr double kRounding = 1e-3;  // [m] numerical
+constexpr double kChord = 0.1;      // [m] numerical: a shorter one has no direction
+
+/// A part of `length` [m] with its rear at `rear` [m] of the vehicle's way.
+Rectangle part_on_way(const FleetVehicle& vehicle, double rear, double length) {
+  const Vec2 front = point_on(vehicle.way, rear + length).point;
+  const Vec2 along = front - point_on(vehicle.way, rear).point;
+  const double chord = along.norm();
+  const Vec2 axis = chord > kChord ? Vec2(along / chord) : unit(vehicle.heading);
+  return {front - axis * (0.5 * length), axis, {0.5 * length, 0.5 * vehicle.traits.width}};
+}
 
 }  // namespace
 
@@ -42,22 +52,21 @@ bool came_from_ahead(const FleetVehicle& vehicle, const Vec2& front_before) {
   return on_way && at.offset > vehicle.traits.length + kShortMove;
 }
 
-Rectangle body_of(const FleetVehicle& vehicle) {
-  return {vehicle.centre(),
-          unit(vehicle.heading),
-          {0.5 * vehicle.traits.length, 0.5 * vehicle.traits.width}};
-}
+VehicleBody body_of(const FleetVehicle& vehicle) { return body_after(vehicle, 0.0); }
 
-Rectangle body_after(const FleetVehicle& vehicle, double travelled) {
-  if (vehicle.way.size() < 2 || travelled <= 0.0) return body_of(vehicle);
-  const Vec2 rear = point_on(vehicle.way, travelled).point;
-  const Vec2 front = point_on(vehicle.way, travelled + vehicle.traits.length).point;
-  const Vec2 along = front - rear;
-  const double chord = along.norm();
-  const Vec2 axis = chord > 0.1 ? Vec2(along / chord) : unit(vehicle.heading);
-  return {front - axis * (0.5 * vehicle.traits.length),
-          axis,
-          {0.5 * vehicle.traits.length, 0.5 * vehicle.traits.width}};
+VehicleBody body_after(const FleetVehicle& vehicle, double travelled) {
+  const VehicleTraits& traits = vehicle.traits;
+  const bool bends = traits.parts.others > 0;
+  VehicleBody body;
+  if (vehicle.way.size() < 2 || (travelled <= 0.0 && !bends)) {
+    body.add({vehicle.centre(), unit(vehicle.heading), {0.5 * traits.length, 0.5 * traits.width}});
+    return body;
+  }
+  for (int k = 0; k < traits.parts.count(); ++k) {
+    const VehiclePart part = part_of(traits.parts, traits.length, k);
+    body.add(part_on_way(vehicle, std::max(0.0, travelled) + part.rear, part.length));
+  }
+  return body;
 }
 
 }  // namespace pedzone

@@ -1,6 +1,8 @@
 // A vehicle in or near a zone, as plain values.
 #pragma once
 
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <limits>
 #include <optional>
 #include <span>
@@ -10,6 +12,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/rectangle.hpp"
 #include "world/speed_gain.hpp"
+#include "world/vehicle_parts.hpp"
 
 namespace pedzone {
 
@@ -18,6 +21,7 @@ inline constexpr double kShortMove = 0.01;  ///< [m] numerical: so little gives 
 /// What does not change during a vehicle's life.
 struct VehicleTraits {
   double length = 5.0, width = 1.8;                        ///< [m]
+  VehicleParts parts;                                      ///< where it bends
   double decel = 4.5, emergency_decel = 9.0, accel = 2.6;  ///< [m/s²] > 0
   double min_gap = 2.5;    ///< [m] ≥ 0 to the one before it, as it likes to keep
   bool yields = true;      ///< vType or vehicle parameter pedzone.yield
@@ -117,11 +121,32 @@ bool goes_on(const FleetVehicle& vehicle);
 /// does not tell: that of one that turns round in little room points elsewhere than it drives.
 bool came_from_ahead(const FleetVehicle& vehicle, const Vec2& front_before);
 
-/// The part of the plane that a vehicle covers.
-Rectangle body_of(const FleetVehicle& vehicle);
+/// The part of the plane that a vehicle covers: a rectangle, or one of each of its parts.
+class VehicleBody {
+ public:
+  void add(const Rectangle& part) { parts_.push_back(part); }
 
-/// The body after the front has gone `travelled` [m] along the way: from rear to front bumper as a
-/// chord of the way, so that corners are cut as SUMO draws them.
-Rectangle body_after(const FleetVehicle& vehicle, double travelled);
+  std::span<const Rectangle> parts() const& { return {parts_.data(), parts_.size()}; }
+  std::span<const Rectangle> parts() const&& = delete;  // they would be gone
+  /// That with the front bumper.
+  const Rectangle& first() const { return parts_.front(); }
+  /// Distance [m] from the point to the body, negative inside.
+  double signed_distance(const Vec2& point) const {
+    double least = first().signed_distance(point);
+    for (const Rectangle& part : parts().subspan(1)) {
+      least = std::min(least, part.signed_distance(point));
+    }
+    return least;
+  }
+
+ private:
+  boost::container::small_vector<Rectangle, 1> parts_;  ///< the first first
+};
+
+VehicleBody body_of(const FleetVehicle& vehicle);
+
+/// The body after the front has gone `travelled` [m] along the way. Each part is a chord of the way
+/// from its rear to its front, so that corners are cut as SUMO draws them.
+VehicleBody body_after(const FleetVehicle& vehicle, double travelled);
 
 }  // namespace pedzone

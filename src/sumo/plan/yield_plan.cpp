@@ -156,14 +156,14 @@ double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> pe
 
 /// Whether the front is past the point.
 bool is_past(const FleetVehicle& vehicle, const Vec2& point) {
-  return (point - vehicle.front).dot(unit(vehicle.heading)) < 0.0;
+  return (point - vehicle.front).dot(body_of(vehicle).first().axis) < 0.0;
 }
 
 /// Whether it stands or creeps, and somebody is beside its body, nearer than one could be who has
 /// not turned its shoulders.
 bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> people) {
   if (!lets_squeeze_past(vehicle.speed)) return false;
-  const Rectangle body = body_of(vehicle);
+  const VehicleBody body = body_of(vehicle);
   return std::ranges::any_of(people, [&](const PersonAhead& person) {
     return body.signed_distance(person.position) < person.radius &&
            is_past(vehicle, person.position);
@@ -206,10 +206,11 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
                                         std::span<const PersonAhead> people, double margin,
                                         double distance, BodyWidth width) {
   if (!goes_on(vehicle)) return std::nullopt;
-  const Rectangle body = body_of(vehicle);
+  const VehicleBody body = body_of(vehicle);
   std::optional<Obstruction> first;
   const double range = distance + vehicle.traits.length + 2.0;
-  const double cut = most_cut(vehicle.way, vehicle.traits.length);
+  const double cut =
+      most_cut(vehicle.way, longest_part(vehicle.traits.parts, vehicle.traits.length));
   const auto contact_with = [&](const Vec2& point, double reach) {
     return contact_distance(vehicle, cut, point, reach, distance);
   };

@@ -177,12 +177,12 @@ function draw_links(context, theme, members_by_group) {
   context.globalAlpha = 1;
 }
 
-// A vehicle's rectangle with a windscreen and bevelled front, (x, y) its middle in pixels.
-// `scale`: the camera's [pixels/m].
-function draw_vehicle(context, theme, x, y, heading, length, width, scale) {
+// A vehicle's rectangle with a windscreen and bevelled front, (x, y) its middle in pixels; of one
+// that bends, a part behind its first has neither. `scale`: the camera's [pixels/m].
+function draw_vehicle(context, theme, x, y, heading, length, width, scale, first = true) {
   const grown = Math.max(1, 2 * least_radius(scale) / width);
-  const a = length / 2 * grown, b = width / 2 * grown, bevel = Math.min(0.35 * b, 0.25 * a);
-  const part = (points) => {
+  const a = length / 2 * grown, b = width / 2 * grown, bevel = first ? Math.min(0.35 * b, 0.25 * a) : 0;
+  const shape = (points) => {
     context.beginPath();
     points.forEach(([px, py], i) => (i ? context.lineTo(px, py) : context.moveTo(px, py)));
     context.closePath();
@@ -190,14 +190,17 @@ function draw_vehicle(context, theme, x, y, heading, length, width, scale) {
   context.save();
   context.translate(x, y);
   context.rotate(-heading);
-  part([[-a, -b], [a - bevel, -b], [a, -b + bevel], [a, b - bevel], [a - bevel, b], [-a, b]]);
+  shape([[-a, -b], [a - bevel, -b], [a, -b + bevel], [a, b - bevel], [a - bevel, b], [-a, b]]);
   context.fillStyle = theme.colour("vehicle");
   context.fill();
   context.lineWidth = 1.5;
   context.strokeStyle = theme.colour("vehicle-outline");
   context.stroke();
-  part([[0.42 * a, -0.78 * b], [0.68 * a, -0.62 * b], [0.68 * a, 0.62 * b], [0.42 * a, 0.78 * b]]);
-  context.fillStyle = theme.colour("vehicle-outline");
-  context.fill();
+  if (first) {
+    shape([[0.42 * a, -0.78 * b], [0.68 * a, -0.62 * b], [0.68 * a, 0.62 * b],
+           [0.42 * a, 0.78 * b]]);
+    context.fillStyle = theme.colour("vehicle-outline");
+    context.fill();
+  }
   context.restore();
 }

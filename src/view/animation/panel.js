@@ -61,7 +61,8 @@ class Panel {
     for (const pose of this.vehicles) {
       const [x, y] = this.to_screen(pose.x, pose.y);
       draw_vehicle(context, this.theme, x, y, pose.heading, pose.track.length * this.camera.scale,
-                   pose.track.width * this.camera.scale, this.camera.scale);
+                   pose.track.width * this.camera.scale, this.camera.scale,
+                   pose.track.part === 0);
     }
     for (const figure of figures) {
       if (figure.standing >= 0) draw_halo(context, this.theme, figure);
@@ -118,7 +119,8 @@ class Panel {
 
   tell(figures) {
     const persons = `${this.persons.length} person${this.persons.length === 1 ? "" : "s"}`;
-    const vehicles = `${this.vehicles.length} vehicle${this.vehicles.length === 1 ? "" : "s"}`;
+    const driven = this.vehicles.filter(({track}) => track.part === 0).length;
+    const vehicles = `${driven} vehicle${driven === 1 ? "" : "s"}`;
     const long = figures.filter(({standing}) => standing >= kStanding.indexOf(kCounted)).length;
     const stand = long ? `, ${long} stood ${kCounted.least} s` : "";
     const text = `${persons}, ${vehicles}${stand}`;

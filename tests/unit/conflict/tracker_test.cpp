@@ -202,5 +202,32 @@ TEST(Tracker, order_of_the_samples_does_not_matter) {
   EXPECT_EQ(run(false), run(true));
 }
 
+/// A person crosses behind a vehicle of so many parts of 4 m; at first it may ride.
+std::vector<Conflict> behind_parts(std::size_t parts, std::string_view rides_in = {}) {
+  ConflictTracker tracker({});
+  std::vector<Conflict> over;
+  for (int i = 0; i * kStep <= 15.0; ++i) {
+    const double t = i * kStep;
+    const Vec2 at(0, -8 + 1.5 * t), front(-20 + 8 * t, 0);
+    const PersonSample p{"p", at, {0, 1.5}, 0.5 * kPi, 0.25, i < 5 ? rides_in : ""};
+    const VehicleSample v[] = {{"v", front, 0.0, {8, 0}, 4.0, 2.0, 0},
+                               {"v", front - Vec2(4, 0), 0.0, {8, 0}, 4.0, 2.0, 1}};
+    tracker.step(t, {&p, 1}, {v, parts}, {}, over);
+  }
+  tracker.finish(over);
+  return over;
+}
+
+TEST(Tracker, a_vehicle_of_parts_is_one) {
+  const auto whole = behind_parts(2), first = behind_parts(1);
+  ASSERT_EQ(whole.size(), 1U);
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(whole[0].vehicle, "v");
+  ASSERT_TRUE(whole[0].pet && first[0].pet);
+  EXPECT_NEAR(whole[0].pet->value, first[0].pet->value - 4.0 / 8.0, 0.05) << "its end is nearer";
+  EXPECT_EQ(whole[0].first, First::kVehicle);
+  EXPECT_TRUE(behind_parts(2, "v").empty()) << "it has got out of that";
+}
+
 }  // namespace
 }  // namespace pedzone

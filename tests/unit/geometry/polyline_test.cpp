@@ -63,6 +63,15 @@ TEST(MostCut, is_nothing_on_a_straight_line) {
   EXPECT_EQ(most_cut(std::vector<Vec2>{}, kLength), 0.0);
 }
 
+TEST(InsertPoint, makes_a_place_of_a_line_one_of_its_points) {
+  std::vector<Vec2> line{{0, 0}, {4, 0}, {4, 0}, {4, 6}};
+  insert_point(7.0, line);
+  ASSERT_EQ(line.size(), 5U);
+  EXPECT_TRUE(line[3].isApprox(Vec2(4, 3)));
+  for (const double there : {-1.0, 0.0, 4.0, 7.0, 10.0, 11.0}) insert_point(there, line);
+  EXPECT_EQ(line.size(), 5U) << "points already, or not on it";
+}
+
 TEST(StretchWithin, is_from_where_a_line_first_comes_near_to_where_it_last_is) {
   const std::vector<Vec2> turns_back{{0.0, 0.0}, {10.0, 0.0}, {10.0, 3.0}, {0.0, 3.0}};
   const auto both = stretch_within(turns_back, {4.0, 2.0}, 2.5);

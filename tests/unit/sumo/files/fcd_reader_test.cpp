@@ -119,5 +119,38 @@ TEST_F(Fcd, vehicles_of_named_types_count_as_persons) {
   EXPECT_LT((steps[0].persons[0].position - Vec2(9.2, 5)).norm(), 1e-9);  // 1.6 m long
 }
 
+TEST_F(Fcd, a_vehicle_that_bends_is_there_part_by_part) {
+  const BodySizes known = sizes(
+      "<routes><vType id='tram' vClass='tram' length='30'><param key='carriageLength' value='10'/>"
+      "</vType><vType id='usual' vClass='tram'/><vType id='stiff' vClass='tram' length='30'>"
+      "<param key='carriageLength' value='30'/></vType>"
+      "<vType id='long' vClass='bus' guiShape='bus/flexible' length='16.5'/></routes>");
+  EXPECT_EQ(known.parts_of_type("tram", 30.0).count(), 3);
+  EXPECT_EQ(known.parts_of_type("usual", 22.0).count(), 3);
+  EXPECT_EQ(known.parts_of_type("stiff", 30.0).count(), 1);
+  EXPECT_EQ(known.parts_of_type("long", 16.5).count(), 2);
+  EXPECT_EQ(known.parts_of_type("DEFAULT_VEHTYPE", 5.0).count(), 1);
+  const auto vehicle = [](double t, double x, double y, double angle) {
+    return "<timestep time='" + std::to_string(t) + "'><vehicle id='v' x='" + std::to_string(x) +
+           "' y='" + std::to_string(y) + "' angle='" + std::to_string(angle) +
+           "' speed='10' type='tram'/></timestep>";
+  };
+  // East, then north.
+  const auto steps =
+      read(known, vehicle(0, 0, 0, 90) + vehicle(1, 10, 0, 90) + vehicle(2, 10, 10, 72) +
+                      vehicle(3, 10, 20, 45) + vehicle(4, 10, 300, 0));
+  ASSERT_EQ(steps[3].vehicles.size(), 3U);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(steps[3].vehicles[k].id, "v");
+    EXPECT_EQ(steps[3].vehicles[k].part, k);
+    EXPECT_NEAR(steps[3].vehicles[k].length, 10.0, 1e-9);
+    EXPECT_NEAR(steps[3].vehicles[k].velocity.norm(), 10.0, 1e-9);
+  }
+  EXPECT_LT((steps[3].vehicles[0].centre - Vec2(10, 15)).norm(), 1.0);
+  EXPECT_LT((steps[3].vehicles[2].centre - Vec2(5, 0)).norm(), 1.0);
+  EXPECT_NEAR(steps[3].vehicles[2].heading, 0.0, 0.3);
+  EXPECT_LT((steps[4].vehicles[2].centre - Vec2(10, 275)).norm(), 1e-6) << "put there: straight";
+}
+
 }  // namespace
 }  // namespace pedzone

@@ -162,7 +162,8 @@ TEST_F(RearTest, follows_the_lanes_that_the_vehicle_came_by) {
   route_ = {e3, e4_};
   const FleetVehicle turning = moved(car(199.0, 195.0), car(202.0, 198.0), 1.0);
   // 2 m farther on the whole of it is round the corner, and no longer aslant.
-  const Rectangle later = body_after(turning, 2.0);
+  const VehicleBody there = body_after(turning, 2.0);
+  const Rectangle& later = there.first();
   EXPECT_TRUE(later.centre.isApprox(Vec2(200.0, 2.0), 1e-6)) << later.centre.transpose();
   EXPECT_NEAR(later.axis.x(), 0.0, 1e-9);
   EXPECT_TRUE(turning.way.front().isApprox(Vec2(198.0, 0.0), 1e-6));
@@ -187,7 +188,7 @@ TEST_F(RearTest, is_straight_behind_the_first_lane_of_one_inserted_on_less_than_
   network.lanes[lane_of(e3)].shape = {{198.0, 0.0}, {200.0, 0.0}};
   const FleetVehicle turning = moved(car(199.5, 195.5), car(201.0, 197.0), 1.0);
   EXPECT_TRUE(turning.way.front().isApprox(Vec2(197.0, 0.0), 1e-6));
-  EXPECT_NEAR(body_after(turning, 3.0).axis.x(), 0.0, 1e-9) << "round the corner then";
+  EXPECT_NEAR(body_after(turning, 3.0).first().axis.x(), 0.0, 1e-9) << "round the corner then";
 }
 
 TEST_F(RearTest, is_straight_behind_one_that_has_not_come_by_its_lanes) {
