@@ -1,19 +1,21 @@
 #!/usr/bin/python3
-"""Trams of 36 m on a bend across a square with people.
+"""Trams of 36 m, and trains of 180 m, on a bend across a square with people.
 
 usage: trams.py PEDZONE [--seeds N,N] [--steps S,S] [--keep FOLDER] [--model M]
 
-A tram bends where its carriages meet; a straight body of that length would cut the corner by 6 m.
+A tram bends where its carriages meet; a straight body of that length would cut the corner by 6 m. A
+train's rear is still in the zone when its front has left that by far.
 Where the carriages are is worked out here from SUMO's own outputs, by the shapes of the network's
 lanes:
 - nobody is touched by a carriage that drives
 - hardly anybody is pushed by one, and nobody far (the run's summary)
-- trams drive on average at most half as long again as without people (in plain SUMO, whose people
+- they drive on average at most half as long again as without people (in plain SUMO, whose people
   and trams do not see each other)
 - everybody arrives
 With --model constant-velocity it fails.
 """
 import argparse
+import itertools
 import json
 import math
 import statistics
@@ -21,12 +23,13 @@ import sys
 import tempfile
 import xml.etree.ElementTree as xml
 from bisect import bisect_right
+from dataclasses import dataclass
 from pathlib import Path
 
 from junction import Run, call
 
 FLOWS, END = 600, 1000  # [s]
-RADIUS, CARRIAGES, LENGTH, WIDTH = 25, 3, 36.0, 2.4  # [m] but for the number of carriages
+RADIUS, WIDTH = 25, 2.4  # [m]
 PERSON = 0.5 * 0.478  # [m] SUMO's default
 TOUCH, DRIVES = 0.01, 1.0  # [m]; [m/s]
 PUSHED, FAR = 0.02, 0.5  # share of all people; [m]
@@ -34,10 +37,26 @@ LONGER = 1.5
 FOOTWAYS = {"a": ((20, 60), (140, 10)), "b": ((60, -40), (80, 90)), "c": ((60, -40), (150, 60))}
 
 
-def make_network(folder):
-    nodes = {"west": (-200, 0), "begin": (0, 0), "end": (100, 100), "north": (100, 300)}
-    for name, ends in FOOTWAYS.items():
-        nodes |= {f"{name}0": ends[0], f"{name}1": ends[1]}
+@dataclass(frozen=True)
+class Scene:
+    name: str
+    length: float  # [m]
+    carriages: int
+    period: int  # [s] between two of them
+    footways: str  # names
+    top: int  # [m] the square's edge
+
+    def each(self):
+        return self.length / self.carriages
+
+
+SCENES = [Scene("tram", 36.0, 3, 60, "abc", 100), Scene("train", 180.0, 10, 150, "ac", 45)]
+
+
+def make_network(folder, scene):
+    nodes = {"west": (-400, 0), "begin": (0, 0), "end": (100, 100), "north": (100, 500)}
+    for name in scene.footways:
+        nodes |= {f"{name}0": FOOTWAYS[name][0], f"{name}1": FOOTWAYS[name][1]}
     text = "".join(f'<node id="{name}" x="{x}" y="{y}"/>' for name, (x, y) in nodes.items())
     (folder / "n.nod.xml").write_text(f"<nodes>{text}</nodes>")
     angles = [math.pi / 2 * i / 12 for i in range(13)]
@@ -49,7 +68,7 @@ def make_network(folder):
     edges = [f'<edge id="in" from="west" to="begin" speed="8" {track}/>',
              f'<edge id="bend" from="begin" to="end" speed="5" shape="{shape}" {track}/>',
              f'<edge id="out" from="end" to="north" speed="8" {track}/>']
-    for name in FOOTWAYS:
+    for name in scene.footways:
         edges.append(f'<edge id="{name}+" from="{name}0" to="{name}1" {footway}/>')
         edges.append(f'<edge id="{name}-" from="{name}1" to="{name}0" {footway}/>')
     (folder / "e.edg.xml").write_text(f"<edges>{''.join(edges)}</edges>")
@@ -57,24 +76,24 @@ def make_network(folder):
          "--offset.disable-normalization", folder=folder)
 
 
-def make_scene(folder, seed, step):
+def make_scene(folder, scene, seed, step):
     folder.mkdir(parents=True, exist_ok=True)
-    make_network(folder)
+    make_network(folder, scene)
     times = f'begin="0" end="{FLOWS}"'
-    carriage = LENGTH / CARRIAGES
-    lengths = "".join(f'<param key="{key}" value="{carriage}"/>'
+    lengths = "".join(f'<param key="{key}" value="{scene.each()}"/>'
                       for key in ("locomotiveLength", "carriageLength"))
     walks = "".join(f'<personFlow id="{name}{way}" {times} period="exp(0.15)">'
                     f'<walk edges="{name}{way}"/></personFlow>'
-                    for name in FOOTWAYS for way in "+-")
+                    for name in scene.footways for way in "+-")
     (folder / "all.rou.xml").write_text(
-        f'<routes><vType id="tram" vClass="tram" length="{LENGTH}" width="{WIDTH}">{lengths}</vType>'
-        f'<flow id="tram" type="tram" {times} period="60"><route edges="in bend out"/></flow>'
+        f'<routes><vType id="tram" vClass="tram" length="{scene.length}" width="{WIDTH}">{lengths}'
+        f'</vType><flow id="tram" type="tram" {times} period="{scene.period}">'
+        '<route edges="in bend out"/></flow>'
         f"{walks}</routes>")
     (folder / "square.add.xml").write_text(
         '<additional><poly id="square" type="pedzone.walkable" color="grey"'
-        ' shape="5,-40 150,-40 150,100 5,100"/></additional>')
-    edges = " ".join(f"{name}{way}" for name in FOOTWAYS for way in "+-")
+        f' shape="5,-40 150,-40 150,{scene.top} 5,{scene.top}"/></additional>')
+    edges = " ".join(f"{name}{way}" for name in scene.footways for way in "+-")
     (folder / "all.zone.xml").write_text(
         f'<zones><zone id="square" edges="{edges}" polygons="square"/></zones>')
     (folder / "s.sumocfg").write_text(
@@ -107,20 +126,18 @@ class Track:
         (ax, ay), (bx, by) = self.points[i - 1:i + 1]
         return ax + share * (bx - ax), ay + share * (by - ay)
 
-    def carriages(self, front):
+    def carriages(self, scene, front):
         """(front, rear) of each, where the tram's front is at that offset [m]."""
-        each = LENGTH / CARRIAGES
-        return [(self.at(front - k * each), self.at(front - (k + 1) * each))
-                for k in range(CARRIAGES)]
+        ends = [self.at(front - k * scene.each()) for k in range(scene.carriages + 1)]
+        return list(zip(ends, ends[1:]))
 
 
-def inside(carriage, point):
-    """[m] how deep that is in a carriage; negative: outside."""
+def inside(carriage, length, point):
+    """[m] how deep that is in a carriage of that length; negative: outside."""
     (fx, fy), (rx, ry) = carriage
     chord = math.dist(*carriage)
     ax, ay = (fx - rx) / chord, (fy - ry) / chord
     # The body begins at the front and has its full length, as a straight body has.
-    length = LENGTH / CARRIAGES
     dx, dy = fx - point[0], fy - point[1]
     along, aside = dx * ax + dy * ay, abs(dx * ay - dy * ax)
     outside_x, outside_y = max(-along, along - length), aside - 0.5 * WIDTH
@@ -129,7 +146,7 @@ def inside(carriage, point):
     return -max(outside_x, outside_y)
 
 
-def touched(folder):
+def touched(folder, scene):
     """Pairs of a person and a tram that drives: {(person, tram): deepest overlap [m]}."""
     track, pairs = Track(folder / "net.net.xml"), {}
     for _, step in xml.iterparse(folder / "ours" / "fcd.xml"):
@@ -141,9 +158,9 @@ def touched(folder):
             if float(tram.get("speed")) < DRIVES:
                 continue
             front = track.begins[tram.get("lane")] + float(tram.get("pos"))
-            for carriage in track.carriages(front):
+            for carriage in track.carriages(scene, front):
                 for name, point in people:
-                    depth = inside(carriage, point) + PERSON
+                    depth = inside(carriage, scene.each(), point) + PERSON
                     if depth > TOUCH:
                         pair = name, tram.get("id")
                         pairs[pair] = max(depth, pairs.get(pair, 0.0))
@@ -151,19 +168,20 @@ def touched(folder):
     return pairs
 
 
-def compare(pedzone, folder, seed, step, model):
+def compare(pedzone, folder, scene, seed, step, model):
     """What is wrong."""
-    make_scene(folder, seed, step)
+    make_scene(folder, scene, seed, step)
     config, ours = folder / "s.sumocfg", folder / "ours"
     plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
     run = Run(ours, [pedzone, "run", config, "--zone", folder / "all.zone.xml", "--summary",
                      ours / "summary.json", *(["--model", model] if model else []), "--"])
     pushed = json.loads((ours / "summary.json").read_text())["pushes"]
-    pairs = touched(folder)
+    pairs = touched(folder, scene)
     drives = [statistics.mean(one.driven) for one in (plain, run)]
-    print(f"seed {seed}, steps of {step} s: touched {len(pairs)} of {len(run.walks)}"
-          f" (deepest {max(pairs.values(), default=0):.2f} m), pushed {pushed['persons']} (by at most {pushed['longest_m']:.2f} m),"
-          f" trams drive {drives[0]:.0f} -> {drives[1]:.0f} s", flush=True)
+    print(f"{scene.name}, seed {seed}, steps of {step} s: touched {len(pairs)} of {len(run.walks)}"
+          f" (deepest {max(pairs.values(), default=0):.2f} m), pushed {pushed['persons']}"
+          f" (by at most {pushed['longest_m']:.2f} m),"
+          f" drives {drives[0]:.0f} -> {drives[1]:.0f} s", flush=True)
     wrong = []
     if pairs:
         wrong.append(f"{len(pairs)} people are touched")
@@ -173,7 +191,7 @@ def compare(pedzone, folder, seed, step, model):
     if late:
         wrong.append(f"{late} people do not arrive")
     if drives[1] > LONGER * drives[0]:
-        wrong.append("trams take too long")
+        wrong.append("they drive too long")
     return wrong
 
 
@@ -187,14 +205,14 @@ def main():
     parser.add_argument("--keep", help="folder for networks and outputs")
     asked = parser.parse_args()
     failed = False
+    cases = itertools.product(SCENES, asked.steps.split(","), asked.seeds.split(","))
     with tempfile.TemporaryDirectory() as work:
-        for step in asked.steps.split(","):
-            for seed in asked.seeds.split(","):
-                folder = Path(asked.keep or work).resolve() / f"{step}-{seed}"
-                for line in compare(Path(asked.pedzone).resolve(), folder, int(seed), float(step),
-                                    asked.model):
-                    failed = True
-                    print(f"  WRONG: {line}")
+        for scene, step, seed in cases:
+            folder = Path(asked.keep or work).resolve() / f"{scene.name}-{step}-{seed}"
+            for line in compare(Path(asked.pedzone).resolve(), folder, scene, int(seed),
+                                float(step), asked.model):
+                failed = True
+                print(f"  WRONG: {line}")
     return 1 if failed else 0
 
 
