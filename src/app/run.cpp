@@ -21,6 +21,7 @@
 #include "app/warnings.hpp"
 #include "core/error.hpp"
 #include "results/trajectories.hpp"
+#include "sumo/files/person_detectors.hpp"
 #include "sumo/simulation.hpp"
 
 namespace pedzone {
@@ -134,11 +135,19 @@ void warn_of_shapes(const Simulation& simulation) {
   }
 }
 
-void warn_of_counts(const Simulation& simulation) {
-  if (!simulation.miscounts_walking()) return;
-  print_warning(
-      "in person-summary-output 'walking' and 'riding' are wrong, but their sum is right: SUMO "
-      "counts each place of somebody whom pedzone walks as one more who walks.");
+void warn_of_counts(const Simulation& simulation, const Scenario& scenario) {
+  if (simulation.miscounts_walking()) {
+    print_warning(
+        "in person-summary-output 'walking' and 'riding' are wrong, but their sum is right: SUMO "
+        "counts each place of somebody whom pedzone walks as one more who walks.");
+  }
+  const std::vector<std::string> detectors = person_detectors(scenario);
+  if (simulation.zones().empty() || detectors.empty()) return;
+  print_warning(fmt::format(
+      "{} {} to count people (detectPersons), such as '{}': SUMO does not count there whom pedzone "
+      "walks. --trajectories has everybody.",
+      detectors.size(), detectors.size() == 1 ? "detector is" : "detectors are",
+      detectors.front()));
 }
 
 /// To its end, or until it is interrupted. What ended it early, if SUMO did.
@@ -188,7 +197,7 @@ int simulate(RunOptions& options) {
   tell_of_no_zone(options, simulation);
   warn_of_far_places(simulation.network());
   warn_of_shapes(simulation);
-  warn_of_counts(simulation);
+  warn_of_counts(simulation, prepared.scenario);
   const std::string lost = walk(simulation, outputs, progress, watch);
   RunSummary totals = simulation.summary();
   totals.interrupted_by = noted_interrupt();

@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from refusal import RefusalChecks
-from tiny_scenario import TinyCase
+from tiny_scenario import TinyCase, sumo_environment
 
 PEDZONE = None  # set from the command line
 
@@ -29,6 +29,10 @@ class OptionsCase(RefusalChecks, TinyCase):
     def after(self, *sumo_options):
         return self.pedzone("--", *sumo_options)
 
+    def succeeds(self, done):
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
     def refused(self, done, *fragments):
         """Also: SUMO has written nothing."""
         self.check_refused(done, *fragments)
@@ -36,10 +40,6 @@ class OptionsCase(RefusalChecks, TinyCase):
 
 
 class TheUserWins(OptionsCase):
-    def succeeds(self, done):
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
     def test_the_step_log(self):
         """(SUMO's library prints none.)"""
         for words in (["--no-step-log", "true"], ["--no-step-log"], ["--no-step-log=false"], []):
@@ -82,7 +82,11 @@ class TheUserWins(OptionsCase):
         done = self.succeeds(self.pedzone("--pedestrians", "3", "--", "-a", "more.add.xml"))
         self.assertRegex(done.stdout, r"seen +6\n")
 
-    def test_a_summary_of_persons_that_is_wrong_is_told(self):
+
+class WrongNumbers(OptionsCase):
+    """Outputs of SUMO that miscount people whom it does not walk: a warning says so."""
+
+    def test_a_summary_of_persons(self):
         done = self.succeeds(self.after("--person-summary-output", "from-sumo.xml"))
         self.assertIn("person-summary-output 'walking' and 'riding' are wrong", done.stderr)
         step = ElementTree.parse(self.folder / "from-sumo.xml").getroot()[-1]
@@ -90,6 +94,24 @@ class TheUserWins(OptionsCase):
         self.assertGreater(number["walking"], 3)  # all that there are: else SUMO has mended it
         self.assertEqual(number["walking"] + number["riding"], number["inserted"] - number["ended"])
         self.assertNotIn("person-summary-output", self.after().stderr)
+
+    def passed(self):
+        intervals = ElementTree.parse(self.folder / "from-sumo.xml").getroot()
+        return sum(int(interval.get("nVehContrib")) for interval in intervals)
+
+    def test_detectors_of_persons(self):
+        loop = ('<additional><inductionLoop id="loop" lane="shared_0" pos="20" period="60"'
+                ' file="from-sumo.xml"{}/></additional>')
+        more = ["--additional-files", "loop.add.xml"]
+        self.tiny.write("loop.add.xml", loop.format(' detectPersons="walk"'))
+        subprocess.run(["sumo", "-c", "tiny.sumocfg", "--end", "60", *more], cwd=self.folder,
+                       env=sumo_environment(), capture_output=True, check=True)
+        self.assertGreater(self.passed(), 0)
+        done = self.succeeds(self.after(*more))
+        self.assertIn("1 detector is to count people (detectPersons), such as 'loop'", done.stderr)
+        self.assertEqual(self.passed(), 0)  # else SUMO has mended it
+        self.tiny.write("loop.add.xml", loop.format(""))
+        self.assertNotIn("detector", self.succeeds(self.after(*more)).stderr)
 
 
 class Mistakes(OptionsCase):
