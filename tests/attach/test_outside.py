@@ -137,6 +137,30 @@ class Outside(AttachedCase):
         return {float(row["time"]): (float(row["x"]), float(row["y"]))
                 for row in rows(self.folder / "t.csv") if row["id"] == person}
 
+    def pace(self, begin, end):
+        """[m/s] of the visitor between two times."""
+        places = self.places()
+        return math.dist(places[begin], places[end]) / (end - begin)
+
+    def test_a_person_that_is_told_to_walk_at_another_speed(self):
+        errors = self.together("""
+            if "visitor" in persons:
+                if t == 5: traci.person.setSpeed("visitor", 0.4)
+                if t == 15: traci.person.setSpeed("visitor", 0.0)
+                if t == 25: traci.person.setSpeed("visitor", 1.0)
+                if t == 35: traci.person.setType("visitor", "idler")
+                if t == 45: traci.person.setSpeedFactor("visitor", 0.3)
+            """, routes="""<routes>
+              <vType id="visitor" vClass="pedestrian" speedFactor="1"/>
+              <vType id="idler" vClass="pedestrian" speedFactor="1" maxSpeed="0.6"/>
+              <person id="visitor" type="visitor" depart="1">
+                <walk edges="shared east" departPos="5"/></person></routes>""")
+        self.assertNotIn("Another program", errors)
+        share = 1 - 0.5 * 0.2  # of its speed, SUMO's mean dawdling
+        for begin, speed in ((8, 0.4), (28, 1.0), (38, 0.6), (48, 0.3 * 0.6)):
+            self.assertAlmostEqual(self.pace(begin, begin + 6), share * speed, delta=0.05, msg=begin)
+        self.assertLess(self.pace(18, 24), 0.02)
+
     WALK = """
         if "visitor" in persons and 10 <= t < 40:
             traci.person.moveToXY("visitor", "", 70 + 0.2 * (t - 10), -4.0, 90, 2, -1)

@@ -94,12 +94,16 @@ void require_good_end(Child& client) {
 class OwnSession final : public Session {
  public:
   OwnSession(std::unique_ptr<Child> process, std::unique_ptr<Child> client,
-             std::unique_ptr<Session> joined)
-      : process_(std::move(process)), client_(std::move(client)), joined_(std::move(joined)) {}
+             std::unique_ptr<Session> joined, bool window)
+      : process_(std::move(process)),
+        client_(std::move(client)),
+        joined_(std::move(joined)),
+        window_(window) {}
 
   SumoPersons& persons() override { return joined_->persons(); }
   SumoVehicles& vehicles() override { return joined_->vehicles(); }
-  SumoView* view() override { return joined_->view(); }
+  /// A SUMO without a window says that it has none as an error.
+  SumoView* view() override { return window_ ? joined_->view() : nullptr; }
   void step() override { joined_->step(); }
   void close() override {
     joined_->close();
@@ -127,6 +131,7 @@ class OwnSession final : public Session {
  private:
   std::unique_ptr<Child> process_, client_;  ///< no client: null
   std::unique_ptr<Session> joined_;
+  bool window_;
 };
 
 }  // namespace
@@ -145,7 +150,8 @@ std::unique_ptr<Session> start_own(const OwnSumo& own, const std::string& config
   if (!own.client.empty()) client = start_client(with_port(own.client, port), *process);
   try {
     auto joined = join_over_traci(address, speeds, [&] { return !process->poll(); });
-    return std::make_unique<OwnSession>(std::move(process), std::move(client), std::move(joined));
+    return std::make_unique<OwnSession>(std::move(process), std::move(client), std::move(joined),
+                                        own.gui);
   } catch (const SumoError&) {
     if (!client) throw;
     wait_for(*process);  // the client ends it

@@ -26,6 +26,7 @@ class PersonCalls final : public SumoPersons {
   }
 
   double speed(const std::string& id) const override { return api::Person::getSpeed(id); }
+  double top_speed(const std::string& id) const override { return api::Person::getMaxSpeed(id); }
 
   BodySize size(const std::string& id) const override {
     return {api::Person::getLength(id), api::Person::getWidth(id)};
@@ -65,7 +66,7 @@ class PersonCalls final : public SumoPersons {
     seen.position = position(id);
     seen.heading = heading(id);
     seen.speed = speed(id);
-    seen.top_speed = api::Person::getMaxSpeed(id);
+    seen.top_speed = top_speed(id);
     seen.radius = disc_radius(size(id));
     return seen;
   }

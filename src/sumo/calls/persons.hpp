@@ -25,6 +25,7 @@ class SumoPersons {
   virtual Vec2 position(const std::string& id) const = 0;   ///< [m]
   virtual double speed(const std::string& id) const = 0;    ///< [m/s]
   virtual double heading(const std::string& id) const = 0;  ///< [rad]
+  virtual double top_speed(const std::string& id) const = 0;  ///< [m/s] that it walks at most
   virtual BodySize size(const std::string& id) const = 0;
   virtual std::string edge(const std::string& id) const = 0;  ///< in a junction an inner one
   /// That SUMO walks it to next, inside junctions, too; empty: none.

@@ -23,7 +23,8 @@ constexpr double kLapse = 20.0;  // [s] numerical: renewing costs a message
 
 // What is asked for together is subscribed to together.
 const Variables kPlace{libsumo::VAR_POSITION};
-const Variables kStages{libsumo::VAR_STAGES_REMAINING};
+const Variables kPlan{libsumo::VAR_STAGES_REMAINING, libsumo::VAR_MAXSPEED,
+                      libsumo::VAR_SPEED_FACTOR, libsumo::VAR_TYPE};
 const Variables kWalker{libsumo::VAR_ANGLE, libsumo::VAR_SPEED, libsumo::VAR_ROAD_ID,
                         libsumo::VAR_VEHICLE};
 const Variables kDriver{libsumo::VAR_SPEED_WITHOUT_TRACI,
@@ -118,7 +119,7 @@ std::string Person::getVehicle(const std::string& id) {
   return persons.get<TraCIString>(id, libsumo::VAR_VEHICLE, kWalker).value;
 }
 int Person::getRemainingStages(const std::string& id) {
-  return persons.get<TraCIInt>(id, libsumo::VAR_STAGES_REMAINING, kStages).value;
+  return persons.get<TraCIInt>(id, libsumo::VAR_STAGES_REMAINING, kPlan).value;
 }
 void Person::moveToXY(const std::string& id, const std::string& edge, double x, double y,
                       double angle, int keep_route, double match_threshold) {
@@ -129,8 +130,12 @@ void Person::moveToXY(const std::string& id, const std::string& edge, double x, 
   }
 }
 double Person::getMaxSpeed(const std::string& id) {
-  return std::min(libtraci::Person::getMaxSpeed(id),
-                  desired_speeds.of_type(getTypeID(id)) * getSpeedFactor(id));
+  const auto number = [&](int variable) {
+    return persons.get<TraCIDouble>(id, variable, kPlan).value;
+  };
+  const std::string& type = persons.get<TraCIString>(id, libsumo::VAR_TYPE, kPlan).value;
+  return std::min(number(libsumo::VAR_MAXSPEED),
+                  desired_speeds.of_type(type) * number(libsumo::VAR_SPEED_FACTOR));
 }
 double Person::getLength(const std::string& id) {
   return once(lengths, id, [&] { return libtraci::Person::getLength(id); });

@@ -1,5 +1,6 @@
 #include "sumo/files/desired_speeds.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/xml_stream.hpp"
@@ -33,10 +34,13 @@ void DesiredSpeeds::read(const std::string& file) {
 double DesiredSpeeds::of_type(std::string_view type) const {
   std::string name(type);
   auto found = types_.find(name);
-  if (found == types_.end()) found = types_.find(name.substr(0, name.rfind('@')));
+  if (found == types_.end()) {
+    name.resize(std::min(name.size(), name.rfind('@')));
+    found = types_.find(name);
+  }
   if (found != types_.end()) return found->second;
-  if (type == "DEFAULT_BIKETYPE") return kBicycle;
-  return type == "DEFAULT_PEDTYPE" ? kPedestrian : kUnbounded;
+  if (name == "DEFAULT_BIKETYPE") return kBicycle;
+  return name == "DEFAULT_PEDTYPE" ? kPedestrian : kUnbounded;
 }
 
 }  // namespace pedzone

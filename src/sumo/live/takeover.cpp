@@ -130,6 +130,7 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
     const int left = sumo_.stages_left(guest.id);
     if (!is_due(guest.watch, time, left)) continue;
     note_look(guest.watch, time, left);
+    follow_speed(guest);
     const GuestFinding found = what_happened(guest.watch, plan_of(guest.id), guest.position,
                                              [&] { return sumo_.position(guest.id); });
     guest.gone = found != GuestFinding::kUnchanged;
@@ -143,6 +144,17 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
     past = with_new_plan(past);
     consider(id, sumo_.edge(id), sumo_.stages_left(id), &position, fleet);
   }
+}
+
+/// A program that embeds us, or another client of SUMO's, may have told it to walk at another
+/// speed.
+void Takeover::follow_speed(Guest& guest) {
+  if (!guest.top_speed) return;
+  const double top = sumo_.top_speed(guest.id);
+  if (top == *guest.top_speed) return;
+  guest.top_speed = top;
+  guest.preferred_speed = striping_share_ * std::max(0.0, top);
+  crowds_[guest.zone]->set_preferred_speed(guest.handle, guest.preferred_speed);
 }
 
 /// -1: SUMO's, or not in the network.
@@ -220,6 +232,7 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   guest.radius = walker.radius;
   const auto told = walk_speeds_.of(walker.id, walker.stages_left, walker.length);
   guest.preferred_speed = striping_share_ * told.value_or(walker.top_speed);
+  if (!told) guest.top_speed = walker.top_speed;
   const PersonHints hints = read_hints(sumo_, walker.id, {profiles_, paths_});
   guest.handle = crowds_[zone]->add(
       new_person(walker, plan, hints, static_cast<std::size_t>(zone), guest.preferred_speed));

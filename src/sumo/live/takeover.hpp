@@ -14,6 +14,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -41,7 +42,9 @@ struct Guest {
   Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
   double radius = 0.24;          ///< [m]
   double preferred_speed = 0.0;  ///< [m/s]
-  double kept = 0.0;             ///< [s] kept at its end by a vehicle that waits for people
+  std::optional<double>
+      top_speed;      ///< [m/s] SUMO's, that this follows from; none: its <walk> says it
+  double kept = 0.0;  ///< [s] kept at its end by a vehicle that waits for people
   PersonColour colour;
   bool gone = false;  ///< no longer ours: dropped at the end of the phase
 };
@@ -93,6 +96,7 @@ class Takeover {
  private:
   std::size_t plan_of(const std::string& id) const;
   void check_guests(double time, const Fleet& fleet);
+  void follow_speed(Guest& guest);
   void look_at_bystanders(double time);
   void show_bystanders(const Fleet& fleet);
   bool is_declared(const std::string& id) const;

@@ -31,6 +31,7 @@ TEST(DesiredSpeedsTest, are_what_sumo_takes) {
   EXPECT_DOUBLE_EQ(speeds.of_type("old"), 0.8);
   EXPECT_TRUE(std::isinf(speeds.of_type("car")));
   EXPECT_DOUBLE_EQ(speeds.of_type("DEFAULT_PEDTYPE"), 5.0 / 3.6);
+  EXPECT_DOUBLE_EQ(speeds.of_type("DEFAULT_PEDTYPE@person7"), 5.0 / 3.6);
 }
 
 }  // namespace
