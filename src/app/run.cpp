@@ -141,8 +141,9 @@ void warn_of_counts(const Simulation& simulation, const Scenario& scenario) {
         "in person-summary-output 'walking' and 'riding' are wrong, but their sum is right: SUMO "
         "counts each place of somebody whom pedzone walks as one more who walks.");
   }
+  if (simulation.zones().empty()) return;
   const std::vector<std::string> detectors = person_detectors(scenario);
-  if (simulation.zones().empty() || detectors.empty()) return;
+  if (detectors.empty()) return;
   print_warning(fmt::format(
       "{} {} to count people (detectPersons), such as '{}': SUMO does not count there whom pedzone "
       "walks. --trajectories has everybody.",

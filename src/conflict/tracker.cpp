@@ -34,6 +34,15 @@ double direction_of(const Vec2& velocity, double heading) {
 
 }  // namespace
 
+void add_parts(std::string_view id, std::span<const Rectangle> parts, double speed,
+               std::vector<VehicleSample>& samples) {
+  int number = 0;
+  for (const Rectangle& part : parts) {
+    samples.push_back({id, part.centre, angle_of(part.axis), part.axis * speed, 2.0 * part.half.x(),
+                       2.0 * part.half.y(), number++});
+  }
+}
+
 ConflictTracker::ConflictTracker(const ConflictLimits& limits)
     : limits_(limits), memory_(std::max(limits.pet, kMemory)) {}
 

@@ -22,6 +22,7 @@
 #include "conflict/cast.hpp"
 #include "conflict/encounter.hpp"
 #include "conflict/search.hpp"
+#include "geometry/rectangle.hpp"
 
 namespace pedzone {
 
@@ -47,6 +48,11 @@ struct VehicleSample {
   double length = 5.0, width = 1.8;  ///< [m] > 0
   int part = 0;                      ///< of the vehicle of that id; 0: the first, or all of it
 };
+
+/// Adds a vehicle that bends, its first part first, of which each drives at `speed` [m/s] along its
+/// own axis; < 0: backwards.
+void add_parts(std::string_view id, std::span<const Rectangle> parts, double speed,
+               std::vector<VehicleSample>& samples);
 
 /// Whether person i is aware of vehicle j (indices into the step's samples); nothing: not known.
 using AwareOf = std::function<std::optional<bool>(std::size_t person, std::size_t vehicle)>;

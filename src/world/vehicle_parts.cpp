@@ -34,7 +34,7 @@ Carriages usual_carriages(std::string_view shape, std::string_view vclass) {
 }  // namespace
 
 VehiclePart part_of(const VehicleParts& parts, double length, int k) {
-  if (parts.others == 0) return {0.0, length};
+  if (!parts.bends()) return {0.0, length};
   if (k == 0) return {length - parts.first, parts.first};
   const double each = (length - parts.first) / parts.others;
   return {(parts.others - k) * each, each};

@@ -12,6 +12,7 @@ struct VehicleParts {
   double first = 0.0;  ///< [m] ≥ 0 length of the first; 0: the vehicle does not bend
   int others = 0;      ///< behind it, all of one length
 
+  bool bends() const { return others > 0; }
   int count() const { return 1 + others; }
 };
 

@@ -99,7 +99,7 @@ FcdReader::Row FcdReader::row_of(const XmlElement& element, bool person,
   // SUMO's reference of a vehicle is its front bumper.
   row.centre =
       person ? row.reference : Vec2(row.reference - unit(row.heading) * (0.5 * mover.size.length));
-  if (mover.parts.others > 0) follow_front(row, mover);
+  if (mover.parts.bends()) follow_front(row, mover);
   if (mover.seen + 1 == step_ && mover.seen > 0) {
     const Vec2 moved = row.centre - mover.at;
     mover.way = mover.way * std::exp(-moved.norm() / kDirectionWay) + moved;
@@ -125,18 +125,14 @@ void FcdReader::follow_front(const Row& row, Mover& mover) const {
 
 void FcdReader::add_samples(const Row& vehicle) {
   const Mover& mover = *vehicle.mover;
-  if (mover.parts.others == 0) {
+  if (!mover.parts.bends()) {
     vehicle_samples_.push_back({*vehicle.id, vehicle.centre, vehicle.heading, vehicle.velocity,
                                 vehicle.size.length, vehicle.size.width});
     return;
   }
-  const double speed = vehicle.velocity.dot(unit(vehicle.heading)) < 0.0 ? -vehicle.velocity.norm()
-                                                                         : vehicle.velocity.norm();
-  int number = 0;
-  for (const Rectangle& part : mover.trail.parts(mover.parts, vehicle.size.width)) {
-    vehicle_samples_.push_back({*vehicle.id, part.centre, angle_of(part.axis), part.axis * speed,
-                                2.0 * part.half.x(), vehicle.size.width, number++});
-  }
+  const double along = vehicle.velocity.dot(unit(vehicle.heading));
+  add_parts(*vehicle.id, mover.trail.parts(mover.parts, vehicle.size.width),
+            std::copysign(vehicle.velocity.norm(), along), vehicle_samples_);
 }
 
 void FcdReader::end_step(const StepVisitor& visitor) {

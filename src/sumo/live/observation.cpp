@@ -24,18 +24,13 @@ Observation ObservationReader::read(double time) {
 
 void ObservationReader::add(const FleetVehicle& vehicle) {
   const VehicleTraits& traits = vehicle.traits;
-  if (traits.parts.others == 0) {
+  if (!traits.parts.bends()) {
     vehicles_.push_back({vehicle.id, vehicle.centre(), vehicle.heading, vehicle.velocity,
                          traits.length, traits.width});
     return;
   }
-  const double speed = vehicle.velocity.dot(unit(vehicle.heading));
   const VehicleBody body = body_of(vehicle);
-  for (const Rectangle& part : body.parts()) {
-    vehicles_.push_back({vehicle.id, part.centre, angle_of(part.axis), part.axis * speed,
-                         2.0 * part.half.x(), traits.width,
-                         static_cast<int>(&part - body.parts().data())});
-  }
+  add_parts(vehicle.id, body.parts(), vehicle.velocity.dot(unit(vehicle.heading)), vehicles_);
 }
 
 /// Reading people from SUMO is dear: what is known of them has to do, and only who is exactly at a

@@ -42,8 +42,8 @@ struct Guest {
   Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
   double radius = 0.24;          ///< [m]
   double preferred_speed = 0.0;  ///< [m/s]
-  std::optional<double>
-      top_speed;      ///< [m/s] SUMO's, that this follows from; none: its <walk> says it
+  /// [m/s] SUMO's, that this follows from; none: its <walk> says it.
+  std::optional<double> top_speed;
   double kept = 0.0;  ///< [s] kept at its end by a vehicle that waits for people
   PersonColour colour;
   bool gone = false;  ///< no longer ours: dropped at the end of the phase

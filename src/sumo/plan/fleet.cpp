@@ -128,7 +128,7 @@ void set_motion(const FleetVehicle& vehicle, const NextSpeed& next, const Rectan
 /// The same of one that moves on as it did: nobody knows its way.
 void set_last_motion(const FleetVehicle& vehicle, VehicleState& part) {
   part.velocity = vehicle.velocity;
-  if (vehicle.traits.parts.others > 0) {
+  if (vehicle.traits.parts.bends()) {
     part.velocity = unit(part.heading) * vehicle.velocity.dot(unit(vehicle.heading));
   }
   part.yaw_rate = vehicle.yaw_rate;
@@ -168,9 +168,9 @@ void add_states(const FleetVehicle& vehicle, double dt, std::vector<VehicleState
     const VehiclePart part = part_of(traits.parts, traits.length, k);
     VehicleState state = looks_of(vehicle);
     state.centre = now.parts()[k].centre;
-    state.heading = traits.parts.others > 0 ? angle_of(now.parts()[k].axis) : vehicle.heading;
+    state.heading = traits.parts.bends() ? angle_of(now.parts()[k].axis) : vehicle.heading;
     state.length = 2.0 * now.parts()[k].half.x();
-    if (traits.parts.others > 0) set_way(vehicle, part.rear, state);
+    if (traits.parts.bends()) set_way(vehicle, part.rear, state);
     // Each part asks for the room up to there: in a bend those behind sweep what is beside it.
     if (vehicle.claim > 0.0) state.claim = vehicle.claim + traits.length - part.rear - part.length;
     state.claimed = vehicle.slowed;

@@ -56,7 +56,7 @@ VehicleBody body_of(const FleetVehicle& vehicle) { return body_after(vehicle, 0.
 
 VehicleBody body_after(const FleetVehicle& vehicle, double travelled) {
   const VehicleTraits& traits = vehicle.traits;
-  const bool bends = traits.parts.others > 0;
+  const bool bends = traits.parts.bends();
   VehicleBody body;
   if (vehicle.way.size() < 2 || (travelled <= 0.0 && !bends)) {
     body.add({vehicle.centre(), unit(vehicle.heading), {0.5 * traits.length, 0.5 * traits.width}});

@@ -154,9 +154,9 @@ double speed_beside(const FleetVehicle& vehicle, std::span<const PersonAhead> pe
   return std::min(safe, pass.most);
 }
 
-/// Whether the front is past the point.
-bool is_past(const FleetVehicle& vehicle, const Vec2& point) {
-  return (point - vehicle.front).dot(body_of(vehicle).first().axis) < 0.0;
+/// Whether the front of a vehicle, whose body that is, is past the point.
+bool is_past(const FleetVehicle& vehicle, const VehicleBody& body, const Vec2& point) {
+  return (point - vehicle.front).dot(body.first().axis) < 0.0;
 }
 
 /// Whether it stands or creeps, and somebody is beside its body, nearer than one could be who has
@@ -166,7 +166,7 @@ bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> 
   const VehicleBody body = body_of(vehicle);
   return std::ranges::any_of(people, [&](const PersonAhead& person) {
     return body.signed_distance(person.position) < person.radius &&
-           is_past(vehicle, person.position);
+           is_past(vehicle, body, person.position);
   });
 }
 
@@ -175,9 +175,10 @@ bool is_squeezed_past(const FleetVehicle& vehicle, std::span<const PersonAhead> 
 /// past: they get out of its way as it comes.
 bool edges_past(const FleetVehicle& vehicle, std::span<const PersonAhead> people) {
   if (!vehicle.creeping || vehicle.blocked_time < kEdgesPastAfter) return false;
+  const VehicleBody body = body_of(vehicle);
   std::vector<PersonAhead> before;
   std::ranges::copy_if(people, std::back_inserter(before), [&](const PersonAhead& person) {
-    return !is_past(vehicle, person.position);
+    return !is_past(vehicle, body, person.position);
   });
   return !first_in_way(vehicle, before, kCreepMargin, kFreeAhead);
 }
@@ -227,7 +228,7 @@ std::optional<Obstruction> first_in_way(const FleetVehicle& vehicle,
     // Beside the body already and not before it: passed, unless the rear will swing over them.
     // Who has turned its shoulders and squeezes past is nearer than its disc: no nearer then.
     const double beside = body.signed_distance(person.position) - kTouch;
-    if (is_past(vehicle, person.position) &&
+    if (is_past(vehicle, body, person.position) &&
         !contact_with(person.position, std::min(radius, beside))) {
       continue;
     }
