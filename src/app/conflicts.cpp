@@ -10,6 +10,7 @@
 #include "app/conflict_options.hpp"
 #include "app/conflicts_json.hpp"
 #include "app/guarded.hpp"
+#include "app/recording_options.hpp"
 #include "app/seen_crossings.hpp"
 #include "app/share_bar.hpp"
 #include "conflict/tracker.hpp"
@@ -105,6 +106,7 @@ void measure(const ConflictsOptions& options) {
   require_output(options);
   const auto sizes = read_type_files<BodySizes>(options.scenario, {}, options.types);
   require_types(sizes, options.as_persons);
+  warn_of_guessed_sizes(sizes);
   const std::unordered_set<std::string> as_persons(options.as_persons.begin(),
                                                    options.as_persons.end());
   ConflictOutputs outputs(options);

@@ -173,7 +173,11 @@ std::string page_of(const MapsOptions& options, const Recording& recording, cons
   page.recording = &recording;
   page.place = place;
   page.box = box;
-  page.grids = &numbers.grids;
+  // What the picture can show: its cells are larger in a large place, the numbers' are not.
+  const double cell = cell_for(box, kDensityCell);
+  RunGrids shown = run_grids(recording, box, cell);
+  shown.minute = highest_of(numbers.grids.minute, cell);
+  page.grids = &shown;
   if (!options.measured.empty()) page.area = box_of_sides(options.measured, "--measure-area");
   for (const AreaMoment& moment : numbers.measured) {
     page.diagram.push_back({moment.density, moment.speed});
@@ -200,8 +204,13 @@ void make_maps(const MapsOptions& options) {
     throw InputError("shows nobody", {.element = "option --area",
                                       .allowed = "an area in which somebody of the recording is"});
   }
-  numbers.grids = run_grids(recording, box, cell_for(box, kDensityCell));
+  numbers.grids = run_grids(recording, box, kDensityCell);
   numbers.conflicts = recorded_conflicts(options.recording);
+  if (numbers.conflicts) {
+    std::erase_if(*numbers.conflicts, [&](const Conflict& one) {
+      return !box.contains(study::moment_of(one).position);
+    });
+  }
   if (!measured.isEmpty()) numbers.measured = measure_area(recording, place.get(), measured);
   if (out) {
     out->write(page_of(options, recording, place.get(), box, numbers));

@@ -36,8 +36,28 @@ std::vector<NamedOutput> named_outputs(const RunOptions& options) {
   return wanted;
 }
 
-void require_different(const std::vector<NamedOutput>& outputs) {
+/// Those of SUMO that are named after `--`.
+std::vector<NamedOutput> sumo_outputs(const std::vector<std::string>& words) {
+  constexpr std::string_view kEnding = "-output";
+  std::vector<NamedOutput> outputs;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t equals = words[i].find('=');
+    const std::string option = words[i].substr(0, equals);
+    if (!option.starts_with("--") || !option.ends_with(kEnding)) continue;
+    if (equals != std::string::npos) outputs.push_back({option, words[i].substr(equals + 1)});
+    if (equals == std::string::npos && i + 1 < words.size())
+      outputs.push_back({option, words[i + 1]});
+  }
+  return outputs;
+}
+
+void require_different(const std::vector<NamedOutput>& outputs,
+                       const std::vector<NamedOutput>& of_sumo) {
   std::map<std::string, std::string> option_of;
+  for (const auto& [option, path] : of_sumo) {
+    option_of.emplace(weakly_canonical(std::filesystem::absolute(path)).string() + ".partial",
+                      option);
+  }
   for (const auto& [option, path] : outputs) {
     const std::string file = CompleteFile::partial(path);
     if (file.empty()) continue;
@@ -91,7 +111,7 @@ void keep_standard_output_clean(RunOptions& options) {
 }
 
 OutputFiles::OutputFiles(const RunOptions& options) {
-  require_different(named_outputs(options));
+  require_different(named_outputs(options), sumo_outputs(options.sumo_options));
   if (!options.summary.empty()) {
     summary_ = std::make_unique<CompleteFile>(options.summary, "--summary");
   }

@@ -1,7 +1,10 @@
 #include "app/recording_options.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
+#include "app/command_line/terminal.hpp"
 #include "app/command_line/values.hpp"
 #include "app/share_bar.hpp"
 #include "sumo/files/place_reader.hpp"
@@ -61,9 +64,19 @@ std::unique_ptr<Place> read_place(const RecordingOptions& options) {
       read_place(read_any_scenario(options.scenario, options.sumo_options), options.zone_file));
 }
 
+void warn_of_guessed_sizes(const BodySizes& sizes) {
+  const std::string guessed = sizes.guessed();
+  if (guessed.empty()) return;
+  print_warning(fmt::format(
+      "people of the vTypeDistribution '{}' are taken to have the size of its first member, since "
+      "fcd-output does not name their types: tripinfo-output of the run does (--vtypes FILE).",
+      guessed));
+}
+
 Recording read_recording(const RecordingOptions& options) {
   const auto cast =
       read_type_files<RecordingCast>(options.scenario, options.sumo_options, options.types);
+  warn_of_guessed_sizes(cast.sizes);
   ShareBar bar("reading");
   Recording recording =
       read_recording(options.source, cast, [&bar](double share) { bar.update(share); });

@@ -30,6 +30,9 @@ void add_recording_filter(CLI::App& command, RecordingOptions& options);
 /// The place of --scenario and --zone; null without a scenario. Throws InputError.
 std::unique_ptr<Place> read_place(const RecordingOptions& options);
 
+/// Says which people's sizes are guessed, where any are.
+void warn_of_guessed_sizes(const BodySizes& sizes);
+
 /// The recording with what the files of --scenario and --vtypes say of everybody; shows progress.
 /// Throws InputError.
 Recording read_recording(const RecordingOptions& options);

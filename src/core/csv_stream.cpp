@@ -63,6 +63,7 @@ class RowCutter {
     const std::span<const std::string> row(fields_.data(), count_ + 1);
     if (!header_read_) {
       header_.assign(row.begin(), row.end());
+      header_[0].erase(0, mark_length(header_[0]));
       found_(header_);
       header_read_ = true;
     } else if (row.size() != header_.size()) {

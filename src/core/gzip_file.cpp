@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "core/input_files.hpp"
 
 namespace pedzone {
 
@@ -24,6 +25,7 @@ GzipFile::GzipFile(std::string file)
   if (stream_->handle == nullptr || std::filesystem::is_directory(file_)) {
     throw InputError("cannot be opened", {.file = file_});
   }
+  note_input(file_);
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file_, unknown);
   if (!unknown && size > 0) size_ = size;

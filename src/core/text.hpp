@@ -25,6 +25,11 @@ std::string comma_list(const Things& things, const Name& name = {}) {
   return separated_list(things, ", ", name);
 }
 
+/// How many characters at its begin are a byte order mark, which Excel writes into UTF-8 files.
+inline std::size_t mark_length(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
 /// As a value of an XML attribute. Characters that XML does not know become U+FFFD.
 std::string xml_value(std::string_view text);
 

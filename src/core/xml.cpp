@@ -10,6 +10,7 @@
 #include <memory>
 #include <sstream>
 
+#include "core/input_files.hpp"
 #include "core/text.hpp"
 
 namespace pedzone {
@@ -21,6 +22,7 @@ std::string read_text(const std::string& file) {
   // gzopen reads plain files as they are.
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> input(gzopen(file.c_str(), "rb"), gzclose);
   if (!input) throw InputError("cannot be opened", {.file = file});
+  note_input(file);
   std::string text;
   std::array<char, 1 << 16> buffer;
   int got = 0;

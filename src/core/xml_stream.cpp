@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <memory>
 
 namespace pedzone {
@@ -13,12 +14,28 @@ namespace {
 /// kept, and the parser stopped.
 struct Reading {
   const std::string& file;
+  int includes;  ///< so many files have led here
   std::string_view root;
   const ElementVisitor& visitor;
   XML_Parser parser;
   int depth = 0;
   std::exception_ptr thrown = nullptr;
 };
+
+void visit_file(const std::string& file, std::string_view root, const ElementVisitor& visitor,
+                const ReadProgress& progress, int includes);
+
+/// As SUMO does, which takes such a name relative to the file that it stands in.
+void visit_included(const XmlElement& element, const Reading& reading) {
+  constexpr int kMost = 20;  // numerical: a file that includes itself ends nowhere
+  const std::filesystem::path name(element.required("href"));
+  if (reading.includes >= kMost) {
+    throw element.error("includes a file that includes it, or too many in turn", "href",
+                        name.string());
+  }
+  const std::filesystem::path folder = std::filesystem::path(reading.file).parent_path();
+  visit_file((folder / name).string(), "", reading.visitor, {}, reading.includes + 1);
+}
 
 void visit(Reading& reading, const char* name, const char** attributes) {
   const XmlElement element(reading.file, static_cast<int>(XML_GetCurrentLineNumber(reading.parser)),
@@ -31,7 +48,11 @@ void visit(Reading& reading, const char* name, const char** attributes) {
                       .value = name,
                       .allowed = std::string(reading.root)});
   }
-  reading.visitor(element);
+  if (reading.depth > 0 && element.name() == "include") {
+    visit_included(element, reading);
+  } else {
+    reading.visitor(element);
+  }
 }
 
 void XMLCALL on_begin(void* data, const char* name, const char** attributes) {
@@ -100,12 +121,14 @@ InputError XmlElement::error(const std::string& problem, std::string_view attrib
                               .allowed = allowed});
 }
 
-void visit_elements(const std::string& file, std::string_view root, const ElementVisitor& visitor,
-                    const ReadProgress& progress) {
+namespace {
+
+void visit_file(const std::string& file, std::string_view root, const ElementVisitor& visitor,
+                const ReadProgress& progress, int includes) {
   GzipFile input(file);
   const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr),
                                                                        XML_ParserFree);
-  Reading reading{file, root, visitor, parser.get()};
+  Reading reading{file, includes, root, visitor, parser.get()};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), on_begin, on_end);
   for (bool last = false; !last;) {
@@ -116,6 +139,13 @@ void visit_elements(const std::string& file, std::string_view root, const Elemen
     parse(reading, got, last);
     input.tell(progress);
   }
+}
+
+}  // namespace
+
+void visit_elements(const std::string& file, std::string_view root, const ElementVisitor& visitor,
+                    const ReadProgress& progress) {
+  visit_file(file, root, visitor, progress, 0);
 }
 
 }  // namespace pedzone

@@ -42,9 +42,10 @@ class XmlElement {
 
 using ElementVisitor = std::function<void(const XmlElement&)>;
 
-/// Visits all opening tags in their order. Throws InputError when the file is missing, cannot be
-/// decompressed, is not well-formed, or its document element is not `root` (any when empty); passes
-/// on what a visitor throws.
+/// Visits all opening tags in their order, those of files that an <include href="..."/> names in
+/// its place. Throws InputError when the file is missing, cannot be decompressed, is not
+/// well-formed, or its document element is not `root` (any when empty); passes on what a visitor
+/// throws.
 void visit_elements(const std::string& file, std::string_view root, const ElementVisitor& visitor,
                     const ReadProgress& progress = {});
 

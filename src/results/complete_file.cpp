@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "core/error.hpp"
+#include "core/input_files.hpp"
 
 namespace pedzone {
 namespace {
@@ -68,6 +69,12 @@ InputError cannot_be_written(const std::string& path, const std::string& option,
           {"", 0, "option " + option, path, "a file in a folder that can be written"}};
 }
 
+void require_no_input(const std::string& path, const std::string& option) {
+  if (!is_input(path)) return;
+  throw InputError("names a file that is read",
+                   {"", 0, "option " + option, path, "another file, which may be a new one"});
+}
+
 }  // namespace
 
 std::string CompleteFile::partial(const std::string& path) {
@@ -80,7 +87,8 @@ bool CompleteFile::is_standard_output(const std::string& path) {
 }
 
 PendingFile::PendingFile(const std::string& path, const std::string& option)
-    : path_(path), partial_(CompleteFile::partial(path)) {
+    : path_(path), option_(option), partial_(CompleteFile::partial(path)) {
+  require_no_input(path, option);
   if (partial_.empty()) throw cannot_be_written(path, option, "it is no plain file");
   std::error_code ignored;  // a failure shows when the file is opened
   if (fs::is_directory(path, ignored)) throw cannot_be_written(path, option, "it is a folder");
@@ -96,6 +104,7 @@ PendingFile::~PendingFile() {
 }
 
 void PendingFile::finish() {
+  require_no_input(path_, option_);
   std::error_code error;
   fs::rename(partial_, target_of(path_), error);
   if (error) throw std::runtime_error("cannot write " + path_ + ": " + error.message());

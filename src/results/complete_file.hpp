@@ -14,8 +14,9 @@ namespace pedzone {
 /// link stays one: the file that it names is made.
 class PendingFile {
  public:
-  /// Makes missing folders. Throws InputError when the place cannot be written or is no plain file.
-  /// `option`: what the user named it with, for the message.
+  /// Makes missing folders. Throws InputError when the place cannot be written, is no plain file or
+  /// one that this program has read (core/input_files.hpp). `option`: what the user named it with,
+  /// for the message.
   PendingFile(const std::string& path, const std::string& option);
   /// Not finished: what was written is removed.
   ~PendingFile();
@@ -24,11 +25,13 @@ class PendingFile {
 
   /// Where to write.
   const std::string& name() const { return partial_; }
-  /// Moves what was written to its place. Throws std::runtime_error.
+  /// Moves what was written to its place. Throws std::runtime_error, and InputError where the
+  /// program has read that one meanwhile.
   void finish();
 
  private:
-  std::string path_;     ///< as the user named it
+  std::string path_;  ///< as the user named it
+  std::string option_;
   std::string partial_;  ///< empty: it is in its place
 };
 

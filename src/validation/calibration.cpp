@@ -1,6 +1,9 @@
 #include "validation/calibration.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <set>
@@ -92,6 +95,32 @@ std::vector<Fold> folds_of(const std::vector<Clip>& clips) {
   return folds;
 }
 
+/// What evaluations are of: other ones count no more. FNV-1a over all places of people and
+/// vehicles.
+std::string source_of(const std::vector<Clip>& clips, int seeds) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ULL; };
+  const auto add_place = [&](const Vec2& place) {
+    add(std::bit_cast<std::uint64_t>(place.x()));
+    add(std::bit_cast<std::uint64_t>(place.y()));
+  };
+  for (const Clip& clip : clips) {
+    add(person_key(clip.site + "/" + clip.name));
+    for (const PersonTrack& person : clip.persons) {
+      add(static_cast<std::uint64_t>(person.first));
+      for (const Vec2& place : person.places) add_place(place);
+    }
+    for (const VehicleTrack& vehicle : clip.vehicles) {
+      add(static_cast<std::uint64_t>(vehicle.first));
+      for (const VehicleState& state : vehicle.states) {
+        add_place(state.centre);
+        add_place({state.length, state.width});
+      }
+    }
+  }
+  return fmt::format("{} clips ({:016x}), {} seeds", clips.size(), hash, seeds);
+}
+
 ReplayModel model_of(const Parameters& parameters) {
   ReplayModel model;
   model.name = "calibrated";
@@ -108,7 +137,7 @@ class Search {
         options_(options),
         progressed_(progressed),
         folds_(folds_of(clips)),
-        log_(options.log, column_names(), folds_.size()) {
+        log_(options.log, source_of(clips, options.seeds), column_names(), folds_.size()) {
     total_ = options.first + static_cast<int>(folds_.size()) * options.rounds * options.points +
              options.finalists;
   }

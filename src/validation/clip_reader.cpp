@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/xml.hpp"
 #include "validation/clip.hpp"
 #include "world/speed_gain.hpp"
@@ -80,6 +81,7 @@ void ClipFile::read_header() {
   if (!std::getline(stream_, text_)) {
     throw InputError("is empty", {name_, 0, "", "", "a header line and one row a frame and track"});
   }
+  text_.erase(0, mark_length(text_));
   const std::vector<std::string_view> header = split(text_);
   for (std::size_t c = 0; c < kColumns; ++c) {
     const auto found = std::find(header.begin(), header.end(), kColumnNames[c]);

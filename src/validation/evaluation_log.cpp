@@ -18,10 +18,11 @@ std::string joined(const std::vector<double>& values) {
 
 }  // namespace
 
-EvaluationLog::EvaluationLog(const std::string& path, const std::vector<std::string>& columns,
-                             std::size_t folds) {
+EvaluationLog::EvaluationLog(const std::string& path, const std::string& source,
+                             const std::vector<std::string>& columns, std::size_t folds) {
   if (path.empty()) return;
-  const std::string header = fmt::format("{}", fmt::join(columns, ","));
+  const std::array<std::string, 2> header{"# " + source,
+                                          fmt::format("{}", fmt::join(columns, ","))};
   read(path, header, folds);
   // Written anew without an unfinished last line, then appended to.
   file_ = std::fopen(path.c_str(), "w");
@@ -29,7 +30,7 @@ EvaluationLog::EvaluationLog(const std::string& path, const std::vector<std::str
     throw InputError(std::string("cannot be written: ") + std::strerror(errno),
                      {path, 0, "", "", "a file in a folder that may be written to"});
   }
-  fmt::print(file_, "{}\n", header);
+  fmt::print(file_, "{}\n{}\n", header[0], header[1]);
   for (const auto& [values, misfits] : known_)
     fmt::print(file_, "{},{}\n", values, joined(misfits));
   std::fflush(file_);
@@ -39,12 +40,16 @@ EvaluationLog::~EvaluationLog() {
   if (file_ != nullptr) std::fclose(file_);
 }
 
-void EvaluationLog::read(const std::string& path, const std::string& header, std::size_t folds) {
+void EvaluationLog::read(const std::string& path, const std::array<std::string, 2>& header,
+                         std::size_t folds) {
   std::ifstream stream(path);
   std::string line;
-  if (!std::getline(stream, line)) return;
-  if (line != header) {
-    throw InputError("is of another search or other clips", {path, 1, "header", line, header});
+  for (const std::string& wanted : header) {
+    if (!std::getline(stream, line)) return;
+    if (line == wanted) continue;
+    throw InputError(
+        "is of another search, other clips or seeds: take another folder, or remove it",
+        {path, 0, "header", line, wanted});
   }
   while (std::getline(stream, line) && !stream.eof()) {
     std::size_t cut = line.size();

@@ -1,6 +1,7 @@
 // What a calibration has scored so far, in a file, so that a broken-off one goes on.
 #pragma once
 
+#include <array>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -8,14 +9,16 @@
 
 namespace pedzone {
 
-/// A CSV file: values of the searched parameters, then one misfit for each fold; one evaluation a
-/// line, flushed at once. An unfinished last line is dropped.
+/// A CSV file, after a line that tells of what it is: values of the searched parameters, then one
+/// misfit for each fold; one evaluation a line, flushed at once. An unfinished last line is
+/// dropped.
 class EvaluationLog {
  public:
-  /// `path` empty: nothing is kept. Throws InputError when the file has other columns (another
-  /// search or other clips) or cannot be written.
-  EvaluationLog(const std::string& path, const std::vector<std::string>& columns,
-                std::size_t folds);
+  /// `path` empty: nothing is kept. `source`: another one for other clips or seeds. Throws
+  /// InputError when the file has another source or other columns (another search), or cannot be
+  /// written.
+  EvaluationLog(const std::string& path, const std::string& source,
+                const std::vector<std::string>& columns, std::size_t folds);
   ~EvaluationLog();
   EvaluationLog(const EvaluationLog&) = delete;
   EvaluationLog& operator=(const EvaluationLog&) = delete;
@@ -25,7 +28,8 @@ class EvaluationLog {
   void append(const std::vector<double>& values, const std::vector<double>& misfits);
 
  private:
-  void read(const std::string& path, const std::string& header, std::size_t folds);
+  /// `header`: its first two lines.
+  void read(const std::string& path, const std::array<std::string, 2>& header, std::size_t folds);
 
   std::map<std::string, std::vector<double>> known_;
   std::FILE* file_ = nullptr;

@@ -90,6 +90,16 @@ ValueGrid coarsened(const ValueGrid& grid, const Box& box) {
   return coarse;
 }
 
+ValueGrid highest_of(const ValueGrid& grid, double size) {
+  ValueGrid coarse(size, grid.per_area);
+  for (const auto& [cell, value] : grid.cells) {
+    const Vec2 middle = grid.size * Vec2(cell.first + 0.5, cell.second + 0.5);
+    double& highest = coarse.cells[coarse.cell_at(middle)];
+    highest = std::max(highest, value);
+  }
+  return coarse;
+}
+
 std::vector<double> class_bounds(std::span<const ValueGrid> grids) {
   constexpr double kBelow = 0.9;  // numerical: a round number's part from which the next is smaller
   double most = 0.0;

@@ -30,6 +30,9 @@ double cell_for(const Box& box, double size);
 /// The same with cells that a picture of the box can show.
 ValueGrid coarsened(const ValueGrid& grid, const Box& box);
 
+/// The same in cells of `size` [m], each with the highest value of any in it.
+ValueGrid highest_of(const ValueGrid& grid, double size);
+
 /// Ascending bounds between the classes of colour, round numbers; none where all is nothing.
 std::vector<double> class_bounds(std::span<const ValueGrid> grids);
 

@@ -141,7 +141,7 @@ Json grid_maps(const MapsPage& page) {
               map(grids.mean, mean_bounds, "Density of people"), map_classes(mean_bounds)),
        map_of("service", "Level of service in the peak minute",
               fmt::format("Fruin's levels for walkways, persons per m²: mean from {:g} to {:g} s, "
-                          "when most people are there.",
+                          "when most people are there; each cell at the worst level of its 2 m.",
                           grids.minute_begin, grids.minute_end),
               map(grids.minute, service_bounds(), "Level of service"), service_classes()),
        map_of("speed", "Speed of people",

@@ -134,17 +134,33 @@ std::map<std::string, std::vector<int>> edges_by_junction(const Network& network
   return meeting;
 }
 
-/// At junctions without a walking area SUMO's persons step from any edge to any other. netconvert
-/// builds no walking area where two streets meet in line.
+/// Pairs of edges, the smaller index first, from one of which SUMO's connections lead to the other.
+std::set<std::pair<int, int>> connected_edges(const Network& network) {
+  std::set<std::pair<int, int>> pairs;
+  for (const Connection& connection : network.connections) {
+    const int from = network.lanes[connection.from].edge, to = network.lanes[connection.to].edge;
+    if (network.lanes[connection.from].persons && network.lanes[connection.to].persons) {
+      pairs.insert({std::min(from, to), std::max(from, to)});
+    }
+  }
+  return pairs;
+}
+
+/// At junctions without a walking area: netconvert builds none where two streets meet in line, nor
+/// where one is cut off at the border of a network. SUMO's persons go on there by connections. In a
+/// network that has none at all they step from any edge to any other.
 void link_at_once(const Network& network, const std::vector<int>& edges, std::vector<Link>& links) {
   std::set<std::string> with_walking_area;
   for (const Edge& edge : network.edges) {
     if (edge.function == EdgeFunction::kWalkingArea) with_walking_area.insert(junction_of(edge));
   }
+  const std::set<std::pair<int, int>> connected = connected_edges(network);
+  const bool any = with_walking_area.empty();
   for (const auto& [junction, meeting] : edges_by_junction(network, edges)) {
     if (with_walking_area.contains(junction)) continue;
     for (std::size_t i = 0; i < meeting.size(); ++i) {
       for (std::size_t j = i + 1; j < meeting.size(); ++j) {
+        if (!any && !connected.contains({meeting[i], meeting[j]})) continue;
         links.push_back({meeting[i], meeting[j], junction, {}});
       }
     }

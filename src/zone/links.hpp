@@ -19,7 +19,8 @@ struct Link {
 /// All passages between edges of a zone (`edges`, ascending), one per pair and junction. At a
 /// junction with walking areas: the shortest way over walking areas and crossings, none where it
 /// leads over a signalled crossing or across the end of a street (that stays SUMO's). At one
-/// without: between all edges that meet there, as SUMO's persons pass between them at once.
+/// without: between edges that connections join, or between all where the network has no walking
+/// areas at all, as SUMO's persons pass between them at once.
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges);
 
 /// Lanes inside junctions that belong to a zone with these lanes (ascending): walking areas that

@@ -1,9 +1,11 @@
 #include "zone/walkable_area.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
+#include "geometry/segment.hpp"
 #include "zone/passage.hpp"
 #include "zone/simplify.hpp"
 #include "zone/way_cutter.hpp"
@@ -145,7 +147,12 @@ class Builder {
     for (const Link& link : parts_.links) by_junction[link.junction].push_back(&link);
     std::vector<Region> corridors;
     for (const auto& [junction, links] : by_junction) {
-      for (const Link* link : blocked_links(junction, links)) corridors.push_back(mend(*link));
+      const std::vector<const Link*> blocked = blocked_links(junction, links);
+      if (blocked.empty()) continue;
+      const Region wider = pinched_parts(blocked);
+      at_junction_[junction].push_back(wider);
+      for (const Link* link : blocked_links(junction, blocked)) corridors.push_back(mend(*link));
+      corridors.push_back(wider);
     }
     if (corridors.empty()) return;
     corridors.push_back(walkable_);
@@ -190,17 +197,56 @@ class Builder {
     return grown(box, kJunctionMargin);
   }
 
+  /// Where walking areas and crossings of the links are too narrow for a body, which netconvert
+  /// makes them at some bends: as wide as it takes.
+  Region pinched_parts(const std::vector<const Link*>& links) const {
+    std::set<int> lanes;
+    for (const Link* link : links) lanes.insert(link->way.begin(), link->way.end());
+    constexpr double kHalf = 0.5 * kClearWidth;
+    std::vector<Region> parts;
+    for (const int index : lanes) {
+      const Region area = area_of(network_.lanes[index]);
+      const Region wide = grow(grow(area, -kHalf), kHalf, Corners::kMitred);
+      parts.push_back(grow(subtract(area, wide), kHalf));
+    }
+    return subtract(unite(parts), regions_of(polygons_.obstacles));
+  }
+
+  /// [m] from a point to the nearest lane's shape of that walking area or crossing.
+  double distance_to(int lane, const Vec2& point) const {
+    const Polyline& shape = network_.lanes[lane].shape;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + 1 < shape.size(); ++k) {
+      least = std::min(least, (nearest_on(shape[k], shape[k + 1], point) - point).norm());
+    }
+    return least;
+  }
+
+  /// Whether the link passes way[k], a crossing, from its end to its begin: what comes before and
+  /// after it touches those.
+  bool is_passed_backwards(const Link& link, std::size_t k) const {
+    const Polyline& shape = network_.lanes[link.way[k]].shape;
+    double forwards = 0.0, backwards = 0.0;
+    if (k > 0) {
+      forwards += distance_to(link.way[k - 1], shape.front());
+      backwards += distance_to(link.way[k - 1], shape.back());
+    }
+    if (k + 1 < link.way.size()) {
+      forwards += distance_to(link.way[k + 1], shape.back());
+      backwards += distance_to(link.way[k + 1], shape.front());
+    }
+    return backwards < forwards;
+  }
+
   /// A corridor along the link: straight from lane end to lane end, by way of its crossings.
   Region mend(const Link& link) {
     const LaneEnd a = end_at(network_, link.from, link.junction);
     const LaneEnd b = end_at(network_, link.to, link.junction);
     Polyline line{a.inside(), a.point()};
-    for (const int index : link.way) {
-      const Lane& lane = network_.lanes[index];
+    for (std::size_t k = 0; k < link.way.size(); ++k) {
+      const Lane& lane = network_.lanes[link.way[k]];
       if (lane.outline) continue;
-      const bool backwards =
-          (lane.shape.front() - line.back()).norm() > (lane.shape.back() - line.back()).norm();
-      if (backwards) {
+      if (is_passed_backwards(link, k)) {
         line.insert(line.end(), lane.shape.rbegin(), lane.shape.rend());
       } else {
         line.insert(line.end(), lane.shape.begin(), lane.shape.end());

@@ -44,7 +44,7 @@ void add_streets(const Network& network, const Draft& draft, Zone& zone) {
     return;
   }
   for (const auto& link : linked_across(network, zone.streets, selection.edges)) {
-    zone.links.insert(link);
+    zone.links[link].clear();
   }
   zone.crossable = subtract(crossable_ground(zone.streets), zone.obstacles);
   zone.street_walls = WallIndex(unite(zone.walkable, zone.crossable));
@@ -74,7 +74,7 @@ Zone finish(const Network& network, const RoadOverlaps& roads, const std::vector
   zone.model = draft.spec->model;
   zone.weather = draft.spec->weather;
   zone.edges.insert(parts.selection.edges.begin(), parts.selection.edges.end());
-  for (const Link& link : parts.links) zone.links.insert({link.from, link.to});
+  for (const Link& link : parts.links) zone.links[{link.from, link.to}].insert(link.junction);
   std::merge(parts.selection.lanes.begin(), parts.selection.lanes.end(), parts.inner_lanes.begin(),
              parts.inner_lanes.end(), std::back_inserter(zone.lanes));
   zone.walkable = std::move(area.walkable);
@@ -97,6 +97,11 @@ Zone finish(const Network& network, const RoadOverlaps& roads, const std::vector
 
 bool linked(const Zone& zone, int edge, int other) {
   return zone.links.contains({std::min(edge, other), std::max(edge, other)});
+}
+
+bool linked(const Zone& zone, int edge, int other, const std::string& junction) {
+  const auto found = zone.links.find({std::min(edge, other), std::max(edge, other)});
+  return found != zone.links.end() && (found->second.empty() || found->second.contains(junction));
 }
 
 std::vector<Zone> build_zones(const Network& network, const std::vector<ZoneSpec>& specs) {

@@ -246,6 +246,31 @@ class Outside(AttachedCase):
         added = {row["id"] for row in rows(self.folder / "t.csv") if row["id"].startswith("p")}
         self.assertGreater(len(added), 10)
 
+    def visitor_with(self, program):
+        """Its x by time; it walks alone, 5 s into it the client has its say."""
+        errors = self.together(f"""
+            if "visitor" in persons and t == 6.0:
+                {program}
+            """, end=200, routes="""<routes><vType id="visitor" vClass="pedestrian"/>
+              <person id="visitor" type="visitor" depart="1" departPos="2"><walk edges="shared east"/>
+              </person></routes>""")
+        self.assertNotIn("Another program", errors)
+        return [(float(row["time"]), float(row["x"])) for row in rows(self.folder / "t.csv")]
+
+    def test_who_gets_a_new_plan_walks_on_from_where_it_is(self):
+        usual = self.visitor_with("pass")
+        for program in ("""traci.person.removeStages("visitor"); """
+                        """traci.person.appendWalkingStage("visitor", ["shared", "east"], 30)""",
+                        """traci.person.appendWalkingStage("visitor", ["shared"], 20); """
+                        """traci.person.removeStage("visitor", 0)"""):
+            with self.subTest(program):
+                places = self.visitor_with(program)
+                steps = [(b[1] - a[1]) / (b[0] - a[0]) for a, b in zip(places, places[1:])]
+                self.assertLess(max(map(abs, steps)), 2.0)
+        # The last one ends 20 m after the street's begin.
+        self.assertGreater(max(x for _, x in usual), 110.0)
+        self.assertAlmostEqual(max(x for _, x in places), 80.0, delta=1.0)
+
     def test_horn(self):
         """Parameters that a client sets while it runs are read in each step."""
         def drive(program):

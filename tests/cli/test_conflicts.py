@@ -81,6 +81,24 @@ class Conflicts(RefusalChecks, unittest.TestCase):
         self.assertEqual(row["minTTC"], conflict.find("minTTC").get("value"))
         self.assertEqual(row["contact"], "")
 
+    def test_people_of_a_distribution_are_as_large_as_the_type_that_they_got(self):
+        self.write("types.rou.xml", """<routes><vType id="van" length="6" width="2"/>
+            <vTypeDistribution id="all"><vType id="adult" vClass="pedestrian"/>
+              <vType id="pram" vClass="pedestrian" width="0.9" length="0.8"/></vTypeDistribution>
+            <person id="p" type="all" depart="0"><walk edges="a"/></person></routes>""")
+        def contact_in(*words):
+            done = self.measure(*words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return float(self.rows()[0]["minTTC"]), done.stderr
+        guessed, errors = contact_in()
+        self.assertIn("vTypeDistribution 'all'", errors)
+        self.assertAlmostEqual(guessed, (30 - 0.239 - 17.2) / 8, delta=0.01)
+        for name, text in (("trips.xml", '<tripinfos><personinfo id="p" type="pram"/></tripinfos>'),
+                           ("routes.xml", '<routes><person id="p" type="pram"/></routes>')):
+            known, errors = contact_in("--vtypes", name) if self.write(name, text) is None else None
+            self.assertNotIn("vTypeDistribution", errors)
+            self.assertAlmostEqual(known, (30 - 0.479 - 17.2) / 8, delta=0.01)
+
     def test_compressed(self):
         with gzip.open(self.folder / "fcd.xml.gz", "wt") as file:
             file.write(fcd())

@@ -86,6 +86,15 @@ class Maps(RefusalChecks, unittest.TestCase):
         found = self.numbers("--area", 0, 0, 10, 10)
         self.assertEqual(found["persons"], 4)
 
+    def test_somebody_far_away_hides_no_crowd(self):
+        def rows(t):
+            return crowd(t) + person("far", 1500, 900, 0)
+        self.write("far.xml", fcd(rows, 181))
+        found = self.numbers(file="far.xml")
+        self.assertAlmostEqual(found["peak"]["density_per_m2"], 1.0, delta=1e-6)
+        self.assertEqual(found["peak_minute"]["area_m2"]["D"], 4)
+        self.assertIn("Cells of ", self.page(file="far.xml"))
+
     def test_page_shows_all_maps(self):
         page = self.page("--title", "a <b>")
         for name in ("mean", "service", "speed", "paths", "conflicts"):
@@ -114,6 +123,8 @@ class Maps(RefusalChecks, unittest.TestCase):
         self.write("hit.xml", fcd(meeting(0), 21))
         found = self.numbers("--area", -60, -20, 60, 20, file="hit.xml")["conflicts"]
         self.assertEqual(found["contacts"], 1, found)
+        elsewhere = self.numbers("--area", -20, 5, 20, 45, file="hit.xml")["conflicts"]
+        self.assertEqual(elsewhere["contacts"], 0, elsewhere)
         page = self.page("--area", -60, -20, 60, 20, file="hit.xml")
         self.assertIn("<title>&lt;p&gt; and van.0 at ", page)
         self.assertNotIn("<p> and", page)

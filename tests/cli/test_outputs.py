@@ -171,6 +171,33 @@ class Places(OutputCase):
                 self.assertFalse((self.folder / "a.csv").exists())
         self.assertEqual(self.leftovers(), [])
 
+    def test_none_takes_the_place_of_an_input(self):
+        self.assertEqual(self.run_for(20, "--", "--fcd-output", "fcd.xml").returncode, 0)
+        inputs = [self.folder / f"tiny.{kind}.xml" for kind in ("net", "rou", "add")] + [self.config]
+        (self.folder / "link.xml").symlink_to("tiny.rou.xml")
+        before = {path: path.read_bytes() for path in [*inputs, self.folder / "fcd.xml"]}
+
+        def refused(*words):
+            done = subprocess.run([PEDZONE, *map(str, words)], cwd=self.folder, text=True,
+                                  capture_output=True, timeout=120)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("names a file that is read", done.stderr)
+            self.assertEqual({path: path.read_bytes() for path in before}, before)
+
+        for path in [*inputs, "link.xml"]:
+            for option in ("--summary", "--trajectories", "--animate"):
+                with self.subTest(path, option=option):
+                    refused("run", self.config, "--end", 20, option, path)
+        refused("conflicts", "fcd.xml", "--scenario", self.config, "--conflict-output", "fcd.xml")
+        refused("maps", "fcd.xml", "--scenario", self.config, "--out", self.config)
+        refused("animate", "fcd.xml", "--scenario", self.config, "--out", "fcd.xml")
+        self.assertEqual(self.leftovers(), [])
+
+    def test_nor_that_of_sumos_outputs(self):
+        done = self.run_for(20, "--summary", "a.xml", "--", "--fcd-output", "a.xml")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("same file as --fcd-output", done.stderr)
+
 
 if __name__ == "__main__":
     PEDZONE = str(Path(sys.argv.pop(1)).resolve())

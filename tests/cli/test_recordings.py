@@ -109,7 +109,7 @@ class Recordings(RefusalChecks, unittest.TestCase):
         self.assertEqual(first.returncode, 0, first.stderr)
         log = self.folder / "out/evaluations.csv"
         lines = log.read_text().splitlines()
-        log.write_text("\n".join(lines[:5]) + "\n" + lines[5][:7])  # the last one cut off
+        log.write_text("\n".join(lines[:6]) + "\n" + lines[6][:7])  # the last one cut off
         wanted = (self.folder / "out/calibration.json").read_text()
         again = self.pedzone("calibrate", "--data", "data", "--out", "out", *few)
         self.assertEqual(again.returncode, 0, again.stderr)
@@ -119,6 +119,14 @@ class Recordings(RefusalChecks, unittest.TestCase):
         self.assertIn("without there", folds)
         self.assertIn("without front", folds)
         self.assertIn("calibrated(discomfort, ", (self.folder / "out/calibrated.inc").read_text())
+        more = self.pedzone("calibrate", "--data", "data", "--out", "out", *few[:-1], "2")
+        self.assertEqual(more.returncode, 2, more.stderr)
+        self.assertIn("2 seeds", more.stderr)
+        self.write("here/front_01.csv", clip(0.5))
+        other = self.pedzone("calibrate", "--data", "data", "--out", "out", *few)
+        self.assertEqual(other.returncode, 2, other.stderr)
+        self.assertIn("of another search, other clips or seeds", other.stderr)
+        self.assertEqual(sorted(log.read_text().splitlines()), sorted(lines))
 
     # Bad input
 

@@ -4,6 +4,7 @@
 usage: test_sumo_options.py PEDZONE_PROGRAM
 """
 
+import os
 import re
 import subprocess
 import sys
@@ -81,6 +82,32 @@ class TheUserWins(OptionsCase):
                                         'shape="0,0 1,0 1,1"/></additional>')
         done = self.succeeds(self.pedzone("--pedestrians", "3", "--", "-a", "more.add.xml"))
         self.assertRegex(done.stdout, r"seen +6\n")
+
+
+class Configurations(OptionsCase):
+    """Whatever way a configuration says it that SUMO reads."""
+
+    def seen(self, config):
+        self.tiny.write("other.sumocfg", f"<configuration>{config}</configuration>")
+        done = subprocess.run([PEDZONE, "run", "other.sumocfg", "--end", "60"], cwd=self.folder,
+                              text=True, capture_output=True, timeout=120,
+                              env={**os.environ, "WHERE": str(self.folder)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return int(re.search(r"taken over by pedzone +(\d+)", done.stdout)[1]), done.stderr
+
+    def test_values_texts_and_variables(self):
+        for net in ('<net-file v="tiny.net.xml"/>', "<net-file>tiny.net.xml</net-file>",
+                    '<net-file value="${WHERE}/tiny.net.xml"/>'):
+            with self.subTest(net):
+                self.assertEqual(self.seen(net + '<route-files value="tiny.rou.xml"/>')[0], 3)
+
+    def test_included_files(self):
+        (self.folder / "more").mkdir()
+        (self.folder / "more/people.xml").write_text((self.folder / "tiny.rou.xml").read_text())
+        self.tiny.write("all.rou.xml", '<routes><include href="more/people.xml"/></routes>')
+        taken, errors = self.seen('<net-file value="tiny.net.xml"/><route-files value="all.rou.xml"/>')
+        self.assertEqual(taken, 3)
+        self.assertNotIn("names no person", errors)
 
 
 class WrongNumbers(OptionsCase):

@@ -31,11 +31,9 @@ std::optional<CrosswalkAhead> crosswalk_ahead(const CrowdState& crowd, std::size
   return crowd.zone.crosswalks.ahead(here, nearest_on(route.aim_a, route.aim_b, here), reach);
 }
 
-/// That it comes to, where it has no priority.
-std::optional<CrosswalkAhead> kerb_ahead(const CrowdState& crowd, std::size_t i, double reach) {
-  const auto ahead = crosswalk_ahead(crowd, i, reach);
-  if (!ahead || ahead->crosswalk.priority || ahead->gone > 0.0) return std::nullopt;
-  return ahead;
+/// Whether it comes to that one, and has no priority there.
+bool is_kerb(const std::optional<CrosswalkAhead>& ahead) {
+  return ahead && !ahead->crosswalk.priority && ahead->gone <= 0.0;
 }
 
 /// Straight across.
@@ -66,7 +64,7 @@ bool is_free(const CrowdState& crowd, std::span<const StreetVehicle> traffic, Cr
 }  // namespace
 
 bool comes_to_kerb(const CrowdState& crowd, std::size_t i, double way) {
-  return !crowd.zone.crosswalks.empty() && kerb_ahead(crowd, i, kAsks + way).has_value();
+  return !crowd.zone.crosswalks.empty() && is_kerb(crosswalk_ahead(crowd, i, kAsks + way));
 }
 
 std::optional<Crosswalk> zebra_used(const CrowdState& crowd, std::size_t i) {
@@ -82,9 +80,11 @@ void look_at_kerbs(const CrowdState& crowd, double dt, ByHandle<KerbMemory>& ker
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
     KerbMemory& memory = kerbs[crowd.handle(i)];
     memory.room = std::numeric_limits<double>::infinity();
-    const auto kerb = kerb_ahead(crowd, i, kAsks);
-    if (!kerb) memory.waited = 0.0;
-    if (!kerb || !crowd.traffic[crowd.handle(i)].aware) continue;
+    const auto kerb = crosswalk_ahead(crowd, i, kAsks);
+    // Among others who wait it is moved to and fro, and beside the crossing: it still waits.
+    if (kerb && !is_kerb(kerb)) memory.waited = 0.0;
+    if (!kerb) memory.waited = std::max(0.0, memory.waited - dt);
+    if (!is_kerb(kerb) || !crowd.traffic[crowd.handle(i)].aware) continue;
     if (memory.waited > kClosed) continue;
     const CrossingWalk walk = walk_over(crowd, i, *kerb, memory.waited);
     const auto [coming, is_new] = traffic.try_emplace(kerb->kerb);

@@ -144,7 +144,10 @@ class Observer {
 
 RunMeasures measure_run(const RunOutputs& outputs, const Place& place) {
   const Scenario scenario = read_any_scenario(outputs.config, outputs.sumo_options);
-  const auto sizes = read_type_files<BodySizes>(scenario, outputs.types);
+  // Of a distribution's members SUMO says only there which one a person has got.
+  std::vector<std::string> types = outputs.types;
+  types.push_back(outputs.folder + "/tripinfo.xml");
+  const auto sizes = read_type_files<BodySizes>(scenario, types);
   Trips trips = read_tripinfo(outputs.folder + "/tripinfo.xml");
   Observer observer(outputs.folder, trips, place, free_share(scenario));
   const std::unordered_set<std::string> as_persons;

@@ -10,6 +10,8 @@ constexpr int kKeepRouteFree = 2;  // moveToXY: may leave the network
 // grown by it; so far below, the box is inside out beyond any network, and the search ends at its
 // root (measured: half the call's cost).
 constexpr double kNoMatch = -1e7;
+constexpr int kKeepRoute = 1;     // moveToXY: onto the route
+constexpr double kMatch = 100.0;  // [m] numerical: as far as SUMO looks by default
 
 class PersonCalls final : public SumoPersons {
  public:
@@ -48,6 +50,11 @@ class PersonCalls final : public SumoPersons {
 
   std::vector<std::string> edges(const std::string& id) const override {
     return api::Person::getEdges(id);
+  }
+
+  std::size_t plan(const std::string& id) const override {
+    const auto stage = api::Person::getStage(id);
+    return plan_number(stages_left(id), stage.edges, stage.arrivalPos);
   }
 
   bool walks(const std::string& id) const override {
@@ -91,6 +98,11 @@ class PersonCalls final : public SumoPersons {
   void show(const std::string& id, const Vec2& position, double heading) override {
     api::Person::moveToXY(id, "", position.x(), position.y(), sumo_from_radians(heading),
                           kKeepRouteFree, kNoMatch);
+  }
+
+  void land(const std::string& id, const Vec2& position, double heading) override {
+    api::Person::moveToXY(id, "", position.x(), position.y(), sumo_from_radians(heading),
+                          kKeepRoute, kMatch);
   }
 
   bool release(const std::string& id, const ReleasePlan& plan) override {

@@ -21,10 +21,10 @@ class SumoPersons {
  public:
   virtual ~SumoPersons() = default;
 
-  virtual std::vector<std::string> ids() const = 0;         ///< of all in SUMO
-  virtual Vec2 position(const std::string& id) const = 0;   ///< [m]
-  virtual double speed(const std::string& id) const = 0;    ///< [m/s]
-  virtual double heading(const std::string& id) const = 0;  ///< [rad]
+  virtual std::vector<std::string> ids() const = 0;           ///< of all in SUMO
+  virtual Vec2 position(const std::string& id) const = 0;     ///< [m]
+  virtual double speed(const std::string& id) const = 0;      ///< [m/s]
+  virtual double heading(const std::string& id) const = 0;    ///< [rad]
   virtual double top_speed(const std::string& id) const = 0;  ///< [m/s] that it walks at most
   virtual BodySize size(const std::string& id) const = 0;
   virtual std::string edge(const std::string& id) const = 0;  ///< in a junction an inner one
@@ -34,8 +34,9 @@ class SumoPersons {
   virtual std::string vehicle(const std::string& id) const = 0;  ///< it rides in; empty: none
   virtual int stages_left(const std::string& id) const = 0;
   virtual std::vector<std::string> edges(
-      const std::string& id) const = 0;                 ///< of its present stage
-  virtual bool walks(const std::string& id) const = 0;  ///< its present stage is a walk
+      const std::string& id) const = 0;                       ///< of its present stage
+  virtual std::size_t plan(const std::string& id) const = 0;  ///< its number (plan_number)
+  virtual bool walks(const std::string& id) const = 0;        ///< its present stage is a walk
   /// Nothing where its present stage is no walk.
   virtual std::optional<WalkerSeen> walker(const std::string& id) const = 0;
   /// Its own parameter, else that of its type.
@@ -47,6 +48,9 @@ class SumoPersons {
   /// From the end of the next step on it is exactly there, on no lane, and no model of SUMO's moves
   /// it. To be called for every step.
   virtual void show(const std::string& id, const Vec2& position, double heading) = 0;
+  /// As show(), but on the nearest lane of its route, for one step: in the next one it is to be
+  /// released or shown.
+  virtual void land(const std::string& id, const Vec2& position, double heading) = 0;
   /// It is SUMO's again. True: its plan is over and SUMO knows it no more.
   virtual bool release(const std::string& id, const ReleasePlan& plan) = 0;
 };

@@ -91,6 +91,8 @@ class VehicleCalls final : public SumoVehicles {
     traits.drifts = motion_->drifts;
   }
 
+  std::string type(const std::string& id) const override { return Vehicle::getTypeID(id); }
+
   std::string parameter(const std::string& id, const std::string& key) const override {
     const std::string own = Vehicle::getParameter(id, key);
     return own.empty() ? api::VehicleType::getParameter(Vehicle::getTypeID(id), key) : own;

@@ -41,6 +41,8 @@ class SumoVehicles {
   virtual double length(const std::string& id) const = 0;    ///< [m]
   /// Its sizes, decelerations and acceleration; the rest is left as it is.
   virtual void read_body(const std::string& id, VehicleTraits& traits) const = 0;
+  /// Id of its type. Where a program has changed one vehicle, it has one of its own: TYPE@VEHICLE.
+  virtual std::string type(const std::string& id) const = 0;
   /// Its own parameter, else that of its type.
   virtual std::string parameter(const std::string& id, const std::string& key) const = 0;
 

@@ -64,7 +64,7 @@ void BodySizes::visit(const XmlElement& element) {
     distribution_ = element.required("id");
     distribution_depth_ = element.depth();
     const auto members = split_words(element.value("vTypes").value_or(""));
-    if (!members.empty()) first_of_.try_emplace(distribution_, members.front());
+    for (const std::string_view member : members) members_of_[distribution_].emplace_back(member);
   } else if (name == "vType") {
     const std::string id(element.required("id"));
     const std::string_view vclass = element.value("vClass").value_or(kUsualClass);
@@ -74,12 +74,13 @@ void BodySizes::visit(const XmlElement& element) {
     visited_ = &(types_[id] = {size, std::string(vclass)});
     visited_->shape = element.value("guiShape").value_or("");
     visited_depth_ = element.depth();
-    if (!distribution_.empty()) first_of_.try_emplace(distribution_, id);
+    if (!distribution_.empty()) members_of_[distribution_].push_back(id);
   } else if (name == "param" && element.depth() == visited_depth_ + 1) {
     visit_parameter(element);
-  } else if (name == "person" || name == "personFlow") {
+  } else if (name == "person" || name == "personFlow" || name == "personinfo") {
     const auto type = element.value("type");
     if (type) persons_[std::string(element.required("id"))] = *type;
+    told_ |= name == "personinfo";
   }
 }
 
@@ -94,7 +95,9 @@ void BodySizes::visit_parameter(const XmlElement& element) {
 
 const BodySizes::Type* BodySizes::find(std::string_view type) const {
   std::string name(type);
-  if (const auto members = first_of_.find(name); members != first_of_.end()) name = members->second;
+  if (const auto members = members_of_.find(name); members != members_of_.end()) {
+    name = members->second.front();
+  }
   auto found = types_.find(name);
   if (found == types_.end()) found = types_.find(name.substr(0, name.rfind('@')));
   return found == types_.end() ? nullptr : &found->second;
@@ -116,6 +119,20 @@ VehicleParts BodySizes::parts_of_type(std::string_view type, double length) cons
 std::string_view BodySizes::class_of(std::string_view type) const {
   const Type* const found = find(type);
   return found == nullptr ? kUsualClass : std::string_view(found->vclass);
+}
+
+std::string BodySizes::guessed() const {
+  if (told_) return {};
+  for (const auto& [person, type] : persons_) {
+    const auto members = members_of_.find(type);
+    if (members == members_of_.end()) continue;
+    const auto differs = [&](const std::string& member) {
+      const auto one = of_type(member), first = of_type(type);
+      return one && first && (one->length != first->length || one->width != first->width);
+    };
+    if (std::ranges::any_of(members->second, differs)) return type;
+  }
+  return {};
 }
 
 BodySize BodySizes::of_person(std::string_view person) const {

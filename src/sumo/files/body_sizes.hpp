@@ -2,10 +2,12 @@
 // vehicles' types.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "core/xml_stream.hpp"
 #include "world/vehicle_parts.hpp"
@@ -24,8 +26,9 @@ class BodySizes {
   /// Knows SUMO's default types.
   BodySizes();
 
-  /// Takes in the types, and persons' types, of a route or additional file, which may be large.
-  /// What a type leaves open is the default of its vClass. Throws InputError.
+  /// Takes in the types, and persons' types, of a route or additional file, which may be large, or
+  /// what SUMO tells of these in tripinfo or vehroute output. What a type leaves open is the
+  /// default of its vClass. Throws InputError.
   void read(const std::string& file);
   /// The same of one element after the other; those of a file in its order.
   void visit(const XmlElement& element);
@@ -40,6 +43,9 @@ class BodySizes {
   /// Size of a person: of its type where the files name one (also for those of a flow), else of
   /// SUMO's default type.
   BodySize of_person(std::string_view person) const;
+  /// A distribution that people have for a type, whose members are not of one size, where nothing
+  /// has told which of them a person got; empty: none.
+  std::string guessed() const;
 
  private:
   struct Type {
@@ -52,9 +58,10 @@ class BodySizes {
   void visit_parameter(const XmlElement& element);
 
   std::unordered_map<std::string, Type> types_;
-  std::unordered_map<std::string, std::string> first_of_;  ///< distribution -> its first type
-  std::unordered_map<std::string, std::string> persons_;   ///< person or flow -> type
-  std::string distribution_;                               ///< that encloses what is visited
+  std::unordered_map<std::string, std::vector<std::string>> members_of_;  ///< distribution -> types
+  std::map<std::string, std::string> persons_;  ///< person or flow -> type
+  bool told_ = false;                           ///< SUMO's outputs have named persons' types
+  std::string distribution_;                    ///< that encloses what is visited
   int distribution_depth_ = -1;
   Type* visited_ = nullptr;  ///< the type that was visited last
   int visited_depth_ = -1;

@@ -1,6 +1,8 @@
 #include "sumo/files/said_options.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <regex>
 #include <string_view>
 
 #include "sumo/files/truth.hpp"
@@ -10,6 +12,30 @@ namespace {
 
 bool is_name_of(const SumoOption& option, std::string_view name) {
   return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
+}
+
+/// What an option's element says, in one of SUMO's three ways.
+std::optional<std::string> said_by(const pugi::xml_node& node) {
+  for (const char* name : {"value", "v"}) {
+    if (const pugi::xml_attribute attribute = node.attribute(name)) return attribute.value();
+  }
+  const std::string text = node.child_value();
+  return text.find_first_not_of(" \t\r\n") == std::string::npos ? std::nullopt
+                                                                : std::optional(text);
+}
+
+/// With ${NAME} replaced by the variable of the environment, as SUMO does; empty: there is none.
+std::string with_environment(const std::string& text) {
+  static const std::regex variable(R"(\$\{(.+?)\})");
+  std::string replaced;
+  auto rest = text.cbegin();
+  for (std::sregex_iterator at(text.begin(), text.end(), variable), none; at != none; ++at) {
+    replaced.append(rest, (*at)[0].first);
+    const char* const value = std::getenv((*at)[1].str().c_str());
+    if (value != nullptr) replaced += value;
+    rest = (*at)[0].second;
+  }
+  return replaced.append(rest, text.cend());
 }
 
 /// -5 is a value, -e an option.
@@ -39,14 +65,14 @@ std::optional<OptionWords> find_option_words(const std::vector<std::string>& wor
 /// Sections nest an option's element one level deep.
 pugi::xml_node SaidOptions::in_configuration(const SumoOption& option) const {
   return config_.root().find_node([&](const pugi::xml_node& node) {
-    return is_name_of(option, node.name()) && node.attribute("value");
+    return is_name_of(option, node.name()) && said_by(node).has_value();
   });
 }
 
 std::optional<std::string> SaidOptions::value(const SumoOption& option) const {
   if (const auto given = find_option_words(words_, option)) return given->value;
   const pugi::xml_node node = in_configuration(option);
-  return node ? std::optional<std::string>(node.attribute("value").value()) : std::nullopt;
+  return node ? std::optional(with_environment(*said_by(node))) : std::nullopt;
 }
 
 bool SaidOptions::on_command_line(const SumoOption& option) const {

@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 
+#include "core/input_files.hpp"
+#include "core/xml_stream.hpp"
 #include "sumo/files/file_list.hpp"
 #include "sumo/files/net_reader.hpp"
 #include "sumo/files/said_options.hpp"
@@ -96,6 +98,7 @@ std::vector<std::string> files_of(const SaidOptions& said, const SumoOption& opt
     if (fs::is_regular_file(file)) continue;
     throw said.error(option, "does not exist", file, "a file that can be read");
   }
+  for (const std::string& file : files) note_input(file);
   return files;
 }
 
@@ -121,20 +124,27 @@ void require_simulation(const SaidOptions& said) {
   }
 }
 
-/// Whether a file, gzipped or not, has a person or a flow of them. Read in pieces: route files
-/// can be too large to hold.
+/// Whether a file, gzipped or not, or one that it includes, has a person or a flow of them. Read in
+/// pieces: route files can be too large to hold.
 bool has_person(const std::string& name) {
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(name.c_str(), "rb"), gzclose);
   if (!file) return false;
-  constexpr std::string_view kPerson = "<person";
+  constexpr std::string_view kPerson = "<person", kInclude = "<include";
   std::string text;
+  bool includes = false;
   std::array<char, 1 << 16> piece;
   for (int got = 0; (got = gzread(file.get(), piece.data(), piece.size())) > 0;) {
     text.append(piece.data(), static_cast<std::size_t>(got));
     if (text.find(kPerson) != std::string::npos) return true;
-    text.erase(0, text.size() - std::min(text.size(), kPerson.size()));
+    includes |= text.find(kInclude) != std::string::npos;
+    text.erase(0, text.size() - std::min(text.size(), kInclude.size()));
   }
-  return false;
+  bool any = false;
+  if (!includes) return any;
+  visit_elements(name, "", [&](const XmlElement& element) {
+    any |= element.name() == "person" || element.name() == "personFlow";
+  });
+  return any;
 }
 
 /// `sumo_options`: the words of `said`.

@@ -8,6 +8,11 @@
 #include "sumo/plan/outside_walkers.hpp"
 
 namespace pedzone {
+namespace {
+
+constexpr double kNewPlan = 2.0;  // numerical: steps until somebody with another plan walks by it
+
+}  // namespace
 
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
                    std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
@@ -39,6 +44,7 @@ void Takeover::read(double time, const Fleet& fleet) {
 }
 
 void Takeover::take_new(double time, const Fleet& fleet) {
+  std::erase_if(replanned_, [&](const auto& one) { return time > one.second.until; });
   for (Bystander& person : bystanders_.all()) {
     if (!person.near || person.guest) continue;
     const bool was_moved = person.external;
@@ -52,7 +58,10 @@ void Takeover::take_new(double time, const Fleet& fleet) {
       let_others_walk(person.id, true, time);
       continue;
     }
-    const Vec2* position = was_moved ? &person.position : nullptr;
+    const auto replanned = replanned_.find(person.id);
+    const Vec2* position = replanned != replanned_.end() ? &replanned->second.position
+                           : was_moved                   ? &person.position
+                                                         : nullptr;
     const bool may_be_ours = consider(person.id, edge, stages, position, fleet);
     person.barred_edge = may_be_ours ? "" : edge;
     person.barred_stages = stages;
@@ -109,16 +118,12 @@ void Takeover::show_bystanders(const Fleet& fleet) {
     seen_[z].clear();
     bystanders_.seen_from(z, eyes_, in_sight_);
     for (Bystander* person : in_sight_) {
-      if (!sumo_.vehicle(person->id).empty()) continue;  // rides
+      if (rides(*person)) continue;
       if (person->radius == 0.0) measure(*person, sumo_.size(person->id));
       seen_[z].push_back(seen(*person, sumo_.speed(person->id), sumo_.heading(person->id)));
     }
     crowds_[z]->see(seen_[z]);
   }
-}
-
-std::size_t Takeover::plan_of(const std::string& id) const {
-  return plan_number(sumo_.stages_left(id), sumo_.edges(id));
 }
 
 /// A program that embeds us may have given a person another plan: it is then taken over anew,
@@ -131,7 +136,7 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
     if (!is_due(guest.watch, time, left)) continue;
     note_look(guest.watch, time, left);
     follow_speed(guest);
-    const GuestFinding found = what_happened(guest.watch, plan_of(guest.id), guest.position,
+    const GuestFinding found = what_happened(guest.watch, sumo_.plan(guest.id), guest.position,
                                              [&] { return sumo_.position(guest.id); });
     guest.gone = found != GuestFinding::kUnchanged;
     if (found == GuestFinding::kMoved) moved.push_back(guest.id);
@@ -143,6 +148,8 @@ void Takeover::check_guests(double time, const Fleet& fleet) {
     PersonPast& past = past_[id];
     past = with_new_plan(past);
     consider(id, sumo_.edge(id), sumo_.stages_left(id), &position, fleet);
+    // With removeStages its new walk begins with the next step, and in SUMO's old place.
+    if (guest(id) == nullptr) replanned_[id] = {position, time + kNewPlan * dt_};
   }
 }
 
@@ -255,7 +262,7 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
 /// How a person goes back to SUMO in this step; nothing: not yet.
 std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& view, double dt,
                                                const Fleet& fleet) const {
-  if (!view.arrived || !may_be_given_back(guest.watch, plan_of(guest.id))) return std::nullopt;
+  if (!view.arrived || !may_be_given_back(guest.watch, sumo_.plan(guest.id))) return std::nullopt;
   const Walked walked{guest.position, view.position, guest.radius, guest.preferred_speed,
                       ends_trip(guest.stretch, guest.watch.stages_left)};
   ReleasePlan plan = plan_release(network_, guest.stretch, walked, sumo_.lane(guest.id), dt);
@@ -292,14 +299,19 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     totals_.walk(guest.position, view, guest.preferred_speed, dt);
     const auto plan = hand_over(guest, view, dt, fleet);
-    guest.gone = plan.has_value();
+    const bool lands = plan && plan->remove_stage && !guest.landed &&
+                       !ends_trip(guest.stretch, guest.watch.stages_left);
+    guest.gone = plan && !lands;
     // Before it is released: it may be over then.
     guest.colour.show(sumo_, guest.id, guest.gone ? Activity::kNone : view.activity);
-    if (plan) {
+    if (guest.gone) {
       give_back(guest, *plan);
+    } else if (lands) {
+      sumo_.land(guest.id, view.position, view.heading);
     } else {
       sumo_.show(guest.id, view.position, view.heading);
     }
+    guest.landed = lands;
     guest.position = view.position;
   }
   drop_gone();
@@ -341,6 +353,8 @@ const Guest* Takeover::guest(const std::string& id) const {
   return found == guest_index_.end() ? nullptr : &guests_[found->second];
 }
 
+bool Takeover::rides(const Bystander& person) const { return !sumo_.vehicle(person.id).empty(); }
+
 void Takeover::people(std::vector<PersonAhead>& out) {
   out.clear();
   for (const Guest& guest : guests_) {
@@ -351,7 +365,7 @@ void Takeover::people(std::vector<PersonAhead>& out) {
                    view.crosses});
   }
   for (const Bystander& person : bystanders_.all()) {
-    if (person.external && person.near) {
+    if (person.external && person.near && !rides(person)) {
       out.push_back({person.position, person.velocity, person.radius});
     }
   }
@@ -360,7 +374,7 @@ void Takeover::people(std::vector<PersonAhead>& out) {
 void Takeover::sumo_people(std::vector<PersonAhead>& out) {
   out.clear();
   for (const Bystander& person : bystanders_.all()) {
-    if (person.guest || person.external || !person.near) continue;
+    if (person.guest || person.external || !person.near || rides(person)) continue;
     PersonAhead& ahead = out.emplace_back();  // with a usual radius until it is measured
     ahead.position = person.position;
     ahead.velocity = person.velocity;

@@ -46,7 +46,8 @@ struct Guest {
   std::optional<double> top_speed;
   double kept = 0.0;  ///< [s] kept at its end by a vehicle that waits for people
   PersonColour colour;
-  bool gone = false;  ///< no longer ours: dropped at the end of the phase
+  bool landed = false;  ///< SUMO has it on its lane, since its next stage begins where that is
+  bool gone = false;    ///< no longer ours: dropped at the end of the phase
 };
 
 /// Somebody who was stuck among people and squeezed through.
@@ -94,11 +95,11 @@ class Takeover {
   void sumo_people(std::vector<PersonAhead>& out);
 
  private:
-  std::size_t plan_of(const std::string& id) const;
   void check_guests(double time, const Fleet& fleet);
   void follow_speed(Guest& guest);
   void look_at_bystanders(double time);
   void show_bystanders(const Fleet& fleet);
+  bool rides(const Bystander& person) const;
   bool is_declared(const std::string& id) const;
   int zone_of(const std::string& edge) const;
   void let_others_walk(const std::string& id, bool declared, double time);
@@ -117,6 +118,12 @@ class Takeover {
   void drop_gone();
   void list_jams(double time);
 
+  /// Where somebody was, and is for its next walk, whose plan has changed while it does not walk.
+  struct Replanned {
+    Vec2 position = Vec2::Zero();  ///< [m]
+    double until = 0.0;            ///< [s] it is SUMO's where it walks no sooner
+  };
+
   const Network& network_;
   const std::vector<Zone>& zones_;
   std::vector<std::unique_ptr<Crowd>>& crowds_;
@@ -132,6 +139,7 @@ class Takeover {
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;
   std::unordered_map<std::string, PersonPast> past_;
+  std::unordered_map<std::string, Replanned> replanned_;
   std::vector<Vec2> eyes_;                     ///< [m] who looks at bystanders
   std::vector<Bystander*> in_sight_;           ///< of them
   std::vector<std::vector<SeenPerson>> seen_;  ///< per zone

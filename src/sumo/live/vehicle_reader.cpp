@@ -12,6 +12,7 @@ namespace {
 constexpr double kAskAgain = 1.0;       // [s] numerical: each question is a message to SUMO
 constexpr double kLong = 50.0;          // [m] numerical: a shorter one is out of all zones when its
                                         // front is no longer near them
+constexpr char kOfOne = '@';            // in SUMO's name for it: TYPE@VEHICLE
 constexpr double kForksWithin = 100.0;  // [m] numerical: farther away nobody minds it
 
 /// [m] to the left of the lane's middle. SUMO counts to the right where vehicles drive on the left.
@@ -30,17 +31,24 @@ bool overtakes_on_opposite(const Network& network, const VehicleSeen& vehicle) {
 
 }  // namespace
 
-VehicleReader::Known VehicleReader::begin(const std::string& id, double grip) const {
-  Known known;
+/// What its type says of it: when it is new, and when a program has given it another type. A change
+/// of one vehicle's size or brakes makes it a type of its own in SUMO: that one is read again
+/// whenever `again`.
+void VehicleReader::ask_type(const std::string& id, double grip, bool again, Known& known) const {
+  std::string type = sumo_.type(id);
+  const bool is_new = known.type.empty();
+  const bool its_own = type.find(kOfOne) != std::string::npos;
+  if (type == known.type && !(again && its_own)) return;
+  known.type = std::move(type);
   VehicleTraits& traits = known.traits;
   sumo_.read_body(id, traits);
-  if (grip < 1.0) {  // on a slippery road neither SUMO nor we may brake as on a dry one
+  if (grip < 1.0 && (is_new || !its_own)) {
+    // On a slippery road neither SUMO nor we may brake as on a dry one.
     traits.decel *= grip;
     traits.emergency_decel *= grip;
     sumo_.set_braking(id, traits.decel, traits.emergency_decel);
   }
   traits.electric = is_true(sumo_.parameter(id, "pedzone.electric"));
-  return known;
 }
 
 bool VehicleReader::is_near(const Fleet& fleet, const std::string& id, const Vec2& front) const {
@@ -86,9 +94,10 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& tol
     const auto front = sumo_.front(id);
     if (!front || !(is_near(fleet, id, *front) || told.speed(id))) continue;
     auto found = known_.find(id);
-    if (found == known_.end()) found = known_.emplace(id, begin(id, fleet.grip())).first;
+    if (found == known_.end()) found = known_.emplace(id, Known{}).first;
     Known& known = found->second;
     const bool again = time >= known.ask_at;
+    ask_type(id, fleet.grip(), again, known);
     ask(id, time, known);
     VehicleSeen vehicle;
     vehicle.id = id;

@@ -30,6 +30,7 @@ class VehicleReader {
  private:
   /// What is not asked in every step.
   struct Known {
+    std::string type;  ///< SUMO's id; empty: not asked yet
     VehicleTraits traits;
     double ask_at = 0.0;     ///< [s] when it is asked again what it has been declared to be
     std::string route_id;    ///< SUMO's; it gives an id out again when a vehicle gets its next one
@@ -37,7 +38,7 @@ class VehicleReader {
     int lane = -1;           ///< index into Network::lanes, when it was asked by which it goes on
     std::vector<int> means;  ///< those, where it can take several
   };
-  Known begin(const std::string& id, double grip) const;
+  void ask_type(const std::string& id, double grip, bool again, Known& known) const;
   /// The rear of a long one is near zones when its front no longer is.
   bool is_near(const Fleet& fleet, const std::string& id, const Vec2& front) const;
   void ask(const std::string& id, double time, Known& known) const;

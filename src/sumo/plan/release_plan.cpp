@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kVehicleLook = 5.0;  // [s] assumed: no release before a vehicle this near ...
 constexpr double kVehicleSide = 0.5;  // [m] ... whose swept area comes this near
-constexpr double kPatience = 10.0;    // [s] assumed
+constexpr double kPatience = 10.0;    // [s] assumed; then only one that would touch it counts ...
+constexpr double kSoon = 2.0;         // [s] ... so soon
 constexpr double kReachBeyond = 0.5;  // [m] numerical: more than a step's walk
 
 /// [m] on the lane. Where the walk goes on, SUMO walks the person for this step: it starts from
@@ -113,9 +114,14 @@ bool ends_trip(const ZoneStretch& stretch, int stages_left) {
 bool may_release(const Vec2& place, const Walked& walked, const Fleet& fleet, double dt,
                  double& kept) {
   const double room = walked.radius + kVehicleSide;
-  if (fleet.approaches(place, room, kVehicleLook)) return false;
+  const bool patient = kept < kPatience;
+  if (patient ? fleet.approaches(place, room, kVehicleLook)
+              : !walked.ends_trip && fleet.approaches(place, walked.radius, kSoon)) {
+    kept += dt;
+    return false;
+  }
   const FleetVehicle* beside = fleet.waiting_beside(place, room);
-  if (beside == nullptr || walked.ends_trip || kept >= kPatience) return true;
+  if (beside == nullptr || walked.ends_trip || !patient) return true;
   if (beside->commanded >= 0.0 || beside->lets_go) kept += dt;
   return false;
 }

@@ -55,9 +55,9 @@ std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector
 std::optional<Vec2> place_of(const Network& network, const ReleasePlan& plan);
 
 /// Whether a person may be given back at `place` [m]. SUMO walks people into vehicles: not beside
-/// one that moves or will. For one that waits for people a person does not wait for ever, since
-/// that may be the one it waits for: `kept` [s] counts how long it has. Whose trip ends there waits
-/// for none that stands: it is walked nowhere.
+/// one that moves or will. A person does not wait for ever, neither for one that waits for people,
+/// since that may be the one it waits for, nor where they keep coming by: `kept` [s] counts how
+/// long it has. Whose trip ends there waits for none that stands: it is walked nowhere.
 bool may_release(const Vec2& place, const Walked& walked, const Fleet& fleet, double dt,
                  double& kept);
 

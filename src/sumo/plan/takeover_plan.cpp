@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <span>
 
 #include "core/random.hpp"
 #include "sumo/plan/late_braking.hpp"
@@ -55,42 +56,81 @@ bool is_reachable_over_a_street(const Zone& zone, const Vec2& from, const Vec2& 
   });
 }
 
-/// [m] to the end of the stretch by the lanes of SUMO's route, junctions as the crow flies.
-double way_by_junctions(const Network& network, const ZoneStretch& stretch,
-                        const std::vector<int>& route, int index, const Vec2& from) {
-  double length = 0.0;
-  Vec2 at = from;
-  const auto walk_to = [&](const Vec2& place) {
-    length += (place - at).norm();
-    at = place;
+/// Where [m] SUMO's route comes from one edge of the stretch to the next, from `from` on
+/// route[index] on: the end of the one and the begin of the other by turns. Where a walk begins
+/// with both sides of a street SUMO walks it by the end that is less of a way.
+std::vector<Vec2> ends_of_edges(const Network& network, const ZoneStretch& stretch,
+                                const std::vector<int>& route, int index, const Vec2& from) {
+  const Vec2 goal = 0.5 * (stretch.destination.a + stretch.destination.b);
+  const auto way_by_end = [&](const Vec2& end) {
+    return (end - from).norm() + (goal - end).norm();
   };
+  std::vector<Vec2> ends;
   for (int k = index; k < stretch.last; ++k) {
     const Edge& here = network.edges[route[k]];
     const Edge& next = network.edges[route[k + 1]];
     const Polyline& shape = network.lanes[walking_lane(network, route[k])].shape;
     const Polyline& after = network.lanes[walking_lane(network, route[k + 1])].shape;
-    const bool at_end = here.to == next.from || here.to == next.to;
+    const bool at_end = leaves_forward(network, k > 0 ? route[k - 1] : -1, route[k], route[k + 1])
+                            .value_or(way_by_end(shape.back()) < way_by_end(shape.front()));
     const std::string& junction = at_end ? here.to : here.from;
-    walk_to(at_end ? shape.back() : shape.front());
-    walk_to(next.from == junction ? after.front() : after.back());
+    ends.push_back(at_end ? shape.back() : shape.front());
+    ends.push_back(next.from == junction ? after.front() : after.back());
   }
-  walk_to(0.5 * (stretch.destination.a + stretch.destination.b));
-  return length;
+  return ends;
+}
+
+/// [m] from one place to another by those in between.
+double way_by(const Vec2& from, std::span<const Vec2> between, const Vec2& to) {
+  double length = 0.0;
+  Vec2 at = from;
+  for (const Vec2& place : between) {
+    length += (place - at).norm();
+    at = place;
+  }
+  return length + (to - at).norm();
+}
+
+/// What somebody comes by, who takes the route for its own sake: the ends of its edges, where the
+/// crowd's way from `from` to `goal` would be far shorter. There and back, round a block.
+std::vector<Waypoint> round_of(const Network& network, const Zone& zone, const Vec2& from,
+                               std::span<const Vec2> ends, const std::vector<int>& route, int index,
+                               const Vec2& goal) {
+  constexpr double kFar = 30.0;     // [m] assumed: nobody cuts a corner by so much ...
+  constexpr double kShorter = 0.5;  // assumed: ... and leaves so much of its way
+  const double whole = way_by(from, ends, goal);
+  const double least = std::min(kShorter * whole, whole - kFar);
+  if ((goal - from).norm() >= least || zone.ways.distance(from, goal) >= least) return {};
+  std::vector<Waypoint> round;
+  for (std::size_t k = 0; k < ends.size(); k += 2) {
+    const int lane = walking_lane(network, route[index + static_cast<int>(k / 2)]);
+    constexpr double kBeside = 1.0;  // [m] assumed: of the lane, that is as good
+    round.push_back({zone.walls.nearest_inside(ends[k], kWayClearance),
+                     0.5 * network.lanes[lane].width + kBeside});
+  }
+  return round;
 }
 
 /// The walk of a person on route[index]; nothing where pedzone cannot take it over.
+/// `walked_until_now`: as of plan_takeover(); how much of the route it has behind it is not known
+/// then.
 std::optional<TakeoverPlan> plan_walk(const Network& network, const Zone& zone,
                                       const std::vector<int>& route, int index,
-                                      const WalkerSeen& walker) {
+                                      const WalkerSeen& walker, bool walked_until_now) {
   const auto stretch = plan_stretch(network, zone, route, index, walker.arrival_position);
   if (!stretch) return std::nullopt;
   const Vec2 inside = zone.walls.nearest_inside(walker.position, 0.0);
   if ((inside - walker.position).norm() > kStray) return std::nullopt;
   const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
   TakeoverPlan plan{*stretch, inside};
-  if (!zone.ways.has_way(inside, goal)) {
+  const std::vector<Vec2> ends = ends_of_edges(network, *stretch, route, index, walker.position);
+  if (zone.ways.has_way(inside, goal)) {
+    if (!walked_until_now) {
+      plan.round = round_of(network, zone, inside, ends, route, index, goal);
+    }
+  } else {
     if (!is_reachable_over_a_street(zone, inside, goal)) return std::nullopt;
-    plan.by_junctions = way_by_junctions(network, *stretch, route, index, walker.position);
+    plan.by_junctions = way_by(walker.position, ends, goal);
   }
   return plan;
 }
@@ -110,7 +150,7 @@ bool is_about_to_leave(const Network& network, const std::vector<int>& route, in
 
 /// What is remembered of another plan than its present one does not count.
 void note_plan(const WalkerSeen& walker, PersonPast& past) {
-  const std::size_t number = plan_number(walker.stages_left, walker.edges);
+  const std::size_t number = plan_number(walker.stages_left, walker.edges, walker.arrival_position);
   if (past.plan == number) return;
   past.plan = number;
   past.last = -1;
@@ -137,12 +177,13 @@ Destination with_room(const Destination& portal, double radius) {
 
 }  // namespace
 
-std::size_t plan_number(int stages_left, const std::vector<std::string>& edges) {
+std::size_t plan_number(int stages_left, const std::vector<std::string>& edges,
+                        double arrival_position) {
   std::size_t hash = static_cast<std::size_t>(stages_left);
   for (const std::string& edge : edges) {
     hash = hash * 1099511628211ULL ^ std::hash<std::string>{}(edge);
   }
-  return hash;
+  return hash * 1099511628211ULL ^ std::hash<double>{}(arrival_position);
 }
 
 std::vector<int> zones_of_edges(const Network& network, const std::vector<Zone>& zones) {
@@ -165,7 +206,7 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
   const std::vector<int> route = edge_indices(network, walker.edges);
   const int index = only_index(route, edge, past.last);
   if (index < 0) return std::nullopt;
-  auto plan = plan_walk(network, zone, route, index, walker);
+  auto plan = plan_walk(network, zone, route, index, walker, walked_until_now);
   if (!plan) return std::nullopt;
   if (!walked_until_now && !worth_while(network, plan->stretch, index, walker.position)) {
     return std::nullopt;
@@ -221,7 +262,7 @@ std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zo
   if (!walked_until_now && !is_about_to_leave(network, route, index, walker, dt)) {
     return std::nullopt;
   }
-  auto plan = plan_walk(network, zones[zone], route, next, walker);
+  auto plan = plan_walk(network, zones[zone], route, next, walker, walked_until_now);
   if (!plan) return std::nullopt;
   plan->plan = past.plan;
   plan->from_sumo = !walked_until_now;
@@ -247,7 +288,7 @@ NewPerson new_person(const WalkerSeen& walker, const TakeoverPlan& plan, const P
   person.aware = hints.aware;
   person.group = hints.group;
   person.rates = hints.rates;
-  if (hints.path != nullptr) person.path = hints.path->waypoints(zone);
+  person.path = hints.path != nullptr ? hints.path->waypoints(zone) : plan.round;
   person.position = plan.start;
   person.heading = walker.heading;
   person.velocity = unit(walker.heading) * std::min(std::max(0.0, walker.speed), preferred_speed);

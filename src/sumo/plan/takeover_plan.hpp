@@ -39,16 +39,19 @@ struct PersonPast {
 /// The walk of a person that is taken over.
 struct TakeoverPlan {
   ZoneStretch stretch;
-  Vec2 start = Vec2::Zero();     ///< [m] inside the walls
-  std::size_t plan = 0;          ///< number of SUMO's plan for it
-  double by_junctions = kNoWay;  ///< [m] as NewPerson
+  Vec2 start = Vec2::Zero();      ///< [m] inside the walls
+  std::size_t plan = 0;           ///< number of SUMO's plan for it
+  double by_junctions = kNoWay;   ///< [m] as NewPerson
+  std::vector<Waypoint> round{};  ///< what its route comes by, where that is a long way round
   bool place_freely = false;  ///< it departs here, or SUMO has brought it into a vehicle: it may be
                               ///< moved to the nearest free place
   bool from_sumo = true;      ///< false: pedzone has walked it until now
 };
 
-/// A number for SUMO's plan of a person: another one for another plan.
-std::size_t plan_number(int stages_left, const std::vector<std::string>& edges);
+/// A number for SUMO's plan of a person: another one for another plan. `arrival_position` [m]: on
+/// the last of its edges.
+std::size_t plan_number(int stages_left, const std::vector<std::string>& edges,
+                        double arrival_position);
 
 /// The zone of each edge of the network; -1: SUMO's.
 std::vector<int> zones_of_edges(const Network& network, const std::vector<Zone>& zones);

@@ -28,6 +28,11 @@ double braking_distance(const FleetVehicle& vehicle) {
   return vehicle.speed * vehicle.speed / (2.0 * vehicle.traits.decel);
 }
 
+double stopping_distance(const FleetVehicle& vehicle, double dt) {
+  const double first = vehicle.traits.ballistic ? 0.0 : 0.5 * vehicle.speed * dt;
+  return std::max(0.0, braking_distance(vehicle) - first);
+}
+
 double speed_if_braked(const FleetVehicle& vehicle, double dt) {
   return std::max(0.0, vehicle.speed - vehicle.traits.decel * dt);
 }

@@ -103,6 +103,9 @@ bool gives_way(const FleetVehicle& vehicle);
 
 /// [m] in which it stops as it likes to brake.
 double braking_distance(const FleetVehicle& vehicle);
+/// [m] the same in SUMO's steps of `dt` [s]: but for ballistic ones it drives each as fast as it is
+/// at its end. One that stops as SUMO's do needs all of that, and no more, until it stands.
+double stopping_distance(const FleetVehicle& vehicle, double dt);
 
 /// [m/s] after a step of `dt` [s] in which it brakes as it likes to.
 double speed_if_braked(const FleetVehicle& vehicle, double dt);

@@ -128,9 +128,13 @@ std::optional<YieldOrder> let_go(FleetVehicle& vehicle, double dt) {
 }
 
 /// Before a zebra crossing that people use: it waits, and claims nothing, where it can in comfort.
+/// Behind a junction that others use, too, it waits before that, in nobody's way.
 std::optional<YieldOrder> give_way(FleetVehicle& vehicle, double way, const SafeSpeeds& safe_speeds,
                                    double dt) {
-  if (braking_distance(vehicle) > way + kSample) return std::nullopt;
+  const double needs = stopping_distance(vehicle, dt), begin = vehicle.junction.begin;
+  if (needs > way + kSample) return std::nullopt;
+  const bool inside = way > begin && way < room_behind(vehicle, 0.0);
+  if (vehicle.junction.shared && inside && begin > 0.0 && needs <= begin + kSample) way = begin;
   const double safe = safe_speeds.stop(vehicle, way);
   vehicle.creeping = false;
   vehicle.blocked_time = vehicle.slowed = 0.0;

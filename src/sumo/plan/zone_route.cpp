@@ -119,6 +119,22 @@ int hop_within(const Network& network, const std::vector<int>& route, int first,
   return -1;
 }
 
+/// Whether people come from route[index] to the edge after it inside the zone, where SUMO's do. The
+/// two sides of a street meet at both of its ends: where SUMO's would cross a signalled crossing
+/// near them, the way round by the other end can be long. (Who is about to go round a street's end
+/// is not taken over, takeover_plan.hpp.)
+bool goes_on(const Network& network, const Zone& zone, const std::vector<int>& route, int index) {
+  const int edge = route[index], next = route[index + 1];
+  if (!linked(zone, edge, next)) return false;
+  const Edge& here = network.edges[edge];
+  const auto forward = leaves_forward(network, index > 0 ? route[index - 1] : -1, edge, next);
+  if (forward) return linked(zone, edge, next, *forward ? here.to : here.from);
+  const auto passes = [&](const std::string& junction) {
+    return linked(zone, edge, next, junction) || is_street_end(network, junction);
+  };
+  return passes(here.from) && passes(here.to);
+}
+
 /// Across the zone's last junction onto the edge after it, where the crowd can walk the person all
 /// the way: SUMO would squeeze it past vehicles that stand there. Behind an edge too short to be
 /// put on, also where the last metres are not the zone's. Nothing where SUMO would have to guess in
@@ -191,7 +207,7 @@ std::optional<ZoneStretch> plan_stretch(const Network& network, const Zone& zone
                                         double arrival_position) {
   int last = first;
   const int end = static_cast<int>(route.size());
-  while (last + 1 < end && linked(zone, route[last], route[last + 1])) ++last;
+  while (last + 1 < end && goes_on(network, zone, route, last)) ++last;
   if (last + 1 < end) {
     if (const auto stretch = step_over(network, zone, route, first, last)) return stretch;
   }

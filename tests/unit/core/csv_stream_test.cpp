@@ -57,6 +57,11 @@ TEST_F(CsvStream, takes_other_line_ends_and_none_at_the_end) {
   EXPECT_EQ(visited(), "[a|1][b|2]");
 }
 
+TEST_F(CsvStream, passes_over_a_byte_order_mark) {
+  write("\xEF\xBB\xBFid,x\na,1\n");
+  EXPECT_EQ(visited(), "[a|1]");
+}
+
 TEST_F(CsvStream, reads_quoted_fields_with_commas_quotes_and_line_ends) {
   write("id,x\n\"a,\"\"b\"\"\nc\",1\n\"\",2\n");
   EXPECT_EQ(visited(), "[a,\"b\"\nc|1][|2]");

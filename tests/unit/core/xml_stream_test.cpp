@@ -59,6 +59,18 @@ TEST_F(XmlStream, reads_compressed_files_and_tells_how_far_it_is) {
   EXPECT_EQ(shares.back(), 1.0);
 }
 
+TEST_F(XmlStream, follows_includes_from_where_they_stand) {
+  const std::string other = file_ + ".other";
+  const std::string name = std::filesystem::path(other).filename().string();
+  std::ofstream(other) << "<b><c v='1'/></b>";
+  write("<a><before/><include href='" + name + "'/><after/></a>");
+  EXPECT_EQ(visited("a"), "0a 1before 0b 1c=1 1after ");
+  std::ofstream(other) << "<b><include href='" << name << "'/></b>";
+  EXPECT_THAT(visited("a"), HasSubstr("includes a file that includes it"));
+  std::filesystem::remove(other);
+  EXPECT_THAT(visited("a"), HasSubstr("cannot be opened"));
+}
+
 TEST_F(XmlStream, names_what_is_wrong) {
   EXPECT_THAT(visited(), HasSubstr("cannot be opened"));
   write("");

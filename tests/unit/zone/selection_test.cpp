@@ -133,7 +133,8 @@ TEST_F(Town, without_walking_areas_edges_that_meet_are_joined) {
   const Zone all = build_zones(bare, {}).front();
   EXPECT_TRUE(linked(all, bare.edge_index.at("service"), bare.edge_index.at("living_north")));
   EXPECT_TRUE(linked(all, bare.edge_index.at("old_north"), bare.edge_index.at("old_south")));
-  for (const auto& [a, b] : all.links) {
+  for (const auto& [pair, junctions] : all.links) {
+    const auto [a, b] = pair;
     const Lane& from = bare.lanes[walking_lane(bare, a)];
     const Lane& to = bare.lanes[walking_lane(bare, b)];
     const Vec2 p = 0.5 * (from.shape[0] + from.shape[1]), q = 0.5 * (to.shape[0] + to.shape[1]);

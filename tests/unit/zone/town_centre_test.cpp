@@ -81,7 +81,8 @@ TEST_P(TownCentre, centre_lines_are_walkable_from_end_to_end) {
 
 TEST_P(TownCentre, linked_edges_are_near_each_other_on_foot) {
   ASSERT_GT(zone_.links.size(), 300u);
-  for (const auto& [a, b] : zone_.links) {
+  for (const auto& [pair, junctions] : zone_.links) {
+    const auto [a, b] = pair;
     double air = 0.0, way = std::numeric_limits<double>::infinity();
     for (const bool a_end : {false, true}) {
       for (const bool b_end : {false, true}) {

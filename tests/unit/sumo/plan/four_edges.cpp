@@ -44,7 +44,7 @@ int FourEdges::add_edge(const std::string& id, const std::string& from, const st
   return edge;
 }
 
-void FourEdges::link(int a, int b) { zone.links.insert({std::min(a, b), std::max(a, b)}); }
+void FourEdges::link(int a, int b) { zone.links[{std::min(a, b), std::max(a, b)}]; }
 
 void FourEdges::has_space(const Ring& outline) {
   const Region space{Polygon{outline, {}}};

@@ -129,7 +129,20 @@ TEST_F(MayRelease, not_before_a_vehicle_that_comes_in_five_seconds) {
   EXPECT_TRUE(ask());
   vehicle(13.0, 4.0);
   EXPECT_FALSE(ask());
-  EXPECT_EQ(held_, 0.0) << "patience is for those that wait";
+}
+
+TEST_F(MayRelease, after_ten_seconds_where_vehicles_keep_coming_by_but_would_not_touch_it) {
+  const auto held = [&](double before, bool ends_trip) {
+    vehicle(before, 2.0);
+    held_ = 0.0;
+    double time = 0.0;
+    const Walked walked{kPlace, kPlace, kRadius, 1.2, ends_trip};
+    while (!may_release(kPlace, walked, fleet_, 0.1, held_) && time < 100.0) time += 0.1;
+    return time;
+  };
+  EXPECT_NEAR(held(9.0, false), 10.0, 0.1 + 1e-6) << "is not there within two seconds";
+  EXPECT_GE(held(2.0, false), 100.0);
+  EXPECT_NEAR(held(2.0, true), 10.0, 0.1 + 1e-6) << "SUMO takes it out at once";
 }
 
 TEST_F(MayRelease, after_ten_seconds_beside_one_that_waits_for_people) {

@@ -36,7 +36,7 @@ TEST_F(TakeoverPlanTest, person_is_taken_over_on_the_zones_first_edge) {
   EXPECT_EQ(found->stretch.last, 2);
   EXPECT_TRUE(found->start.isApprox(walker_.position));
   EXPECT_FALSE(found->place_freely);
-  EXPECT_EQ(found->plan, plan_number(1, walker_.edges));
+  EXPECT_EQ(found->plan, plan_number(1, walker_.edges, walker_.arrival_position));
   EXPECT_EQ(past_.refused_edge, -1);
 }
 
@@ -206,14 +206,14 @@ TEST_F(TakeoverPlanTest, person_that_comes_twice_by_an_edge_is_left_where_sumo_d
 }
 
 TEST_F(TakeoverPlanTest, with_another_plan_earlier_releases_do_not_count) {
-  past_.plan = plan_number(2, walker_.edges);
+  past_.plan = plan_number(2, walker_.edges, walker_.arrival_position);
   past_.last = 2;
   EXPECT_TRUE(plan(e1));
   EXPECT_EQ(past_.last, -1);
 }
 
 TEST_F(TakeoverPlanTest, person_released_before_is_not_taken_over_on_the_same_passage) {
-  past_.plan = plan_number(1, walker_.edges);
+  past_.plan = plan_number(1, walker_.edges, walker_.arrival_position);
   past_.last = 2;
   walker_.position = {120.0, 0.0};
   EXPECT_FALSE(plan(e2));
@@ -285,12 +285,30 @@ TEST_F(TakeoverPlanTest, person_that_would_rather_cross_at_a_junction_stays_sumo
   EXPECT_EQ(entry_of({}, view, 0.25, fleet_, 0.1), Entry::kStaysOutside);
 }
 
+TEST_F(TakeoverPlanTest, walk_that_leads_a_long_way_round_comes_by_the_ends_of_its_edges) {
+  walker_.edges = {"e1", "e2"};
+  walker_.arrival_position = 30.0;
+  EXPECT_TRUE(plan(e1)->round.empty());
+  const int back = add_edge("back", network.edges[e2].to, network.edges[e1].from, 150.0, 50.0);
+  zone.edges.insert(back);
+  link(e2, back);
+  walker_.edges = {"e1", "e2", "back"};  // 100 m there and, but for 10 m, back
+  walker_.arrival_position = 90.0;
+  const auto round = plan(e1)->round;
+  ASSERT_EQ(round.size(), 2u);
+  EXPECT_NEAR(round[1].at.x(), 150.0, 0.5);
+  EXPECT_TRUE(plan(e1, true)->round.empty()) << "how much is behind it?";
+  walker_.arrival_position = 20.0;  // 119 m to a place 79 m ahead
+  EXPECT_TRUE(plan(e1)->round.empty());
+}
+
 TEST_F(TakeoverPlanTest, plan_is_another_with_other_edges_or_stages) {
-  const std::size_t one = plan_number(1, {"a", "b"});
-  EXPECT_EQ(one, plan_number(1, {"a", "b"}));
-  EXPECT_NE(one, plan_number(2, {"a", "b"}));
-  EXPECT_NE(one, plan_number(1, {"b", "a"}));
-  EXPECT_NE(one, plan_number(1, {"a"}));
+  const std::size_t one = plan_number(1, {"a", "b"}, 5.0);
+  EXPECT_EQ(one, plan_number(1, {"a", "b"}, 5.0));
+  EXPECT_NE(one, plan_number(2, {"a", "b"}, 5.0));
+  EXPECT_NE(one, plan_number(1, {"b", "a"}, 5.0));
+  EXPECT_NE(one, plan_number(1, {"a"}, 5.0));
+  EXPECT_NE(one, plan_number(1, {"a", "b"}, 6.0));
 }
 
 TEST_F(TakeoverPlanTest, free_speed_is_that_of_sumos_striping_model) {

@@ -29,6 +29,24 @@ TEST_F(ZoneRouteTest, ends_where_the_zone_does_not_link_two_edges) {
   EXPECT_EQ(network.lanes[stretch->hop_lane].id, "e2_0");
 }
 
+TEST_F(ZoneRouteTest, ends_where_the_other_side_of_a_street_is_linked_at_its_other_end_only) {
+  const Edge street = network.edges[e2];
+  const int back = add_edge("back", street.to, street.from, 150.0, 100.0);
+  zone.edges.insert(back);
+  const auto last = [&](const std::vector<int>& route, int first) {
+    return plan_stretch(network, zone, route, first, 20.0)->last;
+  };
+  auto& at = zone.links[{std::min(e2, back), std::max(e2, back)}];
+  at = {street.from};
+  EXPECT_EQ(last({e0, e1, e2, back}, 1), 2) << "SUMO's cross at its end";
+  at = {street.to};
+  EXPECT_EQ(last({e0, e1, e2, back}, 1), 3);
+  const std::vector<int> begins{e2, back};
+  EXPECT_FALSE(plan_stretch(network, zone, begins, 0, 20.0)) << "who knows where SUMO's cross";
+  at = {street.from, street.to};
+  EXPECT_EQ(last(begins, 0), 1);
+}
+
 TEST_F(ZoneRouteTest, portal_is_as_wide_as_the_lane) {
   const auto stretch = plan_stretch(network, zone, {e0, e1, e2, e3}, 1, 20.0);
   ASSERT_TRUE(stretch);

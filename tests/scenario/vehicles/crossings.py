@@ -1,0 +1,138 @@
+#!/usr/bin/python3
+"""Where people cross streets whose networks netconvert makes of a few lines: beside plain SUMO.
+
+usage: crossings.py PEDZONE [--scenes NAME,NAME] [--seeds N,N] [--steps S,S] [--keep FOLDER]
+
+All streets with sidewalks are one zone, and cars drive on them.
+- zebra: a zebra crossing over a street with 1,200 cars an hour each way: these let people go first,
+  whatever the length of SUMO's steps
+- end: people come from a street that is cut off at the network's border, where netconvert lays no
+  walking area: they cross at its junction, as SUMO's do, not where cars appear and vanish
+- bend: netconvert makes a walking area only a few decimetres wide in its middle: people get through
+  it, and not straight across the street
+- far: a street with a signalled crossing at one end and another without a signal at the other, 500 m
+  away: people cross where SUMO's do
+Read from SUMO's tripinfo: everybody arrives who does in plain SUMO, people's walks are on average no
+longer than there by more than 25 % and 5 s, and cars' drives by more than 25 %.
+"""
+import argparse
+import itertools
+import statistics
+import sys
+import tempfile
+from pathlib import Path
+
+from junction import Run, call
+
+LONGER, MORE, DRIVEN = 0.25, 5.0, 0.25  # share and [s] of walks; share of drives
+END = 2000  # [s]
+CAR, FLOWS = '<vType id="c" vClass="passenger"/>', 'begin="0" end="600"'
+
+
+def flow(name, start, end, period):
+    return f'<flow id="{name}" type="c" from="{start}" to="{end}" {FLOWS} period="{period}"' \
+           ' departSpeed="max"/>'
+
+
+def people(name, edges, depart=0, arrive=50):
+    return f'<personFlow id="{name}" begin="20" end="520" period="10" departPos="{depart}">' \
+           f'<walk edges="{edges}" arrivalPos="{arrive}"/></personFlow>'
+
+
+# Nodes, edges with their attributes (one or both ways), connections, demand.
+STREET = 'speed="13.89" sidewalkWidth="2"'
+PATH = 'allow="pedestrian" width="1.5"'  # in one direction: people take it in both
+SCENES = {
+    "zebra": ("w -300 0, m 0 0, e 300 0", [("w", "m", STREET), ("m", "e", STREET)],
+              '<crossing node="m" edges="wm mw" priority="true"/>',
+              flow("a", "wm", "me", 3) + flow("b", "em", "mw", 3)
+              + people("p", "wm em", 250, 250) + people("q", "em wm", 250, 250)),
+    "end": ("e 0 0, j 100 0, k 200 0, n 100 100",
+            [("e", "j", STREET), ("j", "k", STREET), ("j", "n", STREET)],
+            '<crossing node="j" edges="jk kj" priority="true"/>'
+            '<crossing node="j" edges="jn nj" priority="true"/>',
+            flow("v", "ej", "jk", 3) + flow("w", "kj", "je", 3)
+            + people("p", "ej jn") + people("q", "jn ej", 50, 0) + people("u", "ej je")),
+    "bend": ("1 0 0, 2 120 0, 4 0 120, 9 60 60",
+             [("1", "2", 'speed="10" sidewalkWidth="2"'),
+              ("1", "4", 'speed="10" sidewalkWidth="2" numLanes="2"'),
+              ("1", "9", PATH), ("1", "9", PATH + ' shape="0,0 20,50 60,60"')], "",
+             flow("v", "21", "14", 4) + flow("w", "41", "12", 4)
+             + people("p", "12 19", 60) + people("q", "19 12", 50, 60)),
+    "far": ("s 0 0 light, u 500 0, a -100 0, b 0 100, c 600 0, d 500 100",
+            [("s", "u", STREET), ("s", "a", STREET), ("s", "b", STREET), ("u", "c", STREET),
+             ("u", "d", STREET)], "",
+            people("p", "su us", 10, 470) + people("q", "us su", 450, 20)),
+}
+GUESSED = {"end": ["--fringe.guess"]}
+
+
+def make_scene(folder, name, seed, step):
+    folder.mkdir(parents=True, exist_ok=True)
+    nodes, edges, connections, demand = SCENES[name]
+    text = ""
+    for node in nodes.split(","):
+        id_, x, y, *light = node.split()
+        kind = 'type="traffic_light"' if light else ""
+        text += f'<node id="{id_}" x="{x}" y="{y}" {kind}/>'
+    (folder / "n.nod.xml").write_text(f"<nodes>{text}</nodes>")
+    text, names = "", []
+    for one, other, more in edges:
+        for start, end in ((one, other),) if PATH in more else ((one, other), (other, one)):
+            names.append(start + end + "b" * names.count(start + end))
+            text += f'<edge id="{names[-1]}" from="{start}" to="{end}" {more}/>'
+    (folder / "n.edg.xml").write_text(f"<edges>{text}</edges>")
+    (folder / "n.con.xml").write_text(f"<connections>{connections}</connections>")
+    crossings = ["--walkingareas"] if connections else ["--crossings.guess"]
+    call("netconvert", "-n", "n.nod.xml", "-e", "n.edg.xml", "-x", "n.con.xml", "-o", "n.net.xml",
+         "--no-turnarounds", *crossings, *GUESSED.get(name, []), folder=folder)
+    (folder / "all.zone.xml").write_text(
+        f'<zones><zone id="all" edges="{" ".join(names)}"/></zones>')
+    (folder / "s.rou.xml").write_text(f"<routes>{CAR}{demand}</routes>")
+    (folder / "s.sumocfg").write_text(
+        '<configuration><net-file value="n.net.xml"/><route-files value="s.rou.xml"/>'
+        f'<end value="{END}"/><step-length value="{step}"/><seed value="{seed}"/></configuration>')
+
+
+def compare(pedzone, folder, name, seed, step):
+    """What is wrong."""
+    make_scene(folder, name, seed, step)
+    config = folder / "s.sumocfg"
+    plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
+    ours = Run(folder / "ours", [pedzone, "run", config, "--zone", folder / "all.zone.xml", "--"])
+    walks = [statistics.mean(run.walks.values()) for run in (plain, ours)]
+    drives = [statistics.mean(run.driven) if run.driven else 0.0 for run in (plain, ours)]
+    print(f"{name}, seed {seed}, steps of {step} s: walks {walks[0]:.0f} -> {walks[1]:.0f} s, drives"
+          f" {drives[0]:.0f} -> {drives[1]:.0f} s", flush=True)
+    wrong = []
+    if not walks[1] <= (1 + LONGER) * walks[0] + MORE:
+        wrong.append("people walk longer, or do not arrive")
+    if len(ours.driven) < len(plain.driven) or drives[1] > (1 + DRIVEN) * drives[0]:
+        wrong.append("cars drive longer, or do not arrive")
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pedzone")
+    parser.add_argument("--scenes", default=",".join(SCENES))
+    parser.add_argument("--seeds", default="1")
+    parser.add_argument("--steps", default="0.1,1")
+    parser.add_argument("--keep", help="folder for networks and outputs")
+    asked = parser.parse_args()
+    failed = False
+    cases = itertools.product(asked.scenes.split(","), asked.steps.split(","),
+                              asked.seeds.split(","))
+    with tempfile.TemporaryDirectory() as work:
+        for name, step, seed in cases:
+            folder = Path(asked.keep or work).resolve() / f"{name}-{step}-{seed}"
+            for line in compare(Path(asked.pedzone).resolve(), folder, name, int(seed),
+                                float(step)):
+                failed = True
+                print(f"  WRONG: {line}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
