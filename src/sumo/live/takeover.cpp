@@ -170,7 +170,8 @@ int Takeover::zone_of(const std::string& edge) const {
   return found == network_.edge_index.end() ? -1 : zone_of_edge_[found->second];
 }
 
-/// Whether SUMO is about to walk it on across the end of a street.
+/// Whether SUMO is about to walk it on across the end of a street. (Where people cross streets
+/// anywhere they need not go there.)
 bool Takeover::is_about_to_round_end(int edge, const WalkerSeen& walker) const {
   return touches_street_end(network_, edge) && walker.edges.size() > 1 &&
          leads_round_street_end(network_, sumo_.next_edge(walker.id));
@@ -192,7 +193,7 @@ bool Takeover::consider(const std::string& id, const std::string& edge_id, int s
   if (!walker) return true;
   if (known_position != nullptr) {
     walker->position = *known_position;
-  } else if (is_about_to_round_end(edge, *walker)) {
+  } else if (zones_[zone].streets.empty() && is_about_to_round_end(edge, *walker)) {
     return true;
   }
   const auto plan =
