@@ -10,6 +10,7 @@
 #include "app/conflict_options.hpp"
 #include "app/conflicts_json.hpp"
 #include "app/guarded.hpp"
+#include "app/recorded_conflicts.hpp"
 #include "app/recording_options.hpp"
 #include "app/seen_crossings.hpp"
 #include "app/share_bar.hpp"
@@ -130,6 +131,7 @@ void measure(const ConflictsOptions& options) {
   tracker.finish(over);
   outputs.take(over);
   bar.finish();
+  warn_of_long_steps(tracker);
   outputs.finish(walked.has_value());
 }
 

@@ -6,8 +6,12 @@
 
 #include "app/recording_options.hpp"
 #include "conflict/conflict.hpp"
+#include "conflict/tracker.hpp"
 
 namespace pedzone {
+
+/// Says that steps of floating-car data are too long to measure conflicts by, where they are.
+void warn_of_long_steps(const ConflictTracker& tracker);
 
 /// Those that `pedzone conflicts` tells of the recording's floating-car data: of people whom
 /// pedzone walked where its trajectories are given, else of everybody. Only with moving vehicles,

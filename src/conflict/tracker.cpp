@@ -51,6 +51,7 @@ void ConflictTracker::step(double time, std::span<const PersonSample> persons,
                            std::vector<Conflict>& over) {
   before_ = begun_ ? time_ : time;
   time_ = time;
+  longest_ = std::max(longest_, time_ - before_);
   begun_ = true;
   vehicles_.begin_step();
   persons_.begin_step();

@@ -80,6 +80,10 @@ class ConflictTracker {
   /// Closes all encounters.
   void finish(std::vector<Conflict>& over);
 
+  /// [s] the longest step so far. Who is followed has moved evenly in it: with steps of more than
+  /// some 2 s people and vehicles that passed each other meet.
+  double longest_step() const { return longest_; }
+
   /// Pairs that are followed at present.
   std::size_t encounters() const { return encounters_.size(); }
 
@@ -113,6 +117,7 @@ class ConflictTracker {
   ConflictLimits limits_;
   double memory_;                     ///< [s]
   double time_ = 0.0, before_ = 0.0;  ///< [s] of this step and the one before
+  double longest_ = 0.0;              ///< [s]
   bool begun_ = false;
   Cast<Person> persons_;
   Cast<Vehicle> vehicles_;

@@ -10,12 +10,13 @@
 namespace pedzone {
 namespace {
 
-constexpr double kMedian = 6.0;      // [m] assumed: carriageways farther apart are two streets
-constexpr double kVerge = 3.0;       // [m] assumed: a strip of grass or parked cars at most so wide
-constexpr double kVergeStep = 0.1;   // [m] numerical
-constexpr double kRoom = 0.3;        // [m] of ground to stand on behind the kerb
-constexpr double kOverlap = 0.4;     // [m] numerical: by which the crossable ground reaches into
-                                     // people's own, so that no wall is left between
+constexpr double kMedian = 6.0;     // [m] assumed: carriageways farther apart are two streets
+constexpr double kVerge = 3.0;      // [m] assumed: a strip of grass or parked cars at most so wide
+constexpr double kVergeStep = 0.1;  // [m] numerical
+constexpr double kAppears = 15.0;   // [m] assumed: longer than a bus, which SUMO puts there at once
+constexpr double kRoom = 0.3;       // [m] of ground to stand on behind the kerb
+constexpr double kOverlap = 0.4;    // [m] numerical: by which the crossable ground reaches into
+                                    // people's own, so that no wall is left between
 
 bool is_carriageway(const Network& network, int lane, const std::set<int>& walkable) {
   return network.lanes[lane].vehicles && !network.lanes[lane].outline && !walkable.contains(lane);
@@ -127,12 +128,28 @@ class Finder {
     set_borders(street);
   }
 
+  /// s [m] where vehicles appear and vanish: ends of the street at the network's border.
+  std::vector<double> ends_of_network(const Street& street) const {
+    std::vector<double> ends;
+    for (const int edge : street.edges) {
+      const Polyline& shape = network_.lanes[walking_lane(network_, edge)].shape;
+      const Edge& here = network_.edges[edge];
+      if (is_street_end(network_, here.from)) ends.push_back(street.place(shape.front()).s);
+      if (is_street_end(network_, here.to)) ends.push_back(street.place(shape.back()).s);
+    }
+    return ends;
+  }
+
   void set_places(Street& street) const {
+    const std::vector<double> ends = ends_of_network(street);
+    const auto far = [&](double s) {
+      return std::ranges::none_of(ends, [&](double end) { return std::abs(s - end) < kAppears; });
+    };
     for (double s = 0.0; s <= street.length; s += kStreetStep) {
       CrossingPlace place;
       const auto low = ground_beside(street, s, street.low, -1.0);
       const auto high = ground_beside(street, s, street.high, 1.0);
-      place.open = low && high;
+      place.open = low && high && far(s);
       place.low = low.value_or(street.low);
       place.high = high.value_or(street.high);
       place.near_signal = near_signal(street.point(s, 0.5 * (street.low + street.high)));

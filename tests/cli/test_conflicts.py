@@ -99,6 +99,15 @@ class Conflicts(RefusalChecks, unittest.TestCase):
             self.assertNotIn("vTypeDistribution", errors)
             self.assertAlmostEqual(known, (30 - 0.479 - 17.2) / 8, delta=0.01)
 
+    def test_long_steps_are_warned_of(self):
+        for seconds, warned in ((0.1, False), (2, False), (5, True)):
+            self.write("fcd.xml", "<fcd-export>" + "".join(
+                STEP.format(time=seconds * i, x=10 + i, person="p") for i in range(10))
+                + "</fcd-export>")
+            done = self.measure()
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("has a step of 5 s" in done.stderr, warned, done.stderr)
+
     def test_compressed(self):
         with gzip.open(self.folder / "fcd.xml.gz", "wt") as file:
             file.write(fcd())
