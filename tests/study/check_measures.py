@@ -177,7 +177,7 @@ def parted(rows):
 def check_conflicts(comparison, arguments, folder, fcd, scenario, persons, inside):
     table = folder / "again.csv"
     run([arguments.pedzone, "conflicts", folder / "fcd.xml.gz", "--scenario", arguments.scenario,
-         "--conflict-csv", table])
+         "--vtypes", folder / "tripinfo.xml", "--conflict-csv", table])
     comparison.require("conflicts.csv is that of `pedzone conflicts`",
                        table.read_bytes() == (folder / "conflicts.csv").read_bytes())
     everywhere = read_table(table)
