@@ -174,9 +174,11 @@ std::string page_of(const MapsOptions& options, const Recording& recording, cons
   page.place = place;
   page.box = box;
   // What the picture can show: its cells are larger in a large place, the numbers' are not.
-  const double cell = cell_for(box, kDensityCell);
-  RunGrids shown = run_grids(recording, box, cell);
-  shown.minute = highest_of(numbers.grids.minute, cell);
+  RunGrids shown = numbers.grids;
+  if (const double cell = cell_for(box, kDensityCell); cell > kDensityCell) {
+    shown = run_grids(recording, box, cell);
+    shown.minute = highest_of(numbers.grids.minute, cell);
+  }
   page.grids = &shown;
   if (!options.measured.empty()) page.area = box_of_sides(options.measured, "--measure-area");
   for (const AreaMoment& moment : numbers.measured) {

@@ -21,8 +21,8 @@ bool is_told(const Conflict& conflict) {
 }  // namespace
 
 void warn_of_long_steps(const ConflictTracker& tracker) {
-  constexpr double kLong =
-      2.0;  // [s] measured: the plaza's run has no contact with up to 2 s, 4 with 5
+  // [s] measured: the plaza's run has no contact with steps of up to 2 s, and four with 5 s.
+  constexpr double kLong = 2.0;
   if (tracker.longest_step() <= kLong) return;
   print_warning(
       fmt::format("the fcd-output has a step of {:g} s: conflicts and contacts that there were not "

@@ -132,8 +132,8 @@ class Finder {
   std::vector<double> ends_of_network(const Street& street) const {
     std::vector<double> ends;
     for (const int edge : street.edges) {
-      const Polyline& shape = network_.lanes[walking_lane(network_, edge)].shape;
       const Edge& here = network_.edges[edge];
+      const Polyline& shape = network_.lanes[here.lanes.front()].shape;
       if (is_street_end(network_, here.from)) ends.push_back(street.place(shape.front()).s);
       if (is_street_end(network_, here.to)) ends.push_back(street.place(shape.back()).s);
     }

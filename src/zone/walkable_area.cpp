@@ -1,11 +1,10 @@
 #include "zone/walkable_area.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
-#include "geometry/segment.hpp"
+#include "geometry/polyline.hpp"
 #include "zone/passage.hpp"
 #include "zone/simplify.hpp"
 #include "zone/way_cutter.hpp"
@@ -215,11 +214,7 @@ class Builder {
   /// [m] from a point to the nearest lane's shape of that walking area or crossing.
   double distance_to(int lane, const Vec2& point) const {
     const Polyline& shape = network_.lanes[lane].shape;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k + 1 < shape.size(); ++k) {
-      least = std::min(least, (nearest_on(shape[k], shape[k + 1], point) - point).norm());
-    }
-    return least;
+    return (point_on(shape, project_on(shape, point).offset).point - point).norm();
   }
 
   /// Whether the link passes way[k], a crossing, from its end to its begin: what comes before and

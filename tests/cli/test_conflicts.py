@@ -82,10 +82,12 @@ class Conflicts(RefusalChecks, unittest.TestCase):
         self.assertEqual(row["contact"], "")
 
     def test_people_of_a_distribution_are_as_large_as_the_type_that_they_got(self):
-        self.write("types.rou.xml", """<routes><vType id="van" length="6" width="2"/>
+        types = """<routes><vType id="van" length="6" width="2"/>
             <vTypeDistribution id="all"><vType id="adult" vClass="pedestrian"/>
               <vType id="pram" vClass="pedestrian" width="0.9" length="0.8"/></vTypeDistribution>
-            <person id="p" type="all" depart="0"><walk edges="a"/></person></routes>""")
+            {}<walk edges="a"/></{}></routes>"""
+        self.write("types.rou.xml", types.format('<person id="p" type="all" depart="0">', "person"))
+
         def contact_in(*words):
             done = self.measure(*words)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -95,9 +97,19 @@ class Conflicts(RefusalChecks, unittest.TestCase):
         self.assertAlmostEqual(guessed, (30 - 0.239 - 17.2) / 8, delta=0.01)
         for name, text in (("trips.xml", '<tripinfos><personinfo id="p" type="pram"/></tripinfos>'),
                            ("routes.xml", '<routes><person id="p" type="pram"/></routes>')):
-            known, errors = contact_in("--vtypes", name) if self.write(name, text) is None else None
+            self.write(name, text)
+            known, errors = contact_in("--vtypes", name)
             self.assertNotIn("vTypeDistribution", errors)
             self.assertAlmostEqual(known, (30 - 0.479 - 17.2) / 8, delta=0.01)
+        # Of a flow's persons SUMO names each.
+        self.write("fcd.xml", fcd("f.0"))
+        self.write("types.rou.xml", types.format('<personFlow id="f" type="all" begin="0" end="9"'
+                                                 ' period="3">', "personFlow"))
+        self.assertIn("vTypeDistribution 'all'", contact_in()[1])
+        self.write("routes.xml", '<routes><person id="f.0" type="pram"/></routes>')
+        known, errors = contact_in("--vtypes", "routes.xml")
+        self.assertNotIn("vTypeDistribution", errors)
+        self.assertAlmostEqual(known, (30 - 0.479 - 17.2) / 8, delta=0.01)
 
     def test_long_steps_are_warned_of(self):
         for seconds, warned in ((0.1, False), (2, False), (5, True)):

@@ -80,7 +80,6 @@ void BodySizes::visit(const XmlElement& element) {
   } else if (name == "person" || name == "personFlow" || name == "personinfo") {
     const auto type = element.value("type");
     if (type) persons_[std::string(element.required("id"))] = *type;
-    told_ |= name == "personinfo";
   }
 }
 
@@ -122,10 +121,12 @@ std::string_view BodySizes::class_of(std::string_view type) const {
 }
 
 std::string BodySizes::guessed() const {
-  if (told_) return {};
   for (const auto& [person, type] : persons_) {
     const auto members = members_of_.find(type);
-    if (members == members_of_.end()) continue;
+    // Of a flow's persons each is named where anything tells their types.
+    const auto next = persons_.lower_bound(person + ".");
+    const bool told = next != persons_.end() && next->first.starts_with(person + ".");
+    if (members == members_of_.end() || told) continue;
     const auto differs = [&](const std::string& member) {
       const auto one = of_type(member), first = of_type(type);
       return one && first && (one->length != first->length || one->width != first->width);

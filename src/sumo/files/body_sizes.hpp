@@ -60,7 +60,6 @@ class BodySizes {
   std::unordered_map<std::string, Type> types_;
   std::unordered_map<std::string, std::vector<std::string>> members_of_;  ///< distribution -> types
   std::map<std::string, std::string> persons_;  ///< person or flow -> type
-  bool told_ = false;                           ///< SUMO's outputs have named persons' types
   std::string distribution_;                    ///< that encloses what is visited
   int distribution_depth_ = -1;
   Type* visited_ = nullptr;  ///< the type that was visited last

@@ -19,10 +19,10 @@ import argparse
 import itertools
 import statistics
 import sys
-import tempfile
+from functools import partial
 from pathlib import Path
 
-from junction import Run, call
+from junction import Run, call, judge
 
 LONGER, MORE, DRIVEN = 0.25, 5.0, 0.25  # share and [s] of walks; share of drives
 END = 2000  # [s]
@@ -121,17 +121,10 @@ def main():
     parser.add_argument("--steps", default="0.1,1")
     parser.add_argument("--keep", help="folder for networks and outputs")
     asked = parser.parse_args()
-    failed = False
-    cases = itertools.product(asked.scenes.split(","), asked.steps.split(","),
-                              asked.seeds.split(","))
-    with tempfile.TemporaryDirectory() as work:
-        for name, step, seed in cases:
-            folder = Path(asked.keep or work).resolve() / f"{name}-{step}-{seed}"
-            for line in compare(Path(asked.pedzone).resolve(), folder, name, int(seed),
-                                float(step)):
-                failed = True
-                print(f"  WRONG: {line}")
-    return 1 if failed else 0
+    cases = {f"{name}-{step}-{seed}": (name, int(seed), float(step))
+             for name, step, seed in itertools.product(
+                 asked.scenes.split(","), asked.steps.split(","), asked.seeds.split(","))}
+    return judge(cases, asked.keep, partial(compare, Path(asked.pedzone).resolve()))
 
 
 if __name__ == "__main__":

@@ -103,6 +103,18 @@ def run_both(pedzone, folder, *options):
     return plain, ours
 
 
+def judge(cases, keep, compare):
+    """Exit code of a test: 1 where compare(folder, *case) finds something wrong. `cases`: by the name of
+    a folder each, in `keep` or one that is removed."""
+    failed = False
+    with tempfile.TemporaryDirectory() as work:
+        for name, case in cases.items():
+            for line in compare(Path(keep or work).resolve() / name, *case):
+                failed = True
+                print(f"  WRONG: {line}")
+    return 1 if failed else 0
+
+
 def all_contacts(folder):
     """What check_run.py finds of them."""
     done = subprocess.run([sys.executable, str(CHECK), str(folder / "s.sumocfg"),

@@ -20,13 +20,13 @@ import json
 import math
 import statistics
 import sys
-import tempfile
 import xml.etree.ElementTree as xml
 from bisect import bisect_right
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
-from junction import Run, call
+from junction import Run, call, judge
 
 FLOWS, END = 600, 1000  # [s]
 RADIUS, WIDTH = 25, 2.4  # [m]
@@ -204,16 +204,10 @@ def main():
     parser.add_argument("--model", help="walking model")
     parser.add_argument("--keep", help="folder for networks and outputs")
     asked = parser.parse_args()
-    failed = False
-    cases = itertools.product(SCENES, asked.steps.split(","), asked.seeds.split(","))
-    with tempfile.TemporaryDirectory() as work:
-        for scene, step, seed in cases:
-            folder = Path(asked.keep or work).resolve() / f"{scene.name}-{step}-{seed}"
-            for line in compare(Path(asked.pedzone).resolve(), folder, scene, int(seed),
-                                float(step), asked.model):
-                failed = True
-                print(f"  WRONG: {line}")
-    return 1 if failed else 0
+    cases = {f"{scene.name}-{step}-{seed}": (scene, int(seed), float(step), asked.model)
+             for scene, step, seed in itertools.product(SCENES, asked.steps.split(","),
+                                                        asked.seeds.split(","))}
+    return judge(cases, asked.keep, partial(compare, Path(asked.pedzone).resolve()))
 
 
 if __name__ == "__main__":

@@ -89,6 +89,24 @@ TEST_F(Streets, need_ground_on_both_sides) {
   EXPECT_THAT(one_side.warnings, ElementsAre(HasSubstr("crossing=\"anywhere\" changes nothing")));
 }
 
+TEST_F(Streets, are_not_open_where_vehicles_appear) {
+  Network town = town_;
+  const Edge& eastward = town.edges[town.edge_index.at("eastward")];
+  town.junctions[town.junction_index.at(eastward.from)].street_end = true;
+  const std::vector<pedzone::Street> streets = zone(town, {"eastward", "westward"}).streets;
+  ASSERT_THAT(streets, SizeIs(1));
+  const double end = streets[0].place(town.lanes[eastward.lanes[0]].shape.front()).s;
+  const double inwards = end < 100.0 ? 1.0 : -1.0;
+  EXPECT_TRUE(zone_.streets[0].at(end + inwards * 14.0).open);
+  EXPECT_FALSE(streets[0].at(end + inwards * 14.0).open);
+  EXPECT_TRUE(streets[0].at(end + inwards * 16.0).open);
+  // The lanes beside may all be for vehicles.
+  for (const int lane : town.edges[town.edge_index.at("westward")].lanes) {
+    town.lanes[lane].persons = false;
+  }
+  EXPECT_THAT(zone(town, {"eastward"}).streets, IsEmpty());
+}
+
 TEST_F(Streets, are_not_open_near_a_signalled_crossing) {
   Network network = town_;
   network.edges[network.edge_index.at(":west_c1")].signalled = true;
