@@ -105,6 +105,14 @@ class PersonCalls final : public SumoPersons {
                           kKeepRoute, kMatch);
   }
 
+  void put_on(const std::string& id, const LaneMove& move) override {
+    if (move.lateral) {
+      api::Person::moveTo(id, move.lane, move.position, *move.lateral);
+    } else {
+      api::Person::moveTo(id, move.lane, move.position);
+    }
+  }
+
   bool release(const std::string& id, const ReleasePlan& plan) override {
     // SUMO would show a stop of 0 s in tripinfo where the last stage is removed.
     if (plan.remove_stage && stages_left(id) == 1) {
@@ -113,13 +121,7 @@ class PersonCalls final : public SumoPersons {
     }
     if (plan.remove_stage) api::Person::removeStage(id, 0);
     if (plan.begin_anew) api::Person::replaceStage(id, 0, api::Person::getStage(id));
-    for (const LaneMove& move : plan.moves) {
-      if (move.lateral) {
-        api::Person::moveTo(id, move.lane, move.position, *move.lateral);
-      } else {
-        api::Person::moveTo(id, move.lane, move.position);
-      }
-    }
+    for (const LaneMove& move : plan.moves) put_on(id, move);
     return false;
   }
 };

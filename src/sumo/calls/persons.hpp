@@ -51,6 +51,10 @@ class SumoPersons {
   /// As show(), but on the nearest lane of its route, for one step: in the next one it is to be
   /// released or shown.
   virtual void land(const std::string& id, const Vec2& position, double heading) = 0;
+  /// To be followed by show(): SUMO has it on that lane from now on, and counts it among those who
+  /// walk there until the end of the next step. `move` is to be where SUMO has it: a client that
+  /// asks before the step would find it elsewhere.
+  virtual void put_on(const std::string& id, const LaneMove& move) = 0;
   /// It is SUMO's again. True: its plan is over and SUMO knows it no more.
   virtual bool release(const std::string& id, const ReleasePlan& plan) = 0;
 };

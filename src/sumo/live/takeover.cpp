@@ -29,6 +29,7 @@ Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
       zone_of_edge_(zones_of_edges(network, zones)),
       entries_(entries_of_zones(network, zone_of_edge_)),
       bystanders_(zones),
+      edge_teller_(network, sumo),
       seen_(zones.size()) {}
 
 void Takeover::read(double time, const Fleet& fleet) {
@@ -236,6 +237,7 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
   guest.id = walker.id;
   guest.zone = zone;
   guest.stretch = plan.stretch;
+  guest.edges = plan.edges;
   guest.watch.plan = plan.plan;
   guest.radius = walker.radius;
   const auto told = walk_speeds_.of(walker.id, walker.stages_left, walker.length);
@@ -296,6 +298,7 @@ void Takeover::list_jams(double time) {
 void Takeover::write(double time, double dt, const Fleet& fleet) {
   list_jams(time);
   dt_ = dt;
+  edge_teller_.begin_step(dt);
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     totals_.walk(guest.position, view, guest.preferred_speed, dt);
@@ -310,6 +313,8 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     } else if (lands) {
       sumo_.land(guest.id, view.position, view.heading);
     } else {
+      edge_teller_.tell(guest.id, guest.edges, guest.position, guest.radius, guest.preferred_speed,
+                        fleet, bystanders_);
       sumo_.show(guest.id, view.position, view.heading);
     }
     guest.landed = lands;

@@ -21,6 +21,7 @@
 
 #include "sumo/calls/persons.hpp"
 #include "sumo/files/walk_speeds.hpp"
+#include "sumo/live/edge_teller.hpp"
 #include "sumo/live/person_colour.hpp"
 #include "sumo/plan/bystanders.hpp"
 #include "sumo/plan/outside_drivers.hpp"
@@ -38,6 +39,7 @@ struct Guest {
   int zone = 0;  ///< index into the zones
   Crowd::Handle handle = 0;
   ZoneStretch stretch;
+  EdgesWalked edges;             ///< of it
   PlanWatch watch;               ///< of SUMO's plan for it
   Vec2 position = Vec2::Zero();  ///< [m] at SUMO's present time
   double radius = 0.24;          ///< [m]
@@ -136,6 +138,7 @@ class Takeover {
   std::vector<bool> entries_;      ///< of edges: people come from there to a zone
   double dt_ = 0.0;                ///< [s] of the last step
   Bystanders bystanders_;
+  EdgeTeller edge_teller_;
   std::vector<Guest> guests_;  ///< in order of takeover
   std::unordered_map<std::string, std::size_t> guest_index_;
   std::unordered_map<std::string, PersonPast> past_;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <set>
-#include <span>
 
 #include "core/random.hpp"
 #include "sumo/plan/late_braking.hpp"
+#include "sumo/plan/route_way.hpp"
 #include "sumo/plan/yield_plan.hpp"
 #include "zone/lane_geometry.hpp"
 #include "zone/links.hpp"
@@ -56,61 +56,6 @@ bool is_reachable_over_a_street(const Zone& zone, const Vec2& from, const Vec2& 
   });
 }
 
-/// Where [m] SUMO's route comes from one edge of the stretch to the next, from `from` on
-/// route[index] on: the end of the one and the begin of the other by turns. Where a walk begins
-/// with both sides of a street SUMO walks it by the end that is less of a way.
-std::vector<Vec2> ends_of_edges(const Network& network, const ZoneStretch& stretch,
-                                const std::vector<int>& route, int index, const Vec2& from) {
-  const Vec2 goal = 0.5 * (stretch.destination.a + stretch.destination.b);
-  const auto way_by_end = [&](const Vec2& end) {
-    return (end - from).norm() + (goal - end).norm();
-  };
-  std::vector<Vec2> ends;
-  for (int k = index; k < stretch.last; ++k) {
-    const Edge& here = network.edges[route[k]];
-    const Edge& next = network.edges[route[k + 1]];
-    const Polyline& shape = network.lanes[walking_lane(network, route[k])].shape;
-    const Polyline& after = network.lanes[walking_lane(network, route[k + 1])].shape;
-    const bool at_end = leaves_forward(network, k > 0 ? route[k - 1] : -1, route[k], route[k + 1])
-                            .value_or(way_by_end(shape.back()) < way_by_end(shape.front()));
-    const std::string& junction = at_end ? here.to : here.from;
-    ends.push_back(at_end ? shape.back() : shape.front());
-    ends.push_back(next.from == junction ? after.front() : after.back());
-  }
-  return ends;
-}
-
-/// [m] from one place to another by those in between.
-double way_by(const Vec2& from, std::span<const Vec2> between, const Vec2& to) {
-  double length = 0.0;
-  Vec2 at = from;
-  for (const Vec2& place : between) {
-    length += (place - at).norm();
-    at = place;
-  }
-  return length + (to - at).norm();
-}
-
-/// What somebody comes by, who takes the route for its own sake: the ends of its edges, where the
-/// crowd's way from `from` to `goal` would be far shorter. There and back, round a block.
-std::vector<Waypoint> round_of(const Network& network, const Zone& zone, const Vec2& from,
-                               std::span<const Vec2> ends, const std::vector<int>& route, int index,
-                               const Vec2& goal) {
-  constexpr double kFar = 30.0;     // [m] assumed: nobody cuts a corner by so much ...
-  constexpr double kShorter = 0.5;  // assumed: ... and leaves so much of its way
-  const double whole = way_by(from, ends, goal);
-  const double least = std::min(kShorter * whole, whole - kFar);
-  if ((goal - from).norm() >= least || zone.ways.distance(from, goal) >= least) return {};
-  std::vector<Waypoint> round;
-  for (std::size_t k = 0; k < ends.size(); k += 2) {
-    const int lane = walking_lane(network, route[index + static_cast<int>(k / 2)]);
-    constexpr double kBeside = 1.0;  // [m] assumed: of the lane, that is as good
-    round.push_back({zone.walls.nearest_inside(ends[k], kWayClearance),
-                     0.5 * network.lanes[lane].width + kBeside});
-  }
-  return round;
-}
-
 /// The walk of a person on route[index]; nothing where pedzone cannot take it over.
 /// `walked_until_now`: as of plan_takeover(); how much of the route it has behind it is not known
 /// then.
@@ -123,14 +68,13 @@ std::optional<TakeoverPlan> plan_walk(const Network& network, const Zone& zone,
   if ((inside - walker.position).norm() > kStray) return std::nullopt;
   const Vec2 goal = 0.5 * (stretch->destination.a + stretch->destination.b);
   TakeoverPlan plan{*stretch, inside};
-  const std::vector<Vec2> ends = ends_of_edges(network, *stretch, route, index, walker.position);
+  const RoutePart part{network, zone, route, index, stretch->last, inside, goal};
+  const std::vector<Vec2> ends = ends_of_edges(part);
   if (zone.ways.has_way(inside, goal)) {
-    if (!walked_until_now) {
-      plan.round = round_of(network, zone, inside, ends, route, index, goal);
-    }
+    if (!walked_until_now) plan.round = waypoints_of(part, ends);
   } else {
     if (!is_reachable_over_a_street(zone, inside, goal)) return std::nullopt;
-    plan.by_junctions = way_by(walker.position, ends, goal);
+    plan.by_junctions = length_by(part, ends);
   }
   return plan;
 }
@@ -213,6 +157,7 @@ std::optional<TakeoverPlan> plan_takeover(const Network& network, const Zone& zo
   }
   past.refused_edge = -1;
   plan->plan = past.plan;
+  plan->edges = EdgesWalked(network, route, index, plan->stretch.last);
   // SUMO walks people through vehicles. Whom it brings here inside one is put beside it. (Whom the
   // crowd walked until now is where the crowd put it.)
   const bool departs = index == 0 && walker.speed == 0.0;
@@ -265,6 +210,7 @@ std::optional<EntryPlan> plan_entry(const Network& network, const std::vector<Zo
   auto plan = plan_walk(network, zones[zone], route, next, walker, walked_until_now);
   if (!plan) return std::nullopt;
   plan->plan = past.plan;
+  plan->edges = EdgesWalked(network, route, index, plan->stretch.last);
   plan->from_sumo = !walked_until_now;
   plan->place_freely = plan->from_sumo && fleet.touches(plan->start, walker.radius);
   return EntryPlan{zone, *plan};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sumo/files/hint_values.hpp"
+#include "sumo/plan/edges_walked.hpp"
 #include "sumo/plan/fleet.hpp"
 #include "sumo/plan/zone_route.hpp"
 
@@ -40,6 +41,7 @@ struct PersonPast {
 struct TakeoverPlan {
   ZoneStretch stretch;
   Vec2 start = Vec2::Zero();      ///< [m] inside the walls
+  EdgesWalked edges{};            ///< of the stretch
   std::size_t plan = 0;           ///< number of SUMO's plan for it
   double by_junctions = kNoWay;   ///< [m] as NewPerson
   std::vector<Waypoint> round{};  ///< what its route comes by, where that is a long way round

@@ -1,0 +1,48 @@
+#include "sumo/live/edge_teller.hpp"
+
+#include <algorithm>
+
+namespace pedzone {
+namespace {
+
+constexpr double kFaster = 1.5;   // numerical: than it likes to; SUMO's walk faster by a tenth
+constexpr double kFromEnd = 0.5;  // [m] numerical
+constexpr double kOthers = 2.0;   // [m] numerical: SUMO's do not meet it in a step
+constexpr double kVehicleSide =
+    0.5;  // [m] numerical: beside those that SUMO would brake for it ...
+constexpr double kVehicleLook = 5.0;  // [s] assumed: ... so long before they come
+
+}  // namespace
+
+void EdgeTeller::begin_step(double dt) {
+  dt_ = dt;
+  taken_.clear();
+}
+
+/// For the step that follows it is one of SUMO's on the lane, and SUMO's vehicles and people mind
+/// it: it must not be in their way, nor in that of another one who is put there.
+bool EdgeTeller::is_free(const Lane& lane, const Vec2& position, double radius, const Fleet& fleet,
+                         Bystanders& others) const {
+  if (taken_.contains(lane.id)) return false;
+  const double room = radius + kVehicleSide;
+  if (lane.vehicles && (fleet.approaches(position, room, kVehicleLook) ||
+                        fleet.waiting_beside(position, room) != nullptr)) {
+    return false;
+  }
+  return std::ranges::none_of(others.all(), [&](const Bystander& other) {
+    return other.near && !other.guest && (other.position - position).norm() < kOthers;
+  });
+}
+
+void EdgeTeller::tell(const std::string& id, EdgesWalked& edges, const Vec2& position,
+                      double radius, double speed, const Fleet& fleet, Bystanders& others) {
+  const auto move = edges.come_to(network_, position, kFaster * speed * dt_ + kFromEnd);
+  if (!move) return;
+  const Lane& lane = network_.lanes[network_.lane_index.at(move->lane)];
+  if (!is_free(lane, position, radius, fleet, others)) return;
+  sumo_.put_on(id, *move);
+  edges.be_on(network_, *move);
+  taken_.insert(lane.id);
+}
+
+}  // namespace pedzone

@@ -1,0 +1,34 @@
+// On which edge of its walk SUMO is told that somebody is whom pedzone walks: plans over plain
+// values. Without it SUMO would have the person on the edge of its takeover until it is given back,
+// and whoever looks for people near a vehicle, or on an edge, would not find it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sumo/plan/release_plan.hpp"
+
+namespace pedzone {
+
+/// The edges that pedzone walks somebody along.
+class EdgesWalked {
+ public:
+  EdgesWalked() = default;
+  /// `route`: Network edges of its walk. SUMO has it on route[first]; pedzone walks it up to
+  /// route[last].
+  EdgesWalked(const Network& network, const std::vector<int>& route, int first, int last);
+
+  /// Another one that it has come to: its lane is nearer to `position` [m], where SUMO has the
+  /// person, than that of the edge on which SUMO has it. The call puts it there, at that place. For
+  /// the step that follows SUMO walks the person on that lane: it gets at most `step` [m] ≥ 0 far,
+  /// and must not come to the lane's end. Nothing where there is no such edge, or not yet.
+  std::optional<LaneMove> come_to(const Network& network, const Vec2& position, double step) const;
+
+  /// SUMO has been told so.
+  void be_on(const Network& network, const LaneMove& told);
+
+ private:
+  std::vector<int> lanes_;  ///< that it walks on; the first is SUMO's
+};
+
+}  // namespace pedzone

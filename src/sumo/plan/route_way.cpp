@@ -1,0 +1,175 @@
+#include "sumo/plan/route_way.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "zone/lane_geometry.hpp"
+
+namespace pedzone {
+namespace {
+
+constexpr double kFar = 30.0;      // [m] assumed: nobody cuts a corner by so much ...
+constexpr double kShorter = 0.5;   // assumed: ... and leaves so much of its way
+constexpr double kShortCut = 0.9;  // assumed: so much shorter a way over open space is taken
+constexpr double kStreets = 0.7;   // assumed: no open space, where so much of it is edges; the
+                                   // rest are junctions
+constexpr double kLook = 5.0;      // [m] numerical: apart are the places looked at
+constexpr double kSameSide = 5.0;  // [m] assumed: so far from an edge somebody is still on it
+constexpr double kBeside = 1.0;    // [m] assumed: of the lane, that is as good
+
+Waypoint waypoint_on(const RoutePart& part, int k, const Vec2& place) {
+  const Lane& lane = part.network.lanes[walking_lane(part.network, part.route[k])];
+  return {part.zone.walls.nearest_inside(place, kWayClearance), 0.5 * lane.width + kBeside};
+}
+
+std::vector<Waypoint> by_ends(const RoutePart& part, const std::vector<Vec2>& ends) {
+  std::vector<Waypoint> path;
+  for (std::size_t k = 0; k < ends.size(); k += 2) {
+    path.push_back(waypoint_on(part, part.first + static_cast<int>(k / 2), ends[k]));
+  }
+  return path;
+}
+
+/// The crowd's way by places that it is made to come by.
+class WayBy {
+ public:
+  WayBy(const WayFinder& ways, const Vec2& from, const Vec2& to) : ways_(ways) {
+    const auto way = piece(from, to);
+    if (way) pieces_ = {*way};
+  }
+
+  bool exists() const { return !pieces_.empty(); }
+
+  double length() const {
+    double sum = 0.0;
+    for (const Polyline& piece : pieces_) sum += length_of(piece);
+    return sum;
+  }
+
+  /// Whether a place on it every kLook is where `is_such` says, by the share of them.
+  template <typename Predicate>
+  double share(const Predicate& is_such) const {
+    int such = 0, all = 0;
+    for (const Polyline& piece : pieces_) {
+      LineWalk walk(piece);
+      for (double at = 0.0; at < length_of(piece); at += kLook, ++all) {
+        such += is_such(walk.to(at).point) ? 1 : 0;
+      }
+    }
+    return static_cast<double>(such) / std::max(1, all);
+  }
+
+  /// The place [m] on it that is nearest to a point.
+  Vec2 nearest(const Vec2& point) const {
+    Vec2 best = pieces_.front().front();
+    for (const Polyline& piece : pieces_) {
+      const Vec2 at = point_on(piece, project_on(piece, point).offset).point;
+      if ((at - point).norm() < (best - point).norm()) best = at;
+    }
+    return best;
+  }
+
+  /// Its last piece leads by that place from now on. False where there is no way.
+  bool lead_by(const Vec2& place) {
+    const auto there = piece(pieces_.back().front(), place);
+    const auto on = piece(place, pieces_.back().back());
+    if (!there || !on) return false;
+    pieces_.back() = *there;
+    pieces_.push_back(*on);
+    return true;
+  }
+
+ private:
+  std::optional<Polyline> piece(const Vec2& from, const Vec2& to) const {
+    auto way = ways_.way(from, to);
+    if (way) way->insert(way->begin(), from);
+    return way;
+  }
+
+  const WayFinder& ways_;
+  std::vector<Polyline> pieces_;
+};
+
+/// Whether somebody on that way walks along the street that the place is in.
+bool comes_along(const Zone& zone, const WayBy& way, const Vec2& place) {
+  const Vec2 nearest = way.nearest(place);
+  return (nearest - place).norm() <= kSameSide || zone.walls.free_line(nearest, place);
+}
+
+/// Whether a way leads along edges of the zone, as the route could have done. Else it is a short
+/// cut that SUMO's network does not have.
+bool is_along_edges(const RoutePart& part, const WayBy& way) {
+  const auto is_on_edge = [&](const Vec2& place) {
+    return std::ranges::any_of(part.zone.edges, [&](int edge) {
+      const Lane& lane = part.network.lanes[walking_lane(part.network, edge)];
+      const Vec2 on = point_on(lane.shape, project_on(lane.shape, place).offset).point;
+      return (on - place).norm() <= 0.5 * lane.width + kBeside;
+    });
+  };
+  return way.share(is_on_edge) >= kStreets;
+}
+
+/// As waypoints_of(), of a route of that length [m].
+std::vector<Waypoint> by_missed_edges(const RoutePart& part, double length) {
+  WayBy way(part.zone.ways, part.from, part.to);
+  if (!way.exists()) return {};
+  std::vector<Waypoint> path;
+  for (int k = part.first + 1; k < part.last; ++k) {
+    const Lane& lane = part.network.lanes[walking_lane(part.network, part.route[k])];
+    const Waypoint middle = waypoint_on(part, k, point_on_lane(lane, 0.5 * lane.length).point);
+    if (comes_along(part.zone, way, middle.at)) continue;
+    const bool is_shorter = path.empty() && way.length() < kShortCut * length;
+    if (is_shorter && !is_along_edges(part, way)) return {};
+    if (way.lead_by(middle.at)) path.push_back(middle);
+  }
+  // The edges' middles are no places to come by: the zone has another form than the network.
+  return kShortCut * way.length() > length ? std::vector<Waypoint>{} : path;
+}
+
+}  // namespace
+
+std::vector<Vec2> ends_of_edges(const RoutePart& part) {
+  const Network& network = part.network;
+  const std::vector<int>& route = part.route;
+  const auto way_by_end = [&](const Vec2& end) {
+    return (end - part.from).norm() + (part.to - end).norm();
+  };
+  std::vector<Vec2> ends;
+  for (int k = part.first; k < part.last; ++k) {
+    const Edge& here = network.edges[route[k]];
+    const Edge& next = network.edges[route[k + 1]];
+    const Polyline& shape = network.lanes[walking_lane(network, route[k])].shape;
+    const Polyline& after = network.lanes[walking_lane(network, route[k + 1])].shape;
+    const bool at_end = leaves_forward(network, k > 0 ? route[k - 1] : -1, route[k], route[k + 1])
+                            .value_or(way_by_end(shape.back()) < way_by_end(shape.front()));
+    const std::string& junction = at_end ? here.to : here.from;
+    ends.push_back(at_end ? shape.back() : shape.front());
+    ends.push_back(next.from == junction ? after.front() : after.back());
+  }
+  return ends;
+}
+
+double length_by(const RoutePart& part, const std::vector<Vec2>& ends) {
+  double length = 0.0;
+  Vec2 at = part.from;
+  for (const Vec2& place : ends) {
+    length += (place - at).norm();
+    at = place;
+  }
+  return length + (part.to - at).norm();
+}
+
+std::vector<Waypoint> waypoints_of(const RoutePart& part, const std::vector<Vec2>& ends) {
+  const double length = length_by(part, ends);
+  const double far_shorter = std::min(kShorter * length, length - kFar);
+  const double straight = (part.to - part.from).norm();
+  if (straight < far_shorter && part.zone.ways.distance(part.from, part.to) < far_shorter) {
+    return by_ends(part, ends);
+  }
+  // Where people cross streets anywhere they choose their side.
+  if (!part.zone.streets.empty() || part.last < part.first + 2) return {};
+  return by_missed_edges(part, length);
+}
+
+}  // namespace pedzone
