@@ -24,20 +24,20 @@ std::string line_of(const Sentence& sentence) {
 /// What was found of one model: in its only condition, or over all.
 std::string findings(const Plan& plan, const std::vector<Comparison>& comparisons,
                      const std::string& model) {
-  std::vector<Comparison> primary;
+  std::vector<Comparison> own;
   for (const Comparison& one : comparisons) {
-    if (one.model == model && find_measure(one.measure)->primary) primary.push_back(one);
+    if (one.model == model) own.push_back(one);
   }
   std::vector<Sentence> different;
   if (plan.conditions.size() == 1) {
-    different = verdict_of(primary).different;
+    different = verdict_of(own).different;
   } else {
     for (const Measure& measure : measure_list()) {
-      if (measure.primary) different.push_back(overall_sentence(primary, measure.key));
+      if (measure.primary) different.push_back(overall_sentence(own, measure.key));
     }
     std::erase_if(different, [](const Sentence& sentence) { return sentence.head.empty(); });
   }
-  std::string text = line_of(summary_sentence(primary, plan.study.reference));
+  std::string text = line_of(summary_sentence(own, plan.study.reference));
   if (different.empty()) return text;
   text += fmt::format("{} instead of {}:\n", model, plan.study.reference);
   for (const Sentence& sentence : different) text += line_of(sentence);
@@ -48,7 +48,7 @@ std::string findings(const Plan& plan, const std::vector<Comparison>& comparison
 std::string verdict(const Plan& plan, const std::vector<Comparison>& comparisons,
                     const std::vector<FreeSpeed>& speeds) {
   std::string text;
-  for (const Sentence& sentence : cut_off_sentences(comparisons, plan)) text += line_of(sentence);
+  for (const Sentence& sentence : warning_sentences(comparisons, plan)) text += line_of(sentence);
   for (const Sentence& sentence : free_speed_sentences(speeds, plan)) text += line_of(sentence);
   for (const std::string& model : plan.study.models) {
     if (model != plan.study.reference) text += findings(plan, comparisons, model);

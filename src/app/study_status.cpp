@@ -30,6 +30,7 @@ struct StudyState {
   Plan plan;
   Records records;
   RunCounts counts;
+  OutdatedRuns outdated;
   double left_s = 0.0;  ///< [s] of one core's time; 0: not known
   std::string holder;   ///< who is at work; empty: nobody
   std::vector<std::string> slurm;
@@ -38,9 +39,10 @@ struct StudyState {
 StudyState state_of(const std::string& results) {
   const Store store = Store::open(results);
   StudyState state{
-      store, store.plan(), {}, {}, 0.0, lock_holder(store.folder()), slurm_lines(store)};
+      store, store.plan(), {}, {}, {}, 0.0, lock_holder(store.folder()), slurm_lines(store)};
   state.records = store.records(state.plan);
   state.counts = count_runs(state.records);
+  state.outdated = store.outdated_runs(state.plan);
   state.left_s = time_left(state.records, state.counts);
   return state;
 }
@@ -63,12 +65,19 @@ std::vector<RunTrouble> troubles_of(const StudyState& state) {
   return troubles;
 }
 
+/// Why runs that were done are missing.
+std::string outdated_text(const OutdatedRuns& outdated) {
+  return fmt::format("{} of those missing {} done, but {} has changed since, or is gone.",
+                     outdated.count, outdated.count == 1 ? "was" : "were", outdated.file);
+}
+
 std::string state_text(const StudyState& state) {
   const RunCounts& counts = state.counts;
   std::string text =
       fmt::format("{}: {} runs\n  done    {:6}\n  failed  {:6}\n  killed  {:6}\n  missing {:6}\n",
                   state.plan.study.id, state.records.size(), counts.done, counts.failed,
                   counts.killed, counts.missing);
+  if (state.outdated.count > 0) text += outdated_text(state.outdated) + "\n";
   if (state.left_s > 0.0) {
     text += fmt::format("About {} of one core's time left.\n", clock_text(state.left_s));
   }
@@ -86,6 +95,7 @@ std::string state_json(const StudyState& state) {
                                  {"runs", state.records.size()}, {"done", counts.done},
                                  {"failed", counts.failed},      {"killed", counts.killed},
                                  {"missing", counts.missing}};
+  json["outdated"] = state.outdated.count;
   json["left_s"] = state.left_s > 0.0 ? nlohmann::ordered_json(state.left_s) : nullptr;
   json["at_work"] =
       state.holder.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(state.holder);
@@ -112,6 +122,14 @@ int report(const std::string& results) {
   const Store store = Store::open(results);
   const Plan plan = store.plan();
   const Records records = store.records(plan);
+  const OutdatedRuns outdated = store.outdated_runs(plan);
+  const RunCounts counts = count_runs(records);
+  if (outdated.count > 0 && counts.done == 0) {
+    throw InputError("has changed since all runs were made, or is gone",
+                     {.file = outdated.file,
+                      .allowed = "as it was; or pedzone study run, which makes them anew"});
+  }
+  if (outdated.count > 0) print_warning(outdated_text(outdated));
   write_results(store, plan, records);
   return count_runs(records).failed > 0 ? kExitSomeFailed : 0;
 }

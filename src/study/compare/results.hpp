@@ -31,9 +31,10 @@ std::string_view finding_name(Finding finding);
 
 /// What the end of the runs leaves of a difference of times.
 enum class Bound {
-  kExact,    ///< all of it: as many have arrived with both, to 5 points
+  kExact,    ///< all of it: as many have arrived with both, to 5 points, and four of five at least
   kAtLeast,  ///< who has fewer arrivals has the longer times, and they would have grown
-  kUnknown,  ///< who has fewer arrivals has the shorter times: they may not be shorter
+  kUnknown,  ///< who has fewer arrivals has the shorter times: they may not be shorter; or few
+             ///< have arrived with both
 };
 
 /// As in the tables: exact, atLeast, unknown.
@@ -61,13 +62,14 @@ struct Comparison {
 /// Sets Comparison::bound of one model's comparisons in one condition.
 void mark_cut_off(std::span<Comparison> of_model);
 
-/// Shares of people that have arrived by the end of the runs, more than 5 points apart.
+/// Shares of people that have arrived by the end of the runs: more than 5 points apart, or small.
 struct CutOff {
   double reference = 0.0, model = 0.0;  ///< means
+  bool apart = true;                    ///< by more than 5 points
   std::optional<double> end;            ///< [s] with which nearly all would arrive in every run,
                                         ///< rounded up; unset: in some runs nobody arrives any more
 };
-/// Unset where they are not so far apart.
+/// Unset where they are neither.
 std::optional<CutOff> cut_off(std::span<const Comparison> of_model);
 
 /// Fewer pairs make no test: PairedDifference::p is unset.

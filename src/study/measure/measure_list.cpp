@@ -100,6 +100,10 @@ constexpr Measure kMeasures[] = {
      false},
     {"vehicle.count", "Vehicles", "", "Due to depart before the end of the run.", "Vehicles",
      false},
+    {"vehicle.teleports", "Teleports", "",
+     "Times that SUMO put a vehicle farther on, since it had stood for too long or had collided. "
+     "That shortens travel times.",
+     "Vehicles", false},
     {"conflict.count", "Conflicts", "",
      "Encounters in the zone with a vehicle that moves at more than 0.5 m/s: with TTC < 3 s, "
      "PET < 2 s or DRAC > 3 m/s², and contacts. Each is judged at its contact, else at its least "

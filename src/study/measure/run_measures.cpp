@@ -10,10 +10,10 @@
 #include "study/measure/conflict_measures.hpp"
 #include "study/measure/crowding.hpp"
 #include "study/measure/demand_signature.hpp"
-#include "study/measure/jam_count.hpp"
 #include "study/measure/push_measures.hpp"
 #include "study/measure/run_series.hpp"
 #include "study/measure/street_crossings.hpp"
+#include "study/measure/sumo_counts.hpp"
 #include "study/measure/trip_measures.hpp"
 #include "study/measure/vehicle_stops.hpp"
 #include "study/measure/zone_stays.hpp"
@@ -160,7 +160,7 @@ RunMeasures measure_run(const RunOutputs& outputs, const Place& place) {
   observer.finish(measures.values);
   settle(trips, observer.end());
   measure_trips(trips, observer.end(), measures.values);
-  count_jams(outputs.folder, measures.values);
+  take_sumo_counts(outputs.folder, measures.values);
   measure_pushes(outputs.folder, measures.values);
   if (!trips.vehicles.empty()) {
     measures.values["vehicle.stops"] =

@@ -44,13 +44,15 @@ std::string kind_of(const PersonTrip& person, const TraitReader& traits) {
 
 Json demand_of(const Input& input, const PlannedRun& run) {
   const std::string folder = input.store.run_folder(run.id);
-  const Trips trips = read_tripinfo(folder + "/tripinfo.xml");
+  Trips trips = read_tripinfo(folder + "/tripinfo.xml");
+  if (input.plan.study.end) settle(trips, *input.plan.study.end);
   const RecordingCast cast = run_cast(input.plan, run, folder);
   Kinds people, vehicles;
   for (const PersonTrip& one : trips.persons) ++people[kind_of(one, cast.traits)];
   for (const VehicleTrip& one : trips.vehicles) ++vehicles[plain_type(one.type)];
   return {{"name", input.plan.conditions[run.condition].name},
           {"people", kinds_text(people)},
+          {"seed", run.seed},
           {"vehicles", vehicles.empty() ? "none" : kinds_text(vehicles)}};
 }
 

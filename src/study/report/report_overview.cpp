@@ -126,7 +126,7 @@ Json condition_verdict(const Input& input, std::size_t condition, const std::str
 Json verdict_part(const Input& input) {
   const Plan& plan = input.plan;
   Json free = Json::array(), models = Json::array();
-  for (const Sentence& one : cut_off_sentences(input.comparisons, plan)) {
+  for (const Sentence& one : warning_sentences(input.comparisons, plan)) {
     free.push_back(sentence_json(one));
   }
   for (const Sentence& one : free_speed_sentences(input.speeds, plan)) {

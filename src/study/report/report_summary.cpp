@@ -1,4 +1,4 @@
-// The verdict on a model in one sentence, and what the end of the runs cuts off.
+// The verdict on a model in one sentence.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool is_main(const Comparison& one) {
 
 /// Why no difference is told.
 Sentence nothing_told(std::span<const Comparison> comparisons, const std::string& model) {
-  std::size_t main = 0, compared = 0, unsure = 0, pairs = 0;
+  std::size_t main = 0, compared = 0, unsure = 0, hints = 0, pairs = 0;
   for (const Comparison& one : comparisons) {
     if (!is_main(one)) continue;
     ++main;
@@ -54,54 +54,25 @@ Sentence nothing_told(std::span<const Comparison> comparisons, const std::string
     if (one.finding == Finding::kTooFew) continue;
     ++compared;
     unsure += one.finding == Finding::kInconclusive ? 1 : 0;
+    hints += one.finding == Finding::kHint && one.bound != Bound::kUnknown ? 1 : 0;
   }
   if (compared == 0) {
     const std::size_t more = kLeastPairs - std::min(pairs, kLeastPairs - 1);
     return {fmt::format("Too few seeds to tell what {} changes: run {} more", model, more),
             ". Nothing was compared."};
   }
+  const std::string all = count_text(main, "comparison", "comparisons");
+  if (hints > 0) {
+    return {fmt::format("Nothing is certain from {} with {}", count_text(pairs, "seed", "seeds"),
+                        model),
+            fmt::format(": {} of {} {}, no more. Run more seeds to tell.", hints, all,
+                        hints == 1 ? "is a hint" : "are hints")};
+  }
   Sentence sentence{fmt::format("No difference was found with {}", model), "."};
   if (unsure > 0) {
-    sentence.rest = fmt::format(", and for {} of {} there are too few seeds to tell.", unsure,
-                                count_text(main, "comparison", "comparisons"));
+    sentence.rest =
+        fmt::format(", and for {} of {} there are too few seeds to tell.", unsure, all);
   }
-  return sentence;
-}
-
-/// "62 %", or "62 % to 70 %" of several.
-std::string range_text(const std::vector<double>& shares) {
-  constexpr double kPercent = 100.0;
-  const auto [low, high] = std::ranges::minmax(shares);
-  const std::string least = percent_text(kPercent * low), most = percent_text(kPercent * high);
-  return least == most ? least : least + " to " + most;
-}
-
-Sentence cut_off_sentence(std::span<const CutOff> cuts, const std::string& model,
-                          const Plan& plan) {
-  std::vector<double> reference, own;
-  double end = 0.0;
-  bool gets_there = true;
-  for (const CutOff& cut : cuts) {
-    reference.push_back(cut.reference);
-    own.push_back(cut.model);
-    end = std::max(end, cut.end.value_or(0.0));
-    gets_there = gets_there && cut.end;
-  }
-  Sentence sentence;
-  sentence.tone = Sentence::Tone::kWarning;
-  sentence.head = "Warning: the end of the runs cuts off people's trips";
-  if (plan.conditions.size() > 1) {
-    sentence.head += fmt::format(" in {} of {} conditions", cuts.size(), plan.conditions.size());
-  }
-  sentence.rest = fmt::format(
-      ": by then {} of them have arrived with {}, {} with {}. Their times are told as "
-      "\u201cat least\u201d. ",
-      range_text(reference), plan.study.reference, range_text(own), model);
-  sentence.rest +=
-      gets_there ? fmt::format("end=\"{:.0f}\" in the study file would let nearly all arrive.", end)
-                 : std::string(
-                       "In some runs nobody arrives any more in their last quarter: "
-                       "no end may be late enough.");
   return sentence;
 }
 
@@ -109,6 +80,9 @@ Sentence cut_off_sentence(std::span<const CutOff> cuts, const std::string& model
 
 Sentence summary_sentence(std::span<const Comparison> comparisons, const std::string& reference) {
   if (comparisons.empty()) return {};
+  if (nobody_walked(comparisons)) {
+    return {"Nobody walked in the zones", ": nothing was compared.", Sentence::Tone::kWarning};
+  }
   const std::string& model = comparisons.front().model;
   const bool several = std::ranges::any_of(comparisons, [&](const Comparison& one) {
     return one.condition != comparisons.front().condition;
@@ -129,18 +103,6 @@ Sentence summary_sentence(std::span<const Comparison> comparisons, const std::st
   return {fmt::format("With {} instead of {}, {}", model, reference, joined(told)),
           fmt::format(". {} of {} main measures differ{}.", different, main,
                       several ? " in one condition or more" : "")};
-}
-
-std::vector<Sentence> cut_off_sentences(std::span<const Comparison> comparisons, const Plan& plan) {
-  std::vector<Sentence> sentences;
-  for (const std::string& model : plan.study.models) {
-    std::vector<CutOff> cuts;
-    for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
-      if (const auto cut = cut_off(comparisons_of(comparisons, i, model))) cuts.push_back(*cut);
-    }
-    if (!cuts.empty()) sentences.push_back(cut_off_sentence(cuts, model, plan));
-  }
-  return sentences;
 }
 
 }  // namespace pedzone::study

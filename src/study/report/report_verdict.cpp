@@ -165,7 +165,7 @@ Sentence cut_off_sentence(std::span<const Comparison> comparisons) {
   }
   if (items.empty()) return {};
   return {"Not to be told, as runs were cut off:",
-          " " + joined(items) + ". Fewer have arrived where times seem shorter."};
+          " " + joined(items) + ". Fewer have arrived where times seem shorter, or few with both."};
 }
 
 /// "in 2 of 3 conditions (−14 % to −3 %)", of those that `keep`s.

@@ -30,9 +30,12 @@ Sentence interaction_sentence(std::span<const Comparison> comparisons, const Fre
 /// are, or why none is told. `comparisons`: all of that model, in one condition or several.
 Sentence summary_sentence(std::span<const Comparison> comparisons, const std::string& reference);
 
-/// Where the end of the runs cuts off people's trips with one of two models: a warning for each
-/// model, with the `end` that would do.
-std::vector<Sentence> cut_off_sentences(std::span<const Comparison> comparisons, const Plan& plan);
+/// Whether nobody has walked in a zone by either model. `comparisons`: as summary_sentence().
+bool nobody_walked(std::span<const Comparison> comparisons);
+
+/// What throws doubt on all that is told of a model: nobody walked in the zones; the end of the
+/// runs cuts off people's trips, with the `end` that would do; SUMO teleported vehicles.
+std::vector<Sentence> warning_sentences(std::span<const Comparison> comparisons, const Plan& plan);
 
 /// One difference that was found: by how much, how sure.
 Sentence difference_sentence(const Comparison& comparison);

@@ -28,15 +28,15 @@ const std::string& FileSums::of(const std::string& file) {
   return known_.emplace(file, sha256_of_file(file)).first->second;
 }
 
-bool FileSums::match(const std::map<std::string, std::string>& sums) {
-  try {
-    for (const auto& [file, sum] : sums) {
-      if (of(file) != sum) return false;
+std::optional<std::string> FileSums::changed(const std::map<std::string, std::string>& sums) {
+  for (const auto& [file, sum] : sums) {
+    try {
+      if (of(file) != sum) return file;
+    } catch (const InputError&) {
+      return file;
     }
-  } catch (const InputError&) {
-    return false;  // it is gone
   }
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace pedzone::study

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace pedzone::study {
@@ -18,8 +19,10 @@ class FileSums {
   void learn(const std::map<std::string, std::string>& sums) {
     known_.insert(sums.begin(), sums.end());
   }
+  /// The first of these files that has another checksum, or is gone; unset: none.
+  std::optional<std::string> changed(const std::map<std::string, std::string>& sums);
   /// Whether all these files are there and have these checksums.
-  bool match(const std::map<std::string, std::string>& sums);
+  bool match(const std::map<std::string, std::string>& sums) { return !changed(sums); }
 
  private:
   std::map<std::string, std::string> known_;

@@ -117,6 +117,17 @@ bool is_done_alike(const std::string& folder, const std::string& other) {
   }
 }
 
+/// Unset where there is none, or one that was cut off where the machine lost its power.
+std::optional<RunRecord> record_in(const std::string& folder) {
+  const std::string file = folder + "/record.json";
+  if (!fs::exists(file)) return std::nullopt;
+  try {
+    return read_record(file);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 void check(const std::error_code& error, const std::string& what) {
   if (error) throw std::system_error(error, what);
 }
@@ -154,16 +165,23 @@ Records Store::records(const Plan& plan) const {
   Records records(plan.runs.size());
   FileSums sums;
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    const std::string file = run_folder(plan.runs[i].id) + "/record.json";
-    if (!fs::exists(file)) continue;
-    try {
-      RunRecord record = read_record(file);
-      if (sums.match(record.inputs)) records[i] = std::move(record);
-    } catch (const InputError&) {
-      // Cut off where the machine lost its power: as good as none.
-    }
+    auto record = record_in(run_folder(plan.runs[i].id));
+    if (record && sums.match(record->inputs)) records[i] = std::move(*record);
   }
   return records;
+}
+
+OutdatedRuns Store::outdated_runs(const Plan& plan) const {
+  OutdatedRuns outdated;
+  FileSums sums;
+  for (const PlannedRun& run : plan.runs) {
+    const auto record = record_in(run_folder(run.id));
+    const auto changed = record ? sums.changed(record->inputs) : std::nullopt;
+    if (!changed) continue;
+    ++outdated.count;
+    outdated.file = *changed;
+  }
+  return outdated;
 }
 
 std::string Store::run_folder(const std::string& run) const { return folder_ + "/runs/" + run; }

@@ -21,6 +21,12 @@ namespace pedzone::study {
 /// What the user names the directory with, for messages.
 inline constexpr const char* kOutOption = "--out";
 
+/// Runs that are done, but of other inputs than there are now.
+struct OutdatedRuns {
+  std::size_t count = 0;
+  std::string file;  ///< an input that has changed, or is gone; empty: none
+};
+
 class Store {
  public:
   /// Opens a study's directory to write runs, or makes it where it is missing or empty; holds its
@@ -39,6 +45,8 @@ class Store {
   Plan plan() const;
   /// The record of each run that is over and whose inputs have not changed.
   Records records(const Plan& plan) const;
+  /// Of the runs that are over, those of which an input has changed since.
+  OutdatedRuns outdated_runs(const Plan& plan) const;
   std::string run_folder(const std::string& run) const;  ///< absolute
 
   /// A new folder to make a run in; absolute. Throws std::system_error.

@@ -18,6 +18,10 @@ constexpr NumberRange kSpeeds{-1000.0, 1000.0};  // [m/s]
 /// Assumed, against `pedzone run`, which knows velocities: with 0.3 m directions lag too much.
 constexpr double kDirectionWay = 0.05;
 
+// Who walks so far [m] by their speeds, all together, and gets by less than that share of it, is
+// given in degrees. Numerical: a degree has 60 km at least, of those people live at.
+constexpr double kTold = 100.0, kLeastShare = 0.01;
+
 /// [m] one that is so much farther than its speed explains has been put there.
 constexpr double kJump = 1.0;
 
@@ -31,6 +35,7 @@ auto place_of(const auto& row) {
 
 void FcdReader::read(const std::string& file, const StepVisitor& visitor,
                      const ReadProgress& progress) {
+  file_ = file;
   visit_elements(
       file, "fcd-export",
       [&](const XmlElement& element) {
@@ -103,6 +108,10 @@ FcdReader::Row FcdReader::row_of(const XmlElement& element, bool person,
   if (mover.seen + 1 == step_ && mover.seen > 0) {
     const Vec2 moved = row.centre - mover.at;
     mover.way = mover.way * std::exp(-moved.norm() / kDirectionWay) + moved;
+    if (person) {
+      told_way_ += std::abs(row.speed) * (time_ - before_);
+      gone_way_ += moved.norm();
+    }
   } else {
     mover.way = unit(row.heading) * (row.speed < 0.0 ? -kDirectionWay : kDirectionWay);
   }
@@ -138,6 +147,10 @@ void FcdReader::add_samples(const Row& vehicle) {
 void FcdReader::end_step(const StepVisitor& visitor) {
   if (!in_step_) return;
   in_step_ = false;
+  if (told_way_ > kTold && gone_way_ < kLeastShare * told_way_) {
+    throw InputError("has places in degrees",
+                     {.file = file_, .allowed = "metres: SUMO without fcd-output.geo"});
+  }
   vehicle_samples_.clear();
   person_samples_.clear();
   for (const Row& row : vehicle_rows_) add_samples(row);

@@ -27,7 +27,7 @@ class FcdReader {
   /// Visits the time steps of a file, gzipped or not. Speeds are the file's; directions are those
   /// of the way gone in the last few centimetres, since angles are where bodies face. A person who
   /// is exactly where a vehicle is rides in it: so SUMO writes it. Throws InputError where the file
-  /// is missing, not fcd-output or broken off, and where a vehicle's type is not known.
+  /// is missing, not fcd-output or broken off, has places in degrees (fcd-output.geo), and where a vehicle's type is not known.
   void read(const std::string& file, const StepVisitor& visitor, const ReadProgress& progress);
 
   /// Type of a vehicle that is being visited.
@@ -68,6 +68,8 @@ class FcdReader {
 
   const BodySizes& sizes_;
   const std::unordered_set<std::string>& as_persons_;
+  std::string file_;
+  double told_way_ = 0.0, gone_way_ = 0.0;  ///< [m] of people: by their speeds, by their places
   bool in_step_ = false;
   double time_ = 0.0, before_ = 0.0;  ///< [s] of this step and the one before
   std::uint64_t step_ = 0;

@@ -14,11 +14,6 @@ constexpr double kVehicleLook = 5.0;  // [s] assumed: ... so long before they co
 
 }  // namespace
 
-void EdgeTeller::begin_step(double dt) {
-  dt_ = dt;
-  taken_.clear();
-}
-
 /// For the step that follows it is one of SUMO's on the lane, and SUMO's vehicles and people mind
 /// it: it must not be in their way, nor in that of another one who is put there.
 bool EdgeTeller::is_free(const Lane& lane, const Vec2& position, double radius, const Fleet& fleet,
@@ -34,12 +29,16 @@ bool EdgeTeller::is_free(const Lane& lane, const Vec2& position, double radius, 
   });
 }
 
-void EdgeTeller::tell(const std::string& id, EdgesWalked& edges, const Vec2& position,
-                      double radius, double speed, const Fleet& fleet, Bystanders& others) {
-  const auto move = edges.come_to(network_, position, kFaster * speed * dt_ + kFromEnd);
+/// A program may have given the person another plan since the last look: its lane may be on no route
+/// of it any more, which ends SUMO.
+void EdgeTeller::tell(const std::string& id, EdgesWalked& edges, PlanWatch& watch,
+                      const Vec2& position, double radius, const Fleet& fleet,
+                      Bystanders& others) {
+  const auto move = edges.come_to(network_, position);
   if (!move) return;
   const Lane& lane = network_.lanes[network_.lane_index.at(move->lane)];
   if (!is_free(lane, position, radius, fleet, others)) return;
+  if (!sumo_.walks(id) || !may_be_given_back(watch, sumo_.plan(id))) return;
   sumo_.put_on(id, *move);
   edges.be_on(network_, *move);
   taken_.insert(lane.id);

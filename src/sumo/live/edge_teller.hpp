@@ -7,6 +7,7 @@
 #include "sumo/calls/persons.hpp"
 #include "sumo/plan/bystanders.hpp"
 #include "sumo/plan/edges_walked.hpp"
+#include "sumo/plan/replanning.hpp"
 
 namespace pedzone {
 
@@ -15,13 +16,15 @@ class EdgeTeller {
   /// The rest must outlive it.
   EdgeTeller(const Network& network, SumoPersons& sumo) : network_(network), sumo_(sumo) {}
 
-  /// A step of `dt` [s] is written from now on.
-  void begin_step(double dt);
+  /// Another step is written from now on.
+  void begin_step() { taken_.clear(); }
+  /// Somebody is given back on that lane in this step.
+  void note_release(const std::string& lane) { taken_.insert(lane); }
 
-  /// Before a person is shown (SumoPersons::show), who is at `position` [m] for SUMO, has `radius`
-  /// [m] and likes to walk at `speed` [m/s].
-  void tell(const std::string& id, EdgesWalked& edges, const Vec2& position, double radius,
-            double speed, const Fleet& fleet, Bystanders& others);
+  /// Before a person is shown (SumoPersons::show), who is at `position` [m] for SUMO and has
+  /// `radius` [m], and after all releases of the step. `watch`: of its plan, by which it is walked.
+  void tell(const std::string& id, EdgesWalked& edges, PlanWatch& watch, const Vec2& position,
+            double radius, const Fleet& fleet, Bystanders& others);
 
  private:
   bool is_free(const Lane& lane, const Vec2& position, double radius, const Fleet& fleet,
@@ -29,7 +32,6 @@ class EdgeTeller {
 
   const Network& network_;
   SumoPersons& sumo_;
-  double dt_ = 0.0;              ///< [s]
   std::set<std::string> taken_;  ///< lanes on which somebody was put in this step
 };
 

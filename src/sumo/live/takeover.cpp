@@ -276,6 +276,7 @@ std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& v
 void Takeover::give_back(const Guest& guest, const ReleasePlan& plan) {
   PersonPast& past = past_[guest.id];
   past.last = guest.stretch.last;
+  if (!plan.moves.empty()) edge_teller_.note_release(plan.moves.back().lane);
   totals_.give_back(past, sumo_.release(guest.id, plan));
 }
 
@@ -298,7 +299,7 @@ void Takeover::list_jams(double time) {
 void Takeover::write(double time, double dt, const Fleet& fleet) {
   list_jams(time);
   dt_ = dt;
-  edge_teller_.begin_step(dt);
+  edge_teller_.begin_step();
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     totals_.walk(guest.position, view, guest.preferred_speed, dt);
@@ -312,15 +313,22 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
       give_back(guest, *plan);
     } else if (lands) {
       sumo_.land(guest.id, view.position, view.heading);
-    } else {
-      edge_teller_.tell(guest.id, guest.edges, guest.position, guest.radius, guest.preferred_speed,
-                        fleet, bystanders_);
-      sumo_.show(guest.id, view.position, view.heading);
     }
     guest.landed = lands;
-    guest.position = view.position;
+  }
+  for (Guest& guest : guests_) {
+    if (!guest.gone && !guest.landed) show(guest, fleet);
+    guest.position = crowds_[guest.zone]->view(guest.handle).position;
   }
   drop_gone();
+}
+
+/// To be called when all releases of the step are done.
+void Takeover::show(Guest& guest, const Fleet& fleet) {
+  const PersonView view = crowds_[guest.zone]->view(guest.handle);
+  edge_teller_.tell(guest.id, guest.edges, guest.watch, guest.position, guest.radius, fleet,
+                    bystanders_);
+  sumo_.show(guest.id, view.position, view.heading);
 }
 
 std::vector<std::string> Takeover::let_go() {

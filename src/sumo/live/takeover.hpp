@@ -107,6 +107,7 @@ class Takeover {
   void let_others_walk(const std::string& id, bool declared, double time);
   bool has_come_back(Bystander& person, double time) const;
   void give_back(const Guest& guest, const ReleasePlan& plan);
+  void show(Guest& guest, const Fleet& fleet);
   void put_back(const Bystander& person, const std::string& edge);
   void take_new(double time, const Fleet& fleet);
   bool is_about_to_round_end(int edge, const WalkerSeen& walker) const;

@@ -20,6 +20,16 @@ double to_the_left(double lateral, const Lane& lane, const Vec2& front) {
   return lateral == 0.0 ? 0.0 : std::copysign(lateral, project_on(lane.shape, front).lateral);
 }
 
+/// Whether the route that is known of it cannot be the one that it takes: it has got another one
+/// under the same id.
+bool is_elsewhere(const Network& network, const VehicleSeen& vehicle) {
+  const int edge = network.lanes[vehicle.lane].edge;
+  if (network.edges[edge].function != EdgeFunction::kNormal) return false;
+  const auto index = static_cast<std::size_t>(vehicle.route_index);
+  return index >= vehicle.route.size() ||
+         (vehicle.route[index] != edge && network.lanes[vehicle.lane].opposite < 0);
+}
+
 /// Whether the lane on which SUMO has it is not one of the edge that its route has come to, but
 /// beside that, for the other direction.
 bool overtakes_on_opposite(const Network& network, const VehicleSeen& vehicle) {
@@ -83,8 +93,13 @@ void VehicleReader::ask(const std::string& id, double time, Known& known) const 
     known.traits.external = is_true(sumo_.parameter(id, "pedzone.external"));
   }
   const std::string route = sumo_.route_id(id);
-  if (route == known.route_id) return;
+  if (known.route_id.empty()) known.taxi = is_true(sumo_.parameter(id, "has.taxi.device"));
+  if (route == known.route_id && !known.taxi) return;
   known.route_id = route;
+  ask_route(id, known);
+}
+
+void VehicleReader::ask_route(const std::string& id, Known& known) const {
   known.route = edge_indices(network_, sumo_.route(id));
 }
 
@@ -115,8 +130,12 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& tol
     if (lane != network_.lane_index.end()) {
       vehicle.lane = lane->second;
       vehicle.lateral = to_the_left(sumo_.lateral(id), network_.lanes[vehicle.lane], *front);
-      vehicle.route = known.route;
       vehicle.route_index = sumo_.route_index(id);
+      vehicle.route = known.route;
+      if (is_elsewhere(network_, vehicle)) {
+        ask_route(id, known);
+        vehicle.route = known.route;
+      }
       if (overtakes_on_opposite(network_, vehicle)) {
         vehicle.overtakes = true;
         vehicle.lane = network_.lanes[vehicle.lane].opposite;

@@ -33,6 +33,7 @@ class VehicleReader {
     std::string type;  ///< SUMO's id; empty: not asked yet
     VehicleTraits traits;
     double ask_at = 0.0;     ///< [s] when it is asked again what it has been declared to be
+    bool taxi = false;       ///< SUMO sends it here and there, without a new id for its route
     std::string route_id;    ///< SUMO's; it gives an id out again when a vehicle gets its next one
     std::vector<int> route;  ///< indices into Network::edges
     int lane = -1;           ///< index into Network::lanes, when it was asked by which it goes on
@@ -42,6 +43,7 @@ class VehicleReader {
   /// The rear of a long one is near zones when its front no longer is.
   bool is_near(const Fleet& fleet, const std::string& id, const Vec2& front) const;
   void ask(const std::string& id, double time, Known& known) const;
+  void ask_route(const std::string& id, Known& known) const;
   void ask_lanes(const VehicleSeen& vehicle, bool again, Known& known) const;
 
   const Network& network_;

@@ -9,10 +9,12 @@
 namespace pedzone {
 namespace {
 
-constexpr std::size_t kAhead = 3;  // numerical: edges looked at, beside the present one
+constexpr std::size_t kAhead = 3;  // numerical: edges looked at, beside the present one ...
+constexpr double kAstray = 20.0;   // [m] assumed: ... but all, by who is so far from those
+constexpr double kFromEnd = 0.5;   // [m] numerical: SUMO's persons mind the end of a lane
 // [m] numerical: farther beside its border SUMO takes a person for one that is on no lane. (3 m and
 // half the person's width are what its source says.)
-constexpr double kBeside = 2.5;
+constexpr double kBeside = 2.9;
 constexpr double kExact = 1e-3;  // [m] numerical: as far as the place on the lane may be off
 
 double distance_to(const Lane& lane, const Vec2& position) {
@@ -21,9 +23,9 @@ double distance_to(const Lane& lane, const Vec2& position) {
 }
 
 /// Where on the lane the position is; nothing where SUMO cannot have it there.
-std::optional<LaneMove> place_on(const Lane& lane, const Vec2& position, double step) {
+std::optional<LaneMove> place_on(const Lane& lane, const Vec2& position) {
   const auto [offset, lateral] = project_on_lane(lane, position);
-  if (offset < step || offset > lane.length - step) return std::nullopt;
+  if (offset < kFromEnd || offset > lane.length - kFromEnd) return std::nullopt;
   if (std::abs(lateral) > 0.5 * lane.width + kBeside) return std::nullopt;
   const LinePoint at = point_on_lane(lane, offset);
   const Vec2 there = at.point + left_of(at.direction) * lateral;
@@ -42,16 +44,15 @@ EdgesWalked::EdgesWalked(const Network& network, const std::vector<int>& route, 
   }
 }
 
-std::optional<LaneMove> EdgesWalked::come_to(const Network& network, const Vec2& position,
-                                             double step) const {
-  if (lanes_.size() < 2) return std::nullopt;
+std::optional<LaneMove> EdgesWalked::come_to(const Network& network, const Vec2& position) const {
   std::optional<LaneMove> move;
-  double nearest = distance_to(network.lanes[lanes_.front()], position);
-  for (std::size_t k = 1; k < std::min(lanes_.size(), kAhead + 1); ++k) {
+  double nearest = distance_to(network.lanes[lanes_.front()], position), least = nearest;
+  for (std::size_t k = 1; k < lanes_.size() && (k <= kAhead || least > kAstray); ++k) {
     const Lane& lane = network.lanes[lanes_[k]];
     const double distance = distance_to(lane, position);
+    least = std::min(least, distance);
     if (distance >= nearest) continue;
-    if (const auto place = place_on(lane, position, step)) {
+    if (const auto place = place_on(lane, position)) {
       move = place;
       nearest = distance;
     }

@@ -19,10 +19,9 @@ class EdgesWalked {
   EdgesWalked(const Network& network, const std::vector<int>& route, int first, int last);
 
   /// Another one that it has come to: its lane is nearer to `position` [m], where SUMO has the
-  /// person, than that of the edge on which SUMO has it. The call puts it there, at that place. For
-  /// the step that follows SUMO walks the person on that lane: it gets at most `step` [m] ≥ 0 far,
-  /// and must not come to the lane's end. Nothing where there is no such edge, or not yet.
-  std::optional<LaneMove> come_to(const Network& network, const Vec2& position, double step) const;
+  /// person, than that of the edge on which SUMO has it. The call puts it there, at that place.
+  /// Nothing where there is no such edge, or none where SUMO can have it.
+  std::optional<LaneMove> come_to(const Network& network, const Vec2& position) const;
 
   /// SUMO has been told so.
   void be_on(const Network& network, const LaneMove& told);

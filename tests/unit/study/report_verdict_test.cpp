@@ -198,7 +198,7 @@ TEST(CutOff, times_are_told_as_at_least) {
             "People's trips are at least 162 s [145, 179] shorter");
   EXPECT_THAT(summary_sentence(all, "striping").head,
               HasSubstr("With heuristic instead of striping, people's trips are at least 162 s"));
-  const std::vector<Sentence> warnings = cut_off_sentences(all, plan_of(1));
+  const std::vector<Sentence> warnings = warning_sentences(all, plan_of(1));
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(text(warnings[0]),
             "Warning: the end of the runs cuts off people's trips: by then 60 % of them have "
@@ -218,7 +218,7 @@ TEST(CutOff, of_who_seems_fast_since_few_arrive_nothing_is_told) {
 TEST(CutOff, no_end_is_proposed_where_nobody_arrives_any_more) {
   std::vector<Comparison> all = cut_off_study(326.0, 164.0);
   all.back().undefined = 1;
-  EXPECT_THAT(text(cut_off_sentences(all, plan_of(1)).front()),
+  EXPECT_THAT(text(warning_sentences(all, plan_of(1)).front()),
               HasSubstr("no end may be late enough"));
 }
 
@@ -228,7 +228,7 @@ TEST(CutOff, is_nothing_where_as_many_arrive) {
       comparison("person.arrived", 0.95, 0.99, 0.01, Finding::kDifferent)};
   mark_cut_off(all);
   EXPECT_EQ(all[0].bound, Bound::kExact);
-  EXPECT_TRUE(cut_off_sentences(all, plan_of(1)).empty());
+  EXPECT_TRUE(warning_sentences(all, plan_of(1)).empty());
 }
 
 TEST(Summary, says_what_matters_first_and_how_many_measures_differ) {

@@ -8,13 +8,11 @@
 namespace pedzone {
 namespace {
 
-constexpr double kStep = 2.0;  // [m]
-
 class EdgesWalkedTest : public testing::Test, protected test::FourEdges {
  protected:
   EdgesWalked on_all() const { return {network, {e0, e1, e2, e3}, 0, 3}; }
   std::optional<LaneMove> come_to(const EdgesWalked& edges, const Vec2& position) const {
-    return edges.come_to(network, position, kStep);
+    return edges.come_to(network, position);
   }
 };
 
@@ -23,10 +21,10 @@ TEST_F(EdgesWalkedTest, the_next_edge_where_the_person_is) {
   EXPECT_EQ(come_to(on_all(), {60.0, 1.5}), (LaneMove{"e1_0", 10.0, 1.5}));
 }
 
-TEST_F(EdgesWalkedTest, no_nearer_to_an_edges_ends_than_sumo_walks_in_a_step) {
-  EXPECT_EQ(come_to(on_all(), {51.9, 0.0}), std::nullopt);
-  EXPECT_EQ(come_to(on_all(), {52.1, 0.0}), (LaneMove{"e1_0", 52.1 - 50.0, 0.0}));
-  EXPECT_EQ(come_to(on_all(), {98.1, 0.0}), std::nullopt);
+TEST_F(EdgesWalkedTest, not_at_the_very_end_of_an_edge) {
+  EXPECT_EQ(come_to(on_all(), {50.4, 0.0}), std::nullopt);
+  EXPECT_EQ(come_to(on_all(), {50.6, 0.0}), (LaneMove{"e1_0", 50.6 - 50.0, 0.0}));
+  EXPECT_EQ(come_to(on_all(), {99.6, 0.0}), std::nullopt);
 }
 
 TEST_F(EdgesWalkedTest, whoever_comes_by_an_edge_is_told_of_the_one_after_it) {
@@ -47,8 +45,8 @@ TEST_F(EdgesWalkedTest, only_as_far_as_pedzone_walks_it) {
 }
 
 TEST_F(EdgesWalkedTest, not_so_far_beside_a_lane_that_sumo_has_it_on_none) {
-  EXPECT_TRUE(come_to(on_all(), {60.0, 2.0 + 2.4}));
-  EXPECT_EQ(come_to(on_all(), {60.0, 2.0 + 2.6}), std::nullopt);
+  EXPECT_TRUE(come_to(on_all(), {60.0, 2.0 + 2.8}));
+  EXPECT_EQ(come_to(on_all(), {60.0, 2.0 + 3.0}), std::nullopt);
 }
 
 TEST_F(EdgesWalkedTest, not_the_second_passage_of_an_edge) {

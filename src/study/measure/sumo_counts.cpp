@@ -1,4 +1,4 @@
-#include "study/measure/jam_count.hpp"
+#include "study/measure/sumo_counts.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -11,11 +11,7 @@
 namespace pedzone::study {
 namespace {
 
-double jams_of_sumo(const std::string& path) {
-  const XmlFile file(path, {"statistics"});
-  constexpr NumberRange kAny{0.0, std::numeric_limits<double>::max()};
-  return file.number(file.root().child("persons"), "jammed", kAny, 0.0);
-}
+constexpr NumberRange kAny{0.0, std::numeric_limits<double>::max()};
 
 double jams_of_pedzone(const std::string& path) {
   std::ifstream stream(path);
@@ -28,12 +24,14 @@ double jams_of_pedzone(const std::string& path) {
 
 }  // namespace
 
-void count_jams(const std::string& folder, std::map<std::string, double>& values) {
+void take_sumo_counts(const std::string& folder, std::map<std::string, double>& values) {
   const std::string statistics = folder + "/statistics.xml", summary = folder + "/summary.json";
   if (!std::filesystem::exists(statistics)) return;
-  double jams = jams_of_sumo(statistics);
+  const XmlFile file(statistics, {"statistics"});
+  double jams = file.number(file.root().child("persons"), "jammed", kAny, 0.0);
   if (std::filesystem::exists(summary)) jams += jams_of_pedzone(summary);
   values["person.jams"] = jams;
+  values["vehicle.teleports"] = file.number(file.root().child("teleports"), "total", kAny, 0.0);
 }
 
 }  // namespace pedzone::study

@@ -1,0 +1,117 @@
+// What throws doubt on all that is told of a model: nobody was there, trips were cut off, vehicles
+// were put farther on.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "study/report/report_numbers.hpp"
+#include "study/report/report_verdict.hpp"
+
+namespace pedzone::study {
+namespace {
+
+/// "62 %", or "62 % to 70 %" of several.
+std::string range_text(const std::vector<double>& shares) {
+  constexpr double kPercent = 100.0;
+  const auto [low, high] = std::ranges::minmax(shares);
+  const std::string least = percent_text(kPercent * low), most = percent_text(kPercent * high);
+  return least == most ? least : least + " to " + most;
+}
+
+/// " in 2 of 3 conditions"; nothing of a study that has one.
+std::string in_conditions(std::size_t count, const Plan& plan) {
+  if (plan.conditions.size() == 1) return {};
+  return fmt::format(" in {} of {} conditions", count, plan.conditions.size());
+}
+
+Sentence cut_off_sentence(std::span<const CutOff> cuts, const std::string& model,
+                          const Plan& plan) {
+  std::vector<double> reference, own;
+  double end = 0.0;
+  bool gets_there = true, all_apart = true;
+  for (const CutOff& cut : cuts) {
+    reference.push_back(cut.reference);
+    own.push_back(cut.model);
+    end = std::max(end, cut.end.value_or(0.0));
+    gets_there = gets_there && cut.end;
+    all_apart = all_apart && cut.apart;
+  }
+  Sentence sentence;
+  sentence.tone = Sentence::Tone::kWarning;
+  sentence.head = "Warning: the end of the runs cuts off people's trips";
+  sentence.head += in_conditions(cuts.size(), plan);
+  sentence.rest = fmt::format(
+      ": by then {} of them have arrived with {}, {} with {}. Their times are told as "
+      "\u201cat least\u201d{}. ",
+      range_text(reference), plan.study.reference, range_text(own), model,
+      all_apart ? "" : ", or not at all");
+  sentence.rest +=
+      gets_there ? fmt::format("end=\"{:.0f}\" in the study file would let nearly all arrive.", end)
+                 : std::string(
+                       "In some runs nobody arrives any more in their last quarter: "
+                       "no end may be late enough.");
+  return sentence;
+}
+
+Sentence nobody_sentence(std::size_t conditions, const Plan& plan) {
+  return {"Warning: nobody walked in the zones" + in_conditions(conditions, plan),
+          ": all models do the same there. Does a zone lie where people walk? pedzone inspect "
+          "shows its edges.",
+          Sentence::Tone::kWarning};
+}
+
+/// SUMO's teleports, means over the runs of all conditions that have some with the model or the
+/// reference.
+Sentence teleport_sentence(std::span<const Comparison> comparisons, const std::string& model,
+                           const Plan& plan) {
+  double reference = 0.0, own = 0.0;
+  std::size_t count = 0;
+  for (const Comparison& one : comparisons) {
+    if (one.model != model || one.measure != "vehicle.teleports" || !one.reference.mean) continue;
+    if (*one.reference.mean + *one.sample.mean == 0.0) continue;
+    reference += *one.reference.mean;
+    own += *one.sample.mean;
+    ++count;
+  }
+  if (count == 0) return {};
+  const double share = 1.0 / static_cast<double>(count);
+  return {"Warning: SUMO teleported vehicles" + in_conditions(count, plan),
+          fmt::format(", {} a run with {} and {} with {}: their trips are shorter by that.",
+                      number_text(share * reference, 1), plan.study.reference,
+                      number_text(share * own, 1), model),
+          Sentence::Tone::kWarning};
+}
+
+}  // namespace
+
+bool nobody_walked(std::span<const Comparison> comparisons) {
+  bool known = false;
+  for (const Comparison& one : comparisons) {
+    if (one.measure != "person.visitors" || !one.reference.mean) continue;
+    known = true;
+    if (*one.reference.mean > 0.0 || *one.sample.mean > 0.0) return false;
+  }
+  return known;
+}
+
+std::vector<Sentence> warning_sentences(std::span<const Comparison> comparisons,
+                                        const Plan& plan) {
+  std::vector<Sentence> sentences;
+  for (const std::string& model : plan.study.models) {
+    if (model == plan.study.reference) continue;
+    std::vector<CutOff> cuts;
+    std::size_t empty = 0;
+    for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+      const std::vector<Comparison> here = comparisons_of(comparisons, i, model);
+      empty += nobody_walked(here) ? 1 : 0;
+      if (const auto cut = cut_off(here)) cuts.push_back(*cut);
+    }
+    if (empty > 0) sentences.push_back(nobody_sentence(empty, plan));
+    if (!cuts.empty()) sentences.push_back(cut_off_sentence(cuts, model, plan));
+    const Sentence teleports = teleport_sentence(comparisons, model, plan);
+    if (!teleports.head.empty()) sentences.push_back(teleports);
+  }
+  return sentences;
+}
+
+}  // namespace pedzone::study
