@@ -70,8 +70,7 @@ Sentence nothing_told(std::span<const Comparison> comparisons, const std::string
   }
   Sentence sentence{fmt::format("No difference was found with {}", model), "."};
   if (unsure > 0) {
-    sentence.rest =
-        fmt::format(", and for {} of {} there are too few seeds to tell.", unsure, all);
+    sentence.rest = fmt::format(", and for {} of {} there are too few seeds to tell.", unsure, all);
   }
   return sentence;
 }

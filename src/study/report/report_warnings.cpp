@@ -94,8 +94,7 @@ bool nobody_walked(std::span<const Comparison> comparisons) {
   return known;
 }
 
-std::vector<Sentence> warning_sentences(std::span<const Comparison> comparisons,
-                                        const Plan& plan) {
+std::vector<Sentence> warning_sentences(std::span<const Comparison> comparisons, const Plan& plan) {
   std::vector<Sentence> sentences;
   for (const std::string& model : plan.study.models) {
     if (model == plan.study.reference) continue;

@@ -27,7 +27,8 @@ class FcdReader {
   /// Visits the time steps of a file, gzipped or not. Speeds are the file's; directions are those
   /// of the way gone in the last few centimetres, since angles are where bodies face. A person who
   /// is exactly where a vehicle is rides in it: so SUMO writes it. Throws InputError where the file
-  /// is missing, not fcd-output or broken off, has places in degrees (fcd-output.geo), and where a vehicle's type is not known.
+  /// is missing, not fcd-output or broken off, has places in degrees (fcd-output.geo), and where a
+  /// vehicle's type is not known.
   void read(const std::string& file, const StepVisitor& visitor, const ReadProgress& progress);
 
   /// Type of a vehicle that is being visited.

@@ -29,11 +29,10 @@ bool EdgeTeller::is_free(const Lane& lane, const Vec2& position, double radius, 
   });
 }
 
-/// A program may have given the person another plan since the last look: its lane may be on no route
-/// of it any more, which ends SUMO.
+/// A program may have given the person another plan since the last look: its lane may be on no
+/// route of it any more, which ends SUMO.
 void EdgeTeller::tell(const std::string& id, EdgesWalked& edges, PlanWatch& watch,
-                      const Vec2& position, double radius, const Fleet& fleet,
-                      Bystanders& others) {
+                      const Vec2& position, double radius, const Fleet& fleet, Bystanders& others) {
   const auto move = edges.come_to(network_, position);
   if (!move) return;
   const Lane& lane = network_.lanes[network_.lane_index.at(move->lane)];

@@ -222,6 +222,17 @@ TEST(CutOff, no_end_is_proposed_where_nobody_arrives_any_more) {
               HasSubstr("no end may be late enough"));
 }
 
+TEST(CutOff, is_told_where_few_arrive_though_alike) {
+  std::vector<Comparison> all{comparison("person.travelTime", 64.0, 65.0, 0.2, Finding::kDifferent),
+                              comparison("person.arrived", 0.38, 0.39, 0.01, Finding::kNotShown)};
+  mark_cut_off(all);
+  EXPECT_EQ(all[0].bound, Bound::kUnknown);
+  EXPECT_TRUE(verdict_of(all).different.empty());
+  EXPECT_THAT(text(warning_sentences(all, plan_of(1)).at(0)),
+              HasSubstr("38 % of them have arrived with striping, 39 % with heuristic. Their times "
+                        "are told as “at least”, or not at all."));
+}
+
 TEST(CutOff, is_nothing_where_as_many_arrive) {
   std::vector<Comparison> all{
       comparison("person.travelTime", 326.0, 164.0, 17.0, Finding::kDifferent),
@@ -259,6 +270,39 @@ TEST(Summary, of_no_difference_says_where_seeds_were_too_few) {
   EXPECT_EQ(text(summary_sentence(all, "striping")),
             "No difference was found with heuristic, and for 1 of 2 comparisons there are too few "
             "seeds to tell.");
+}
+
+TEST(Summary, of_hints_alone_does_not_say_that_nothing_was_found) {
+  const std::vector<Comparison> all{
+      comparison("person.travelTime", 84.2, 72.1, 3.0, Finding::kHint, 4),
+      comparison("person.delay", 10.0, 5.0, 2.0, Finding::kHint, 4),
+      comparison("vehicle.delay", 10.0, 9.0, 5.0, Finding::kInconclusive, 4)};
+  EXPECT_EQ(
+      text(summary_sentence(all, "striping")),
+      "Nothing is certain from 4 seeds with heuristic: 2 of 3 comparisons are hints, no more. "
+      "Run more seeds to tell.");
+}
+
+TEST(Warning, where_nobody_walked_nothing_was_compared) {
+  std::vector<Comparison> all{comparison("person.travelTime", 84.2, 84.2, 0.0, Finding::kSame),
+                              comparison("person.visitors", 0.0, 0.0, 0.0, Finding::kSame)};
+  EXPECT_EQ(text(summary_sentence(all, "striping")),
+            "Nobody walked in the zones: nothing was compared.");
+  const std::vector<Sentence> warnings = warning_sentences(all, plan_of(2));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0].head, HasSubstr("nobody walked in the zones in 1 of 2 conditions"));
+  all[1].sample.mean = 1.0;
+  EXPECT_TRUE(warning_sentences(all, plan_of(2)).empty());
+}
+
+TEST(Warning, of_teleports) {
+  std::vector<Comparison> all{comparison("vehicle.teleports", 0.75, 0.25, 0.5, Finding::kNotShown)};
+  EXPECT_EQ(
+      text(warning_sentences(all, plan_of(1)).at(0)),
+      "Warning: SUMO teleported vehicles, 0.8 a run with striping and 0.2 with heuristic: their "
+      "trips are shorter by that.");
+  all[0].reference.mean = all[0].sample.mean = 0.0;
+  EXPECT_TRUE(warning_sentences(all, plan_of(1)).empty());
 }
 
 SampleSummary sample_of(std::size_t n, double mean, double sd) {

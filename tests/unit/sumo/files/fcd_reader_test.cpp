@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/error.hpp"
+
 namespace pedzone {
 namespace {
 
@@ -97,6 +99,20 @@ TEST_F(Fcd, directions_are_those_of_the_way_gone) {
   EXPECT_NEAR(angle_of(steps.back().persons[0].velocity), kPi / 4.0, 0.01);
   EXPECT_NEAR(steps.back().persons[0].velocity.norm(), 1.41, 1e-9);
   EXPECT_EQ(steps.back().persons[0].heading, 0.0);
+}
+
+TEST_F(Fcd, places_in_degrees_are_refused) {
+  const auto walked = [&](double step) {
+    std::string steps;
+    for (int t = 0; t < 120; ++t) {
+      steps += "<timestep time='" + std::to_string(t) + "'><person id='a' x='" +
+               std::to_string(9.7 + step * t) + "' y='50.8' angle='90' speed='1'/></timestep>";
+    }
+    return read(BodySizes(), steps);
+  };
+  EXPECT_EQ(walked(1.0).size(), 120u);
+  EXPECT_THAT([&] { walked(1.4e-5); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("has places in degrees")));
 }
 
 TEST_F(Fcd, a_person_where_a_vehicle_is_rides_in_it) {
