@@ -5,12 +5,10 @@
 namespace pedzone {
 namespace {
 
-constexpr double kFaster = 1.5;   // numerical: than it likes to; SUMO's walk faster by a tenth
-constexpr double kFromEnd = 0.5;  // [m] numerical
-constexpr double kOthers = 2.0;   // [m] numerical: SUMO's do not meet it in a step
-constexpr double kVehicleSide =
-    0.5;  // [m] numerical: beside those that SUMO would brake for it ...
-constexpr double kVehicleLook = 5.0;  // [s] assumed: ... so long before they come
+constexpr double kOthers = 5.0;  // [m] numerical: SUMO's do not meet it in a step
+// SUMO would brake for it who passes within kVehicleSide [m] in kVehicleLook [s], or is within
+// kVehicleNear [m], may stand, and drives off (assumed).
+constexpr double kVehicleSide = 0.5, kVehicleLook = 5.0, kVehicleNear = 15.0;
 
 }  // namespace
 
@@ -19,10 +17,11 @@ constexpr double kVehicleLook = 5.0;  // [s] assumed: ... so long before they co
 bool EdgeTeller::is_free(const Lane& lane, const Vec2& position, double radius, const Fleet& fleet,
                          Bystanders& others) const {
   if (taken_.contains(lane.id)) return false;
-  const double room = radius + kVehicleSide;
-  if (lane.vehicles && (fleet.approaches(position, room, kVehicleLook) ||
-                        fleet.waiting_beside(position, room) != nullptr)) {
-    return false;
+  if (lane.vehicles) {
+    const bool near = std::ranges::any_of(fleet.vehicles(), [&](const FleetVehicle& vehicle) {
+      return (vehicle.front - position).norm() < kVehicleNear;
+    });
+    if (near || fleet.approaches(position, radius + kVehicleSide, kVehicleLook)) return false;
   }
   return std::ranges::none_of(others.all(), [&](const Bystander& other) {
     return other.near && !other.guest && (other.position - position).norm() < kOthers;
