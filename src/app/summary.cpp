@@ -223,7 +223,7 @@ std::string summary_table(const RunSummary& summary) {
        fmt::format("{} ({} times)", persons.controlled, persons.takeovers));
   line("given back to SUMO", fmt::format("{} ({} times)", persons.given_back, persons.returns));
   line("arrived", std::to_string(persons.arrived));
-  line("still walking", std::to_string(persons.walking));
+  line("still there", std::to_string(persons.walking));
   line("lost", std::to_string(persons.lost));
   line("jammed, and squeezed through", std::to_string(summary.jams.size()));
   line("mean speed in the zone", fmt::format("{:.2f} m/s", persons.mean_speed));

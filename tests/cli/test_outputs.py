@@ -119,7 +119,7 @@ class Places(OutputCase):
                 rows = self.rows(done.stdout.decode())
                 self.assertGreater(len(rows), 10)
                 self.assertTrue(all(row["time"] and row["activity"] for row in rows))
-                self.assertIn("still walking", done.stderr)
+                self.assertIn("still there", done.stderr)
         self.assertTrue(stat.S_ISLNK(os.lstat("/dev/stdout").st_mode))
 
     def test_standard_output_into_a_file(self):

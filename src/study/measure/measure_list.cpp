@@ -14,7 +14,8 @@ constexpr Measure kMeasures[] = {
      "People", true},
     {"person.delay", "Delay in the zone", "s",
      "Mean time walking in the zone less that of the shortest way, with room for the body, at the "
-     "person's free speed: SUMO's maximum less what striping dawdles. Below 0: it does not dawdle.",
+     "person's free speed: SUMO's maximum less what striping dawdles. Below 0: it does not dawdle, "
+     "or crosses streets between the junctions, which the shortest way does not.",
      "People", true},
     {"person.waiting", "Waiting in the zone", "s",
      "Mean time standing (slower than 0.1 m/s) on walks in the zone.", "People", true},
@@ -22,8 +23,8 @@ constexpr Measure kMeasures[] = {
      "Mean over time of the speeds that SUMO reports for those who walk in the zone.", "People",
      true},
     {"person.detour", "Detour factor", "",
-     "Distance walked in the zone over the shortest, all people together. Below 1: through "
-     "obstacles, as SUMO's own models do.",
+     "Distance walked in the zone over the shortest by the junctions, all people together. Below "
+     "1: through obstacles, as SUMO's own models do, or across streets between the junctions.",
      "People", true},
     {"person.travelTime85", "Travel time, 85th percentile", "s",
      "So long or less for 85 of 100 persons.", "People", false},
