@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/box.hpp"
 #include "zone/lane_geometry.hpp"
 
 namespace pedzone {
@@ -60,6 +61,12 @@ class WayBy {
     return static_cast<double>(such) / std::max(1, all);
   }
 
+  Box box() const {
+    Box all;
+    for (const Polyline& piece : pieces_) all.extend(box_of(piece));
+    return all;
+  }
+
   /// The place [m] on it that is nearest to a point.
   Vec2 nearest(const Vec2& point) const {
     Vec2 best = pieces_.front().front();
@@ -100,11 +107,23 @@ bool comes_along(const Zone& zone, const WayBy& way, const Vec2& place) {
 /// Whether a way leads along edges of the zone, as the route could have done. Else it is a short
 /// cut that SUMO's network does not have.
 bool is_along_edges(const RoutePart& part, const WayBy& way) {
+  struct Side {
+    const Lane* lane;
+    Box box;  ///< [m] it is no farther from the lane
+  };
+  std::vector<Side> sides;
+  const Box there = way.box();
+  for (const int edge : part.zone.edges) {
+    const Lane& lane = part.network.lanes[walking_lane(part.network, edge)];
+    const Box box = grown(box_of(lane.shape), 0.5 * lane.width + kBeside);
+    if (box.intersects(there)) sides.push_back({&lane, box});
+  }
   const auto is_on_edge = [&](const Vec2& place) {
-    return std::ranges::any_of(part.zone.edges, [&](int edge) {
-      const Lane& lane = part.network.lanes[walking_lane(part.network, edge)];
-      const Vec2 on = point_on(lane.shape, project_on(lane.shape, place).offset).point;
-      return (on - place).norm() <= 0.5 * lane.width + kBeside;
+    return std::ranges::any_of(sides, [&](const Side& side) {
+      if (!side.box.contains(place)) return false;
+      const Polyline& shape = side.lane->shape;
+      const Vec2 on = point_on(shape, project_on(shape, place).offset).point;
+      return (on - place).norm() <= 0.5 * side.lane->width + kBeside;
     });
   };
   return way.share(is_on_edge) >= kStreets;
