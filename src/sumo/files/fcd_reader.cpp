@@ -19,8 +19,9 @@ constexpr NumberRange kSpeeds{-1000.0, 1000.0};  // [m/s]
 constexpr double kDirectionWay = 0.05;
 
 // Who walks so far [m] by their speeds, all together, and gets by less than that share of it, is
-// given in degrees. Numerical: a degree has 60 km at least, of those people live at.
-constexpr double kTold = 100.0, kLeastShare = 0.01;
+// given in degrees. Numerical: a degree has 60 km at least, of those people live at. In steps
+// longer than kLong [s] speeds tell little.
+constexpr double kTold = 100.0, kLeastShare = 0.01, kLong = 2.0;
 
 /// [m] one that is so much farther than its speed explains has been put there.
 constexpr double kJump = 1.0;
@@ -108,7 +109,7 @@ FcdReader::Row FcdReader::row_of(const XmlElement& element, bool person,
   if (mover.seen + 1 == step_ && mover.seen > 0) {
     const Vec2 moved = row.centre - mover.at;
     mover.way = mover.way * std::exp(-moved.norm() / kDirectionWay) + moved;
-    if (person) {
+    if (person && time_ - before_ <= kLong) {
       told_way_ += std::abs(row.speed) * (time_ - before_);
       gone_way_ += moved.norm();
     }

@@ -12,6 +12,11 @@ constexpr double kVehicleSide = 0.5, kVehicleLook = 5.0, kVehicleNear = 15.0;
 
 }  // namespace
 
+void EdgeTeller::begin_step(double time) {
+  time_ = time;
+  taken_.clear();
+}
+
 /// For the step that follows it is one of SUMO's on the lane, and SUMO's vehicles and people mind
 /// it: it must not be in their way, nor in that of another one who is put there.
 bool EdgeTeller::is_free(const Lane& lane, const Vec2& position, double radius, const Fleet& fleet,
@@ -32,6 +37,7 @@ bool EdgeTeller::is_free(const Lane& lane, const Vec2& position, double radius, 
 /// route of it any more, which ends SUMO.
 void EdgeTeller::tell(const std::string& id, EdgesWalked& edges, PlanWatch& watch,
                       const Vec2& position, double radius, const Fleet& fleet, Bystanders& others) {
+  if (!edges.is_due(time_)) return;
   const auto move = edges.come_to(network_, position);
   if (!move) return;
   const Lane& lane = network_.lanes[network_.lane_index.at(move->lane)];

@@ -16,8 +16,8 @@ class EdgeTeller {
   /// The rest must outlive it.
   EdgeTeller(const Network& network, SumoPersons& sumo) : network_(network), sumo_(sumo) {}
 
-  /// Another step is written from now on.
-  void begin_step() { taken_.clear(); }
+  /// Another step is written from now on, at `time` [s].
+  void begin_step(double time);
   /// Somebody is given back on that lane in this step.
   void note_release(const std::string& lane) { taken_.insert(lane); }
 
@@ -32,6 +32,7 @@ class EdgeTeller {
 
   const Network& network_;
   SumoPersons& sumo_;
+  double time_ = 0.0;            ///< [s]
   std::set<std::string> taken_;  ///< lanes on which somebody was put in this step
 };
 

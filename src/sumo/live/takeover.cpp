@@ -299,7 +299,7 @@ void Takeover::list_jams(double time) {
 void Takeover::write(double time, double dt, const Fleet& fleet) {
   list_jams(time);
   dt_ = dt;
-  edge_teller_.begin_step();
+  edge_teller_.begin_step(time);
   for (Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     totals_.walk(guest.position, view, guest.preferred_speed, dt);

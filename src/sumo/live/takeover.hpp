@@ -6,7 +6,8 @@
 //               matchThreshold -1 in every step, so that SUMO's lane model skips the person.
 //               From a walking area it ends SUMO after the release ("Disconnected walk"), also
 //               with moveTo the edge's lane first: it keeps the inner edge (tried);
-//   walk        moveTo each next edge of the route, once, and in the same step moveToXY as above, so
+//   walk        moveTo each next edge of the route, once, and in the same step moveToXY as above,
+//   so
 //               that SUMO has the person on that edge (edge_teller.hpp);
 //   leave       in the hand-over step no moveToXY, but moveTo the last lane. If SUMO still has the
 //               person on that very lane, first a hop over another lane, since a move to the same

@@ -15,7 +15,8 @@ constexpr double kFromEnd = 0.5;   // [m] numerical: SUMO's persons mind the end
 // [m] numerical: farther beside its border SUMO takes a person for one that is on no lane. (3 m and
 // half the person's width are what its source says.)
 constexpr double kBeside = 2.9;
-constexpr double kExact = 1e-3;  // [m] numerical: as far as the place on the lane may be off
+constexpr double kInterval = 0.5;  // [s] numerical: to look is dear
+constexpr double kExact = 1e-3;    // [m] numerical: as far as the place on the lane may be off
 
 double distance_to(const Lane& lane, const Vec2& position) {
   const LinePoint nearest = point_on_lane(lane, project_on_lane(lane, position).offset);
@@ -42,6 +43,12 @@ EdgesWalked::EdgesWalked(const Network& network, const std::vector<int>& route, 
     const bool can_be_told = !is_too_short(network, route[i]) && is_first_occurrence(route, i);
     if (can_be_told) lanes_.push_back(walking_lane(network, route[i]));
   }
+}
+
+bool EdgesWalked::is_due(double time) {
+  if (lanes_.size() < 2 || time < look_at_) return false;
+  look_at_ = time + kInterval;
+  return true;
 }
 
 std::optional<LaneMove> EdgesWalked::come_to(const Network& network, const Vec2& position) const {

@@ -18,6 +18,10 @@ class EdgesWalked {
   /// route[last].
   EdgesWalked(const Network& network, const std::vector<int>& route, int first, int last);
 
+  /// Whether it is time [s] to look which edge it has come to; then it is so again half a second
+  /// later.
+  bool is_due(double time);
+
   /// Another one that it has come to: its lane is nearer to `position` [m], where SUMO has the
   /// person, than that of the edge on which SUMO has it. The call puts it there, at that place.
   /// Nothing where there is no such edge, or none where SUMO can have it.
@@ -28,6 +32,7 @@ class EdgesWalked {
 
  private:
   std::vector<int> lanes_;  ///< that it walks on; the first is SUMO's
+  double look_at_ = 0.0;    ///< [s]
 };
 
 }  // namespace pedzone

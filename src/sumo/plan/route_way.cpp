@@ -114,7 +114,9 @@ bool is_along_edges(const RoutePart& part, const WayBy& way) {
   std::vector<Side> sides;
   const Box there = way.box();
   for (const int edge : part.zone.edges) {
-    const Lane& lane = part.network.lanes[walking_lane(part.network, edge)];
+    const int walked = walking_lane(part.network, edge);
+    if (walked < 0) continue;
+    const Lane& lane = part.network.lanes[walked];
     const Box box = grown(box_of(lane.shape), 0.5 * lane.width + kBeside);
     if (box.intersects(there)) sides.push_back({&lane, box});
   }

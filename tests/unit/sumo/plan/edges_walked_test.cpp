@@ -31,6 +31,15 @@ TEST_F(EdgesWalkedTest, whoever_comes_by_an_edge_is_told_of_the_one_after_it) {
   EXPECT_EQ(come_to(on_all(), {120.0, 0.0}), (LaneMove{"e2_0", 20.0, 0.0}));
 }
 
+TEST_F(EdgesWalkedTest, is_looked_at_every_half_second_where_there_is_another) {
+  EdgesWalked edges = on_all();
+  EXPECT_TRUE(edges.is_due(10.0));
+  EXPECT_FALSE(edges.is_due(10.4));
+  EXPECT_TRUE(edges.is_due(10.5));
+  edges.be_on(network, {"e3_0", 20.0, 0.0});
+  EXPECT_FALSE(edges.is_due(20.0));
+}
+
 TEST_F(EdgesWalkedTest, never_back) {
   EdgesWalked edges = on_all();
   edges.be_on(network, {"e2_0", 20.0, 0.0});
