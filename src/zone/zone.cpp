@@ -17,6 +17,15 @@ struct Draft {
   std::vector<std::string> warnings;
 };
 
+/// Edges that a zone names, and another one has.
+void warn_of_taken(const Network& network, const std::vector<bool>& taken, Draft& draft) {
+  for (const std::string& id : draft.spec->edges) {
+    const auto edge = network.edge_index.find(id);
+    if (edge == network.edge_index.end() || !taken[edge->second]) continue;
+    draft.warnings.push_back("edge '" + id + "' belongs to the zone before it that names it, too");
+  }
+}
+
 /// Zones that name edges choose before those that take what is left; among equals the first.
 void select_all(const Network& network, const RoadOverlaps& roads, std::vector<Draft>& drafts,
                 std::vector<bool>& taken) {
@@ -24,6 +33,7 @@ void select_all(const Network& network, const RoadOverlaps& roads, std::vector<D
     for (Draft& draft : drafts) {
       if (draft.spec->automatic() != automatic) continue;
       Selection& selection = draft.parts.selection;
+      warn_of_taken(network, taken, draft);
       selection = select_lanes(network, *draft.spec, taken);
       separate_levels(network, selection, draft.warnings);
       roads.leave_out_covered(*draft.spec, selection, draft.warnings);

@@ -124,6 +124,7 @@ TEST_F(Town, an_edge_belongs_to_the_first_zone_that_names_it) {
   const auto zones = build_zones(town_, {rest, first, second});
   EXPECT_THAT(edge_ids(town_, zones[1]), UnorderedElementsAre("old_north", "service"));
   EXPECT_THAT(edge_ids(town_, zones[2]), UnorderedElementsAre("living_north"));
+  EXPECT_THAT(zones[2].warnings, Contains(HasSubstr("'service' belongs to the zone before it")));
   EXPECT_THAT(edge_ids(town_, zones[0]),
               UnorderedElementsAre("old_south", "-living_north", "living_south", "-living_south"));
 }
