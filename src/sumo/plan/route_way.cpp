@@ -131,13 +131,25 @@ bool is_along_edges(const RoutePart& part, const WayBy& way) {
   return way.share(is_on_edge) >= kStreets;
 }
 
+/// Whether the route comes by the middle of its edge k: of the first and the last it may have less.
+bool has_middle(const RoutePart& part, const std::vector<Vec2>& ends, int k, const Lane& lane) {
+  const std::size_t out = 2 * static_cast<std::size_t>(k - part.first);
+  const Vec2& begin = k == part.first ? part.from : ends[out - 1];
+  const Vec2& end = k == part.last ? part.to : ends[out];
+  const double middle = 0.5 * lane.length;
+  return (project_on_lane(lane, begin).offset < middle) !=
+         (project_on_lane(lane, end).offset < middle);
+}
+
 /// As waypoints_of(), of a route of that length [m].
-std::vector<Waypoint> by_missed_edges(const RoutePart& part, double length) {
+std::vector<Waypoint> by_missed_edges(const RoutePart& part, const std::vector<Vec2>& ends,
+                                      double length) {
   WayBy way(part.zone.ways, part.from, part.to);
   if (!way.exists()) return {};
   std::vector<Waypoint> path;
-  for (int k = part.first + 1; k < part.last; ++k) {
+  for (int k = part.first; k <= part.last; ++k) {
     const Lane& lane = part.network.lanes[walking_lane(part.network, part.route[k])];
+    if (!has_middle(part, ends, k, lane)) continue;
     const Waypoint middle = waypoint_on(part, k, point_on_lane(lane, 0.5 * lane.length).point);
     if (comes_along(part.zone, way, middle.at)) continue;
     const bool is_shorter = path.empty() && way.length() < kShortCut * length;
@@ -189,8 +201,8 @@ std::vector<Waypoint> waypoints_of(const RoutePart& part, const std::vector<Vec2
     return by_ends(part, ends);
   }
   // Where people cross streets anywhere they choose their side.
-  if (!part.zone.streets.empty() || part.last < part.first + 2) return {};
-  return by_missed_edges(part, length);
+  if (!part.zone.streets.empty() || part.last == part.first) return {};
+  return by_missed_edges(part, ends, length);
 }
 
 }  // namespace pedzone

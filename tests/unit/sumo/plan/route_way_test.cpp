@@ -76,6 +76,17 @@ TEST_F(RouteWayTest, also_where_the_other_street_is_shorter) {
   EXPECT_EQ(waypoints({left_, top_, right_}, {0.0, 12.0}, {100.0, 12.0}).size(), 1u);
 }
 
+TEST_F(RouteWayTest, also_of_the_first_and_the_last_edge_where_the_route_has_it) {
+  const auto first = waypoints({top_, right_}, {0.0, 57.0}, {100.0, 1.0});
+  ASSERT_EQ(first.size(), 1u);
+  EXPECT_TRUE(first[0].at.isApprox(Vec2(50.0, 60.0)));
+  const auto last = waypoints({right_, top_}, {100.0, 1.0}, {0.0, 57.0});
+  ASSERT_EQ(last.size(), 1u);
+  EXPECT_TRUE(last[0].at.isApprox(Vec2(50.0, 60.0)));
+  // Not the middle of an edge that the route leaves before it.
+  EXPECT_THAT(waypoints({left_, bottom_}, {0.0, 5.0}, {10.0, 0.0}), IsEmpty());
+}
+
 TEST_F(RouteWayTest, a_short_cut_that_is_no_street_is_taken) {
   walk_in({Polygon{box(-2, -2, 102, 62), {box(2, 2, 98, 10), box(2, 20, 98, 58)}}});
   EXPECT_THAT(waypoints({left_, top_, right_}, {0.0, 12.0}, {100.0, 12.0}), IsEmpty());
