@@ -145,10 +145,13 @@ Polyline WayAhead::way_behind(const FleetVehicle& vehicle, double offset) const 
   }
   // Beside a lane's middle a bend is shorter or longer.
   if (vehicle.lateral != 0.0) end_at(length, back);
-  const Vec2 chord = back.front() - back.back();
-  const bool fits =
-      chord.norm() > kChord && std::abs(wrap_angle(angle_of(chord) - vehicle.heading)) < kFits;
-  if (!fits) return straight;
+  // SUMO's heading is that of the whole; of one that bends, in 1.18, of its first part.
+  const auto fits = [&](double to) {
+    const Vec2 chord = back.front() - point_on(back, to).point;
+    return chord.norm() > kChord && std::abs(wrap_angle(angle_of(chord) - vehicle.heading)) < kFits;
+  };
+  const VehicleParts& parts = vehicle.traits.parts;
+  if (!fits(length) && !(parts.bends() && fits(part_of(parts, length, 0).length))) return straight;
   return {back.rbegin(), back.rend()};
 }
 

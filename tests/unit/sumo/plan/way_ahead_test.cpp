@@ -191,6 +191,23 @@ TEST_F(RearTest, is_straight_behind_the_first_lane_of_one_inserted_on_less_than_
   EXPECT_NEAR(body_after(turning, 3.0).first().axis.x(), 0.0, 1e-9) << "round the corner then";
 }
 
+TEST_F(RearTest, of_one_that_bends_is_known_by_the_heading_of_its_first_part_too) {
+  route_ = {e3, e4_};
+  // A tram of two parts: SUMO 1.15's heading is that of the whole, 1.18's that of the first.
+  for (const double seen_from : {12.0, 6.0}) {
+    VehicleSeen before = car(199.0, 187.0), now = car(204.0, 204.0 - seen_from);
+    for (VehicleSeen* one : {&before, &now}) {
+      one->traits.length = 12.0;
+      one->traits.parts = {6.0, 1};
+    }
+    const FleetVehicle tram = moved(before, now, 1.0);
+    EXPECT_TRUE(tram.way.front().isApprox(Vec2(192.0, 0.0), 1e-6)) << seen_from;
+    before.traits.parts = now.traits.parts = {};
+    const Vec2 rear = moved(before, now, 1.0).way.front();
+    EXPECT_EQ(rear.isApprox(Vec2(192.0, 0.0), 1e-6), seen_from == 12.0) << "of a stiff one";
+  }
+}
+
 TEST_F(RearTest, is_straight_behind_one_that_has_not_come_by_its_lanes) {
   route_ = {e3, e4_};
   const FleetVehicle put = one(car(202.0, 198.0));
