@@ -28,9 +28,8 @@ double time_left(const Records& records, const RunCounts& counts) {
 struct StudyState {
   Store store;
   Plan plan;
-  Records records;
+  StoredRuns runs;
   RunCounts counts;
-  OutdatedRuns outdated;
   double left_s = 0.0;  ///< [s] of one core's time; 0: not known
   std::string holder;   ///< who is at work; empty: nobody
   std::vector<std::string> slurm;
@@ -39,11 +38,10 @@ struct StudyState {
 StudyState state_of(const std::string& results) {
   const Store store = Store::open(results);
   StudyState state{
-      store, store.plan(), {}, {}, {}, 0.0, lock_holder(store.folder()), slurm_lines(store)};
-  state.records = store.records(state.plan);
-  state.counts = count_runs(state.records);
-  state.outdated = store.outdated_runs(state.plan);
-  state.left_s = time_left(state.records, state.counts);
+      store, store.plan(), {}, {}, 0.0, lock_holder(store.folder()), slurm_lines(store)};
+  state.runs = store.stored_runs(state.plan);
+  state.counts = count_runs(state.runs.records);
+  state.left_s = time_left(state.runs.records, state.counts);
   return state;
 }
 
@@ -54,8 +52,8 @@ struct RunTrouble {
 
 std::vector<RunTrouble> troubles_of(const StudyState& state) {
   std::vector<RunTrouble> troubles;
-  for (std::size_t i = 0; i < state.records.size(); ++i) {
-    const auto& record = state.records[i];
+  for (std::size_t i = 0; i < state.runs.records.size(); ++i) {
+    const auto& record = state.runs.records[i];
     if (!record || record->status == RunStatus::kDone) continue;
     const std::string& run = state.plan.runs[i].id;
     troubles.push_back({run, status_name(record->status),
@@ -75,9 +73,9 @@ std::string state_text(const StudyState& state) {
   const RunCounts& counts = state.counts;
   std::string text =
       fmt::format("{}: {} runs\n  done    {:6}\n  failed  {:6}\n  killed  {:6}\n  missing {:6}\n",
-                  state.plan.study.id, state.records.size(), counts.done, counts.failed,
+                  state.plan.study.id, state.runs.records.size(), counts.done, counts.failed,
                   counts.killed, counts.missing);
-  if (state.outdated.count > 0) text += outdated_text(state.outdated) + "\n";
+  if (state.runs.outdated.count > 0) text += outdated_text(state.runs.outdated) + "\n";
   if (state.left_s > 0.0) {
     text += fmt::format("About {} of one core's time left.\n", clock_text(state.left_s));
   }
@@ -91,11 +89,12 @@ std::string state_text(const StudyState& state) {
 
 std::string state_json(const StudyState& state) {
   const RunCounts& counts = state.counts;
-  nlohmann::ordered_json json = {{"version", kJsonVersion},      {"study", state.plan.study.id},
-                                 {"runs", state.records.size()}, {"done", counts.done},
-                                 {"failed", counts.failed},      {"killed", counts.killed},
-                                 {"missing", counts.missing}};
-  json["outdated"] = state.outdated.count;
+  nlohmann::ordered_json json = {
+      {"version", kJsonVersion},           {"study", state.plan.study.id},
+      {"runs", state.runs.records.size()}, {"done", counts.done},
+      {"failed", counts.failed},           {"killed", counts.killed},
+      {"missing", counts.missing}};
+  json["outdated"] = state.runs.outdated.count;
   json["left_s"] = state.left_s > 0.0 ? nlohmann::ordered_json(state.left_s) : nullptr;
   json["at_work"] =
       state.holder.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(state.holder);
@@ -121,8 +120,7 @@ int status(const StudyStatusOptions& options) {
 int report(const std::string& results) {
   const Store store = Store::open(results);
   const Plan plan = store.plan();
-  const Records records = store.records(plan);
-  const OutdatedRuns outdated = store.outdated_runs(plan);
+  const auto [records, outdated] = store.stored_runs(plan);
   const RunCounts counts = count_runs(records);
   if (outdated.count > 0 && counts.done == 0) {
     throw InputError("has changed since all runs were made, or is gone",
@@ -131,7 +129,7 @@ int report(const std::string& results) {
   }
   if (outdated.count > 0) print_warning(outdated_text(outdated));
   write_results(store, plan, records);
-  return count_runs(records).failed > 0 ? kExitSomeFailed : 0;
+  return counts.failed > 0 ? kExitSomeFailed : 0;
 }
 
 }  // namespace

@@ -14,4 +14,8 @@ LineProjection project_on_lane(const Lane& lane, const Vec2& point) {
   return projection;
 }
 
+double distance_to_lane(const Lane& lane, const Vec2& point) {
+  return (point_on_lane(lane, project_on_lane(lane, point).offset).point - point).norm();
+}
+
 }  // namespace pedzone

@@ -13,4 +13,7 @@ LinePoint point_on_lane(const Lane& lane, double position);
 /// Lane position [m] (SUMO's count) and lateral offset of a point.
 LineProjection project_on_lane(const Lane& lane, const Vec2& point);
 
+/// [m] from a point to the lane's centre line.
+double distance_to_lane(const Lane& lane, const Vec2& point);
+
 }  // namespace pedzone

@@ -20,7 +20,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "vehicles"))
-from junction import call  # noqa: E402
+from junction import call, zone_of_all  # noqa: E402
 
 LONGER, MORE, FARTHER, BESIDE = 0.15, 10.0, 0.05, 1.0  # shares and [s]; share; [m]
 JUNCTIONS = 0.15  # share of a way
@@ -88,15 +88,6 @@ def footway(folder):
 
 SCENES = {"riders": (streets, riders), "rounds": (streets, rounds), "cars": (grid, cars),
           "twice": (footway, twice)}
-
-
-def zone_of_all(folder):
-    """A zone of all edges with a lane for pedestrians."""
-    edges = [edge.get("id") for edge in xml.parse(folder / "n.net.xml").getroot().iter("edge")
-             if edge.get("function") is None
-             and any(lane.get("allow") is None or "pedestrian" in lane.get("allow")
-                     for lane in edge.iter("lane"))]
-    (folder / "all.zone.xml").write_text(f'<zones><zone id="all" edges="{" ".join(edges)}"/></zones>')
 
 
 def stages(folder):

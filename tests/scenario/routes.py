@@ -17,9 +17,10 @@ import tempfile
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
+import waypoints
+
 sys.path.insert(0, str(Path(__file__).resolve().parent / "vehicles"))
-from junction import SUMO_HOME, call  # noqa: E402
-from plans import zone_of_all  # noqa: E402
+from junction import SUMO_HOME, call, run_both, zone_of_all  # noqa: E402
 
 PEOPLE, WINDOW, END, STEP = 120, 300, 2000, 1.0  # number; [s]
 NEAR, MOST = 20.0, 0.05  # [m]; share of the places, at most, that are farther
@@ -42,13 +43,7 @@ def make(folder):
 
 def distance(point, line):
     """[m] from a point to a line."""
-    nearest = math.inf
-    for (ax, ay), (bx, by) in zip(line, line[1:]):
-        dx, dy = bx - ax, by - ay
-        share = ((point[0] - ax) * dx + (point[1] - ay) * dy) / max(dx * dx + dy * dy, 1e-9)
-        share = min(1.0, max(0.0, share))
-        nearest = min(nearest, math.hypot(ax + share * dx - point[0], ay + share * dy - point[1]))
-    return nearest
+    return min(waypoints.distance(point, a, b) for a, b in zip(line, line[1:]))
 
 
 def lanes(folder):
@@ -82,11 +77,6 @@ def shares(folder, who):
     return astray / places, elsewhere / places, worst
 
 
-def durations(folder, who):
-    return {person.get("id"): float(person.find("walk").get("duration"))
-            for person in xml.parse(folder / who / "tripinfo.xml").getroot().iter("personinfo")}
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -97,13 +87,8 @@ def main():
         folder = Path(asked.keep or work).resolve()
         folder.mkdir(parents=True, exist_ok=True)
         make(folder)
-        for who, command in (("plain", ["sumo", "-c", "../s.sumocfg", "--no-step-log", "true"]),
-                             ("ours", [Path(asked.pedzone).resolve(), "run", "../s.sumocfg", "--zone",
-                                       "../all.zone.xml", "--quiet", "--"])):
-            (folder / who).mkdir(exist_ok=True)
-            call(*command, "--tripinfo-output", "tripinfo.xml", "--fcd-output", "fcd.xml",
-                 folder=folder / who)
-        plain, ours = durations(folder, "plain"), durations(folder, "ours")
+        plain, ours = (run.walks for run in run_both(Path(asked.pedzone).resolve(), folder))
+        plain = {name: walk for name, walk in plain.items() if walk < math.inf}
         astray, elsewhere, worst = shares(folder, "ours")
         late = [name for name in plain
                 if abs(ours.get(name, math.inf) - plain[name]) > LONGER * plain[name]]

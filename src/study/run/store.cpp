@@ -161,27 +161,20 @@ Plan Store::plan() const {
   return make_plan(read_study(folder_ + "/study.xml", study_folder_, study_));
 }
 
-Records Store::records(const Plan& plan) const {
-  Records records(plan.runs.size());
+StoredRuns Store::stored_runs(const Plan& plan) const {
+  StoredRuns stored{Records(plan.runs.size()), {}};
   FileSums sums;
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     auto record = record_in(run_folder(plan.runs[i].id));
-    if (record && sums.match(record->inputs)) records[i] = std::move(*record);
+    if (!record) continue;
+    if (const auto changed = sums.changed(record->inputs)) {
+      ++stored.outdated.count;
+      stored.outdated.file = *changed;
+    } else {
+      stored.records[i] = std::move(*record);
+    }
   }
-  return records;
-}
-
-OutdatedRuns Store::outdated_runs(const Plan& plan) const {
-  OutdatedRuns outdated;
-  FileSums sums;
-  for (const PlannedRun& run : plan.runs) {
-    const auto record = record_in(run_folder(run.id));
-    const auto changed = record ? sums.changed(record->inputs) : std::nullopt;
-    if (!changed) continue;
-    ++outdated.count;
-    outdated.file = *changed;
-  }
-  return outdated;
+  return stored;
 }
 
 std::string Store::run_folder(const std::string& run) const { return folder_ + "/runs/" + run; }

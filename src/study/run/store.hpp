@@ -27,6 +27,12 @@ struct OutdatedRuns {
   std::string file;  ///< an input that has changed, or is gone; empty: none
 };
 
+/// What a study's directory holds of its plan.
+struct StoredRuns {
+  Records records;  ///< of each run that is over and whose inputs have not changed
+  OutdatedRuns outdated;
+};
+
 class Store {
  public:
   /// Opens a study's directory to write runs, or makes it where it is missing or empty; holds its
@@ -43,10 +49,9 @@ class Store {
   const std::map<std::string, std::string>& versions() const { return versions_; }
   /// The plan of the study file in it.
   Plan plan() const;
-  /// The record of each run that is over and whose inputs have not changed.
-  Records records(const Plan& plan) const;
-  /// Of the runs that are over, those of which an input has changed since.
-  OutdatedRuns outdated_runs(const Plan& plan) const;
+  StoredRuns stored_runs(const Plan& plan) const;
+  /// Only those.
+  Records records(const Plan& plan) const { return stored_runs(plan).records; }
   std::string run_folder(const std::string& run) const;  ///< absolute
 
   /// A new folder to make a run in; absolute. Throws std::system_error.

@@ -42,7 +42,7 @@ void EdgeTeller::tell(const std::string& id, EdgesWalked& edges, PlanWatch& watc
   if (!move) return;
   const Lane& lane = network_.lanes[network_.lane_index.at(move->lane)];
   if (!is_free(lane, position, radius, fleet, others)) return;
-  if (!sumo_.walks(id) || !may_be_given_back(watch, sumo_.plan(id))) return;
+  if (!sumo_.walks(id) || !is_plan_sure(watch, sumo_.plan(id))) return;
   sumo_.put_on(id, *move);
   edges.be_on(network_, *move);
   taken_.insert(lane.id);

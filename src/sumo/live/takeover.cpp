@@ -265,7 +265,7 @@ bool Takeover::add_guest(const WalkerSeen& walker, int zone, const TakeoverPlan&
 /// How a person goes back to SUMO in this step; nothing: not yet.
 std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& view, double dt,
                                                const Fleet& fleet) const {
-  if (!view.arrived || !may_be_given_back(guest.watch, sumo_.plan(guest.id))) return std::nullopt;
+  if (!view.arrived || !is_plan_sure(guest.watch, sumo_.plan(guest.id))) return std::nullopt;
   const Walked walked{guest.position, view.position, guest.radius, guest.preferred_speed,
                       ends_trip(guest.stretch, guest.watch.stages_left)};
   ReleasePlan plan = plan_release(network_, guest.stretch, walked, sumo_.lane(guest.id), dt);
@@ -317,15 +317,15 @@ void Takeover::write(double time, double dt, const Fleet& fleet) {
     guest.landed = lands;
   }
   for (Guest& guest : guests_) {
-    if (!guest.gone && !guest.landed) show(guest, fleet);
-    guest.position = crowds_[guest.zone]->view(guest.handle).position;
+    const PersonView view = crowds_[guest.zone]->view(guest.handle);
+    if (!guest.gone && !guest.landed) show(guest, view, fleet);
+    guest.position = view.position;
   }
   drop_gone();
 }
 
 /// To be called when all releases of the step are done.
-void Takeover::show(Guest& guest, const Fleet& fleet) {
-  const PersonView view = crowds_[guest.zone]->view(guest.handle);
+void Takeover::show(Guest& guest, const PersonView& view, const Fleet& fleet) {
   edge_teller_.tell(guest.id, guest.edges, guest.watch, guest.position, guest.radius, fleet,
                     bystanders_);
   sumo_.show(guest.id, view.position, view.heading);

@@ -6,9 +6,8 @@
 //               matchThreshold -1 in every step, so that SUMO's lane model skips the person.
 //               From a walking area it ends SUMO after the release ("Disconnected walk"), also
 //               with moveTo the edge's lane first: it keeps the inner edge (tried);
-//   walk        moveTo each next edge of the route, once, and in the same step moveToXY as above,
-//   so
-//               that SUMO has the person on that edge (edge_teller.hpp);
+//   walk        moveTo each next edge of the route, once, before moveToXY as above: SUMO has the
+//               person on that edge then (edge_teller.hpp);
 //   leave       in the hand-over step no moveToXY, but moveTo the last lane. If SUMO still has the
 //               person on that very lane, first a hop over another lane, since a move to the same
 //               lane does not enter the lane's list again;
@@ -110,7 +109,7 @@ class Takeover {
   void let_others_walk(const std::string& id, bool declared, double time);
   bool has_come_back(Bystander& person, double time) const;
   void give_back(const Guest& guest, const ReleasePlan& plan);
-  void show(Guest& guest, const Fleet& fleet);
+  void show(Guest& guest, const PersonView& view, const Fleet& fleet);
   void put_back(const Bystander& person, const std::string& edge);
   void take_new(double time, const Fleet& fleet);
   bool is_about_to_round_end(int edge, const WalkerSeen& walker) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "zone/lane_geometry.hpp"
 
@@ -17,11 +16,6 @@ constexpr double kFromEnd = 0.5;   // [m] numerical: SUMO's persons mind the end
 constexpr double kBeside = 2.9;
 constexpr double kInterval = 0.5;  // [s] numerical: to look is dear
 constexpr double kExact = 1e-3;    // [m] numerical: as far as the place on the lane may be off
-
-double distance_to(const Lane& lane, const Vec2& position) {
-  const LinePoint nearest = point_on_lane(lane, project_on_lane(lane, position).offset);
-  return (nearest.point - position).norm();
-}
 
 /// Where on the lane the position is; nothing where SUMO cannot have it there.
 std::optional<LaneMove> place_on(const Lane& lane, const Vec2& position) {
@@ -53,10 +47,10 @@ bool EdgesWalked::is_due(double time) {
 
 std::optional<LaneMove> EdgesWalked::come_to(const Network& network, const Vec2& position) const {
   std::optional<LaneMove> move;
-  double nearest = distance_to(network.lanes[lanes_.front()], position), least = nearest;
+  double nearest = distance_to_lane(network.lanes[lanes_.front()], position), least = nearest;
   for (std::size_t k = 1; k < lanes_.size() && (k <= kAhead || least > kAstray); ++k) {
     const Lane& lane = network.lanes[lanes_[k]];
-    const double distance = distance_to(lane, position);
+    const double distance = distance_to_lane(lane, position);
     least = std::min(least, distance);
     if (distance >= nearest) continue;
     if (const auto place = place_on(lane, position)) {

@@ -74,8 +74,7 @@ std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector
   for (int i = 0; i <= std::min(last, static_cast<int>(route.size()) - 1); ++i) {
     if (route[i] < 0 || is_too_short(network, route[i]) || !is_first_occurrence(route, i)) continue;
     const Lane& lane = network.lanes[walking_lane(network, route[i])];
-    const LinePoint at = point_on_lane(lane, project_on_lane(lane, position).offset);
-    const double distance = (at.point - position).norm();
+    const double distance = distance_to_lane(lane, position);
     if (distance < nearest) {
       nearest = distance;
       best = i;

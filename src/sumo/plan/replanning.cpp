@@ -25,7 +25,7 @@ GuestFinding what_happened(const PlanWatch& watch, std::size_t plan, const Vec2&
                                                    : GuestFinding::kUnchanged;
 }
 
-bool may_be_given_back(PlanWatch& watch, std::size_t plan) {
+bool is_plan_sure(PlanWatch& watch, std::size_t plan) {
   if (plan != watch.plan) watch.check_at = 0.0;
   return watch.check_at > 0.0;
 }

@@ -36,9 +36,10 @@ enum class GuestFinding {
 GuestFinding what_happened(const PlanWatch& watch, std::size_t plan, const Vec2& told,
                            const std::function<Vec2()>& place);
 
-/// Whether a person that has arrived may be given back. SUMO's plan for it has number `plan` now.
-/// Where that is another one, or nobody has looked at it yet, it is looked at in the next step.
-bool may_be_given_back(PlanWatch& watch, std::size_t plan);
+/// Whether a person is still walked by its plan, of which SUMO says that it has number `plan` now:
+/// it may be given back then, or told another edge. Where that is another one, or nobody has looked
+/// at it yet, it is looked at in the next step.
+bool is_plan_sure(PlanWatch& watch, std::size_t plan);
 
 /// What is remembered of a person that has another plan: nothing of its old way.
 PersonPast with_new_plan(const PersonPast& past);

@@ -1,7 +1,6 @@
 #include "sumo/plan/route_way.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "geometry/box.hpp"
@@ -19,9 +18,14 @@ constexpr double kLook = 5.0;      // [m] numerical: apart are the places looked
 constexpr double kSameSide = 5.0;  // [m] assumed: so far from an edge somebody is still on it
 constexpr double kBeside = 1.0;    // [m] assumed: of the lane, that is as good
 
+/// That people walk on, of edge k of the route.
+const Lane& lane_of(const RoutePart& part, int k) {
+  return part.network.lanes[walking_lane(part.network, part.route[k])];
+}
+
 Waypoint waypoint_on(const RoutePart& part, int k, const Vec2& place) {
-  const Lane& lane = part.network.lanes[walking_lane(part.network, part.route[k])];
-  return {part.zone.walls.nearest_inside(place, kWayClearance), 0.5 * lane.width + kBeside};
+  return {part.zone.walls.nearest_inside(place, kWayClearance),
+          0.5 * lane_of(part, k).width + kBeside};
 }
 
 std::vector<Waypoint> by_ends(const RoutePart& part, const std::vector<Vec2>& ends) {
@@ -122,10 +126,8 @@ bool is_along_edges(const RoutePart& part, const WayBy& way) {
   }
   const auto is_on_edge = [&](const Vec2& place) {
     return std::ranges::any_of(sides, [&](const Side& side) {
-      if (!side.box.contains(place)) return false;
-      const Polyline& shape = side.lane->shape;
-      const Vec2 on = point_on(shape, project_on(shape, place).offset).point;
-      return (on - place).norm() <= 0.5 * side.lane->width + kBeside;
+      return side.box.contains(place) &&
+             distance_to_lane(*side.lane, place) <= 0.5 * side.lane->width + kBeside;
     });
   };
   return way.share(is_on_edge) >= kStreets;
@@ -148,7 +150,7 @@ std::vector<Waypoint> by_missed_edges(const RoutePart& part, const std::vector<V
   if (!way.exists()) return {};
   std::vector<Waypoint> path;
   for (int k = part.first; k <= part.last; ++k) {
-    const Lane& lane = part.network.lanes[walking_lane(part.network, part.route[k])];
+    const Lane& lane = lane_of(part, k);
     if (!has_middle(part, ends, k, lane)) continue;
     const Waypoint middle = waypoint_on(part, k, point_on_lane(lane, 0.5 * lane.length).point);
     if (comes_along(part.zone, way, middle.at)) continue;
@@ -172,8 +174,8 @@ std::vector<Vec2> ends_of_edges(const RoutePart& part) {
   for (int k = part.first; k < part.last; ++k) {
     const Edge& here = network.edges[route[k]];
     const Edge& next = network.edges[route[k + 1]];
-    const Polyline& shape = network.lanes[walking_lane(network, route[k])].shape;
-    const Polyline& after = network.lanes[walking_lane(network, route[k + 1])].shape;
+    const Polyline& shape = lane_of(part, k).shape;
+    const Polyline& after = lane_of(part, k + 1).shape;
     const bool at_end = leaves_forward(network, k > 0 ? route[k - 1] : -1, route[k], route[k + 1])
                             .value_or(way_by_end(shape.back()) < way_by_end(shape.front()));
     const std::string& junction = at_end ? here.to : here.from;

@@ -43,6 +43,15 @@ def call(*command, folder=None):
     return done.stdout
 
 
+def zone_of_all(folder):
+    """A zone of all edges with a lane for pedestrians."""
+    edges = [edge.get("id") for edge in xml.parse(folder / "n.net.xml").getroot().iter("edge")
+             if edge.get("function") is None
+             and any(lane.get("allow") is None or "pedestrian" in lane.get("allow")
+                     for lane in edge.iter("lane"))]
+    (folder / "all.zone.xml").write_text(f'<zones><zone id="all" edges="{" ".join(edges)}"/></zones>')
+
+
 def make_scene(folder, seed, step, footways):
     folder.mkdir(parents=True, exist_ok=True)
     nodes = "".join(f'<node id="{arm}" x="{x}" y="{y}"/>' for arm, (x, y) in ARMS.items())

@@ -16,7 +16,7 @@ import xml.etree.ElementTree as xml
 from functools import partial
 from pathlib import Path
 
-from junction import all_contacts, call, judge, run_both
+from junction import all_contacts, call, judge, run_both, zone_of_all
 
 TAXIS, PEOPLE, EVERY, WINDOW, END = 30, 700, 7, 1200, 2400  # numbers; every so many rides; [s]
 TOUCHED = 2  # of a run; with the routes of the last rides 7 to 10 were
@@ -29,7 +29,7 @@ def make_scene(folder, seed, idle):
          "-o", "n.net.xml", folder=folder)
     edges = [edge.get("id") for edge in xml.parse(folder / "n.net.xml").getroot().iter("edge")
              if edge.get("function") is None]
-    (folder / "all.zone.xml").write_text(f'<zones><zone id="all" edges="{" ".join(edges)}"/></zones>')
+    zone_of_all(folder)
     draw = random.Random(seed)
     demand = "".join(f'<trip id="t{k}" type="taxi" depart="0" from="{draw.choice(edges)}"/>'
                      for k in range(TAXIS))

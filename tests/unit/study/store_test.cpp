@@ -146,11 +146,11 @@ TEST_F(StoreTest, has_no_records_of_runs_whose_inputs_have_changed_or_gone) {
   record.inputs[input] = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
   finish_run(store, record);
   EXPECT_TRUE(store.records(plan_of({"a"}))[0]);
-  EXPECT_EQ(store.outdated_runs(plan_of({"a", "b"})).count, 0u);
+  EXPECT_EQ(store.stored_runs(plan_of({"a", "b"})).outdated.count, 0u);
   write("input.xml", "abd");
   EXPECT_FALSE(store.records(plan_of({"a"}))[0]);
-  EXPECT_EQ(store.outdated_runs(plan_of({"a", "b"})).count, 1u);
-  EXPECT_EQ(store.outdated_runs(plan_of({"a"})).file, input);
+  EXPECT_EQ(store.stored_runs(plan_of({"a", "b"})).outdated.count, 1u);
+  EXPECT_EQ(store.stored_runs(plan_of({"a"})).outdated.file, input);
   fs::remove(input);
   EXPECT_FALSE(store.records(plan_of({"a"}))[0]);
 }

@@ -56,17 +56,17 @@ TEST_F(ReplanningTest, who_has_another_plan_is_replanned_wherever_it_is) {
 }
 
 TEST_F(ReplanningTest, gives_nobody_back_whose_plan_has_changed_before_it_is_looked_at) {
-  EXPECT_TRUE(may_be_given_back(watch_, kPlan));
-  EXPECT_FALSE(may_be_given_back(watch_, kOther));
+  EXPECT_TRUE(is_plan_sure(watch_, kPlan));
+  EXPECT_FALSE(is_plan_sure(watch_, kOther));
   EXPECT_TRUE(is_due(watch_, 20.1, 3));
-  EXPECT_FALSE(may_be_given_back(watch_, kPlan)) << "not looked at yet";
+  EXPECT_FALSE(is_plan_sure(watch_, kPlan)) << "not looked at yet";
   note_look(watch_, 20.1, 3);
-  EXPECT_TRUE(may_be_given_back(watch_, kPlan));
+  EXPECT_TRUE(is_plan_sure(watch_, kPlan));
 }
 
 TEST_F(ReplanningTest, gives_nobody_back_at_whom_nobody_has_looked) {
   PlanWatch fresh{.plan = kPlan};
-  EXPECT_FALSE(may_be_given_back(fresh, kPlan));
+  EXPECT_FALSE(is_plan_sure(fresh, kPlan));
 }
 
 TEST_F(ReplanningTest, with_a_new_plan_only_who_walked_it_is_remembered) {
