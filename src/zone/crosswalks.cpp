@@ -67,6 +67,19 @@ std::optional<CrosswalkAhead> Crosswalks::ahead(const Vec2& here, const Vec2& ai
   return std::nullopt;
 }
 
+bool Crosswalks::covers(const Vec2& place) const {
+  return std::ranges::any_of(middles_.within(place, around_), [&](std::uint32_t k) {
+    const Crosswalk& crosswalk = all_[k];
+    const Vec2 line = crosswalk.end - crosswalk.begin, from = place - crosswalk.begin;
+    const double length = line.norm();
+    if (length <= 0.0) return false;
+    const Vec2 along = line / length;
+    const double gone = from.dot(along);
+    return gone > 0.0 && gone < length &&
+           std::abs(from.dot(left_of(along))) < 0.5 * crosswalk.width;
+  });
+}
+
 std::optional<WayOver> way_over(std::span<const Vec2> way, const Crosswalk& crosswalk) {
   const Vec2 line = crosswalk.end - crosswalk.begin;
   double driven = 0.0;

@@ -43,6 +43,9 @@ class Crosswalks {
   /// [m] and 3 m: it looks across. Nothing: none.
   std::optional<CrosswalkAhead> ahead(const Vec2& here, const Vec2& aim, double reach) const;
 
+  /// Whether the place [m] is on one of them: no place to wait at.
+  bool covers(const Vec2& place) const;
+
  private:
   std::vector<Crosswalk> all_;
   NearPoints middles_;

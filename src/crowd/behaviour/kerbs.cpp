@@ -86,6 +86,8 @@ void look_at_kerbs(const CrowdState& crowd, double dt, ByHandle<KerbMemory>& ker
     if (!kerb) memory.waited = std::max(0.0, memory.waited - dt);
     if (!is_kerb(kerb) || !crowd.traffic[crowd.handle(i)].aware) continue;
     if (memory.waited > kClosed) continue;
+    // At a small junction crossings lie across each other: nobody waits for one on another.
+    if (crowd.zone.crosswalks.covers(crowd.position(i))) continue;
     const CrossingWalk walk = walk_over(crowd, i, *kerb, memory.waited);
     const auto [coming, is_new] = traffic.try_emplace(kerb->kerb);
     if (is_new) coming->second = coming_over(kerb->crosswalk, crowd.vehicles);

@@ -74,6 +74,17 @@ TEST_F(Kerbs, are_walked_over_where_nobody_comes) {
   EXPECT_GT(most_, 6.0);
 }
 
+TEST_F(Kerbs, are_none_on_another_crosswalk) {
+  drive(45.0, 10.0);
+  Zone zone = street(false);
+  zone.crosswalks = Crosswalks({{{50, 3}, {50, 10}, 4.0, false}, {{46, 1.5}, {54, 1.5}, 3.0}});
+  Scene scene{zone};
+  come(scene);
+  scene.vehicles = scene_.vehicles;
+  run(scene, 4.0);
+  EXPECT_GT(most_, kKerb) << "it would stand in the way of others there";
+}
+
 TEST_F(Kerbs, hold_who_has_no_gap_until_the_vehicle_is_past) {
   drive(45.0, 10.0);
   run(4.0);

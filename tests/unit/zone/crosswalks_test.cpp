@@ -113,5 +113,13 @@ TEST_F(CrosswalksTest, a_way_leads_over_one_where_it_meets_its_middle) {
   EXPECT_FALSE(way_over(std::vector<Vec2>{{-20.0, 2.0}, {-1.0, 2.0}}, crosswalk));
 }
 
+TEST_F(CrosswalksTest, cover_what_is_between_their_kerbs) {
+  EXPECT_TRUE(one().covers({1.9, 0.1}));
+  EXPECT_TRUE(one().covers({-1.9, 6.9}));
+  EXPECT_FALSE(one().covers({2.1, 3.0})) << "beside";
+  EXPECT_FALSE(one().covers({0.0, -0.1})) << "at the kerb";
+  EXPECT_FALSE(one().covers({0.0, 7.1}));
+}
+
 }  // namespace
 }  // namespace pedzone::test
