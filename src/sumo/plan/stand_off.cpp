@@ -59,6 +59,12 @@ bool is_in_gridlock(const FleetVehicle& vehicle, std::span<const FleetVehicle> v
   return others && held;
 }
 
+/// Whether it stands before lights: it waits for these, whoever walks by.
+bool waits_at_lights(const FleetVehicle& vehicle) {
+  const JunctionAhead& ahead = vehicle.junction;
+  return ahead.signalled && ahead.begin > 0.0 && ahead.begin < kJunction;
+}
+
 }  // namespace
 
 /// Whether the vehicle is in its zone, or comes by it soon: at a junction that a zone shares with
@@ -81,7 +87,9 @@ StandOffs::Way StandOffs::way_out(const FleetVehicle& vehicle,
                                   std::span<const FleetVehicle> vehicles,
                                   std::span<const PersonAhead> people) const {
   if (!meets_zone(vehicle)) return Way::kWait;
-  if (first_in_way(vehicle, people, kMargin, kFreeWay)) return Way::kLetGo;
+  const bool held = first_in_way(vehicle, people, kMargin, kFreeWay).has_value();
+  // Between lights people are let go by these: where it stands they would walk into it.
+  if (held) return vehicle.junction.signalled ? Way::kWait : Way::kLetGo;
   const VehicleBody body = body_of(vehicle);
   const bool beside = std::any_of(people.begin(), people.end(), [&](const PersonAhead& person) {
     return body.signed_distance(person.position) < kBeside;
@@ -95,8 +103,10 @@ StandOffs::Way StandOffs::go_on(StandOff& one, const FleetVehicle& vehicle, Way 
                                 double dt) const {
   const bool gets_past = out == Way::kPass && vehicle.speed > kHaltingSpeed;
   one.tried = out != one.way || gets_past ? 0.0 : one.tried + dt;
+  one.passed = out == Way::kPass ? one.passed + vehicle.speed * dt : 0.0;
   const double most = out == Way::kPass ? kTry : zones_[vehicle.zone].parameters.creep_after;
-  if (out == Way::kWait || one.tried < most) return out;
+  const bool is_past = one.passed > kFreeWay + vehicle.traits.length && !is_in_junction(vehicle);
+  if (out == Way::kWait || (one.tried < most && !is_past)) return out;
   one.stood = 0.0;
   return Way::kWait;
 }
@@ -133,7 +143,7 @@ std::vector<SpeedOrder> StandOffs::plan(std::span<FleetVehicle> vehicles,
     StandOff one = known.empty() ? StandOff{} : known.mapped();
     const Way before = one.way;
     if (before == Way::kWait && vehicle.speed > kHaltingSpeed) continue;
-    one.stood += dt;
+    one.stood = waits_at_lights(vehicle) ? 0.0 : one.stood + dt;
     const bool commanded = vehicle.commanded >= 0.0;
     // Whom Yielding lets drive while it stands, SUMO holds.
     const bool may_drive = !commanded || vehicle.commanded >= kDrives;

@@ -25,14 +25,15 @@ class StandOffs {
 
   /// Before SUMO's next step of `dt` [s]: what a vehicle in or at a zone is told that has stood for
   /// creepAfter beside one of `people` (all near the zone), or with others in a junction where all
-  /// stand. Where its way is free of people and vehicles it creeps past. If SUMO keeps it standing
-  /// for 2 s all the same, it waits again: it may find a gap with its own speed that it does not
-  /// with this one. Where somebody stands in its way it lets people go first, for creepAfter at
-  /// most before it waits again: while it is told to stand, SUMO opens crossings to them, and
-  /// pedzone gives people back beside it. To be called after Yielding::plan; vehicles that this
-  /// slows down are left alone, those that it lets drive while SUMO has them stand are not. A
-  /// vehicle that meanwhile has gone (it teleports), or is driven by another program, gets its own
-  /// speed back as soon as it is among `vehicles` again and pedzone's to tell.
+  /// stand; not before lights, nor are people let go between these. Where its way is free of people
+  /// and vehicles it creeps past, out of the junction and by its length and 5 m. If SUMO keeps it
+  /// standing for 2 s all the same, it waits again: it may find a gap with its own speed that it
+  /// does not with this one. Where somebody stands in its way it lets people go first, for
+  /// creepAfter at most before it waits again: while it is told to stand, SUMO opens crossings to
+  /// them, and pedzone gives people back beside it. To be called after Yielding::plan; vehicles
+  /// that this slows down are left alone, those that it lets drive while SUMO has them stand are
+  /// not. A vehicle that meanwhile has gone (it teleports), or is driven by another program, gets
+  /// its own speed back as soon as it is among `vehicles` again and pedzone's to tell.
   std::vector<SpeedOrder> plan(std::span<FleetVehicle> vehicles,
                                std::span<const PersonAhead> people, double dt);
 
@@ -42,8 +43,9 @@ class StandOffs {
  private:
   enum class Way { kWait, kPass, kLetGo };
   struct StandOff {
-    double stood = 0.0;  ///< [s]
-    double tried = 0.0;  ///< [s] on the present way, without getting on
+    double stood = 0.0;   ///< [s]
+    double tried = 0.0;   ///< [s] on the present way, without getting on
+    double passed = 0.0;  ///< [m] that it has crept past
     Way way = Way::kWait;
   };
 

@@ -58,7 +58,8 @@ struct JunctionAhead {
   int junction = -1;   ///< index into Network::junctions; -1: none
   double begin = 0.0;  ///< [m] from the front to its stop line; ≤ 0: it is so far in the junction
   double end = 0.0;    ///< [m] from the front to where its way leaves the junction
-  bool shared = false;  ///< another vehicle is in it or comes to it from elsewhere
+  bool shared = false;     ///< another vehicle is in it or comes to it from elsewhere
+  bool signalled = false;  ///< lights, or barriers of a railway, say who goes
 };
 
 /// The vehicle that one drives behind.

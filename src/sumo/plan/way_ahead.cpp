@@ -59,6 +59,10 @@ void end_at(double length, Polyline& line) {
   }
 }
 
+bool is_signalled(const Junction& junction) {
+  return junction.type.starts_with("traffic_light") || junction.type.starts_with("rail_");
+}
+
 /// From its rear to its front by its heading.
 Polyline straight_behind(const FleetVehicle& vehicle) {
   return {vehicle.front - unit(vehicle.heading) * vehicle.traits.length, vehicle.front};
@@ -231,7 +235,11 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
     const double begin = distance - left;
     append_from(network_.lanes[lane].shape, offset, lateral, left, way);
     if (inside && !passed) {
-      if (junction.junction < 0) junction = {junction_after(vehicle.route, index), begin - came_in};
+      if (junction.junction < 0) {
+        junction = {junction_after(vehicle.route, index), begin - came_in};
+        junction.signalled =
+            junction.junction >= 0 && is_signalled(network_.junctions[junction.junction]);
+      }
       junction.end = distance - left;
     }
     passed = passed || (!inside && junction.junction >= 0);

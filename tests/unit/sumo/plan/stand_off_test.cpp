@@ -145,13 +145,41 @@ TEST_F(StandOffTest, time_at_a_stop_of_its_own_does_not_count) {
   EXPECT_THAT(wait(1.0), testing::SizeIs(2));
 }
 
-TEST_F(StandOffTest, passes_for_as_long_as_it_takes) {
+TEST_F(StandOffTest, passes_in_a_junction_for_as_long_as_it_takes) {
+  vehicles_[0].junction = {.junction = 3, .end = 90.0};
   wait(100.0);
   for (double passed = 0.0; passed < 3.0 * creep_after_; passed += 1.0) {
     vehicles_[0].commanded = kOwnSpeed;
     vehicles_[0].speed = creep_;
     EXPECT_THAT(step(1.0), ElementsAre(SpeedOrder{"van", creep_})) << passed;
   }
+}
+
+TEST_F(StandOffTest, passes_on_a_street_by_its_length_and_five_metres_whoever_else_walks_there) {
+  wait(100.0);
+  double passed = 0.0;
+  for (std::vector<SpeedOrder> orders; passed < 60.0; passed += creep_) {
+    vehicles_[0].commanded = kOwnSpeed;
+    vehicles_[0].speed = creep_;
+    if (step(1.0).back() == SpeedOrder{"van", kOwnSpeed}) break;
+  }
+  EXPECT_NEAR(passed, vehicles_[0].traits.length + 5.0, creep_);
+}
+
+TEST_F(StandOffTest, is_none_where_a_vehicle_waits_at_lights) {
+  vehicles_[0].junction = {.junction = 3, .begin = 1.0, .end = 15.0, .signalled = true};
+  EXPECT_THAT(wait(3.0 * creep_after_), IsEmpty());
+  vehicles_[0].junction.signalled = false;
+  EXPECT_THAT(wait(creep_after_ - 1.0), IsEmpty()) << "that time does not count";
+  EXPECT_THAT(wait(2.0), testing::SizeIs(2));
+}
+
+TEST_F(StandOffTest, nobody_is_let_go_between_lights) {
+  people_ = {{{83.0, 0.0}, {0.0, 0.0}, 0.24}};  // before the van
+  vehicles_[0].junction = {.junction = 3, .begin = -5.0, .end = 15.0, .signalled = true};
+  EXPECT_THAT(wait(3.0 * creep_after_), IsEmpty());
+  vehicles_[0].junction.signalled = false;
+  EXPECT_THAT(wait(1.0), ElementsAre(SpeedOrder{"van", 0.0}));
 }
 
 TEST_F(StandOffTest, waits_again_where_sumo_does_not_let_it_past) {

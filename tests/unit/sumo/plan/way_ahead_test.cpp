@@ -105,6 +105,8 @@ TEST_F(WayAheadTest, tells_how_far_a_junction_is_or_how_far_the_front_has_come_i
     network.edges[inside].function = EdgeFunction::kInternal;
   }
   network.junction_index["J"] = 4;
+  network.junctions.resize(5);
+  network.junctions[4].type = "traffic_light";
   network.connections.push_back({lane_of(e1), lane_of(after), lane_of(first)});
   network.connections.push_back({lane_of(first), lane_of(after), lane_of(second)});
   connect(lane_of(second), lane_of(after));
@@ -117,6 +119,7 @@ TEST_F(WayAheadTest, tells_how_far_a_junction_is_or_how_far_the_front_has_come_i
   };
   const JunctionAhead ahead = one(at(90.0, e1)).junction;
   EXPECT_EQ(ahead.junction, 4);
+  EXPECT_TRUE(ahead.signalled);
   EXPECT_NEAR(ahead.begin, 10.0, 1e-9);
   EXPECT_NEAR(ahead.end, 22.0, 1e-9);
   EXPECT_NEAR(one(at(104.0, first)).junction.begin, -4.0, 1e-9);
