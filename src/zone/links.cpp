@@ -110,7 +110,7 @@ std::vector<Link> links_on_foot(const Network& network, const std::vector<int>& 
   std::vector<Link> links;
   for (const auto& [key, entry] : best) {
     const auto& [junction, from, to] = key;
-    if (is_street_end(network, junction)) continue;
+    if (is_street_end(network, junction) || is_rail_crossing(network, junction)) continue;
     Link link{from, to, junction, {}};
     bool signalled = false;
     for (const int edge : entry.second) {
@@ -157,7 +157,7 @@ void link_at_once(const Network& network, const std::vector<int>& edges, std::ve
   const std::set<std::pair<int, int>> connected = connected_edges(network);
   const bool any = with_walking_area.empty();
   for (const auto& [junction, meeting] : edges_by_junction(network, edges)) {
-    if (with_walking_area.contains(junction)) continue;
+    if (with_walking_area.contains(junction) || is_rail_crossing(network, junction)) continue;
     for (std::size_t i = 0; i < meeting.size(); ++i) {
       for (std::size_t j = i + 1; j < meeting.size(); ++j) {
         if (!any && !connected.contains({meeting[i], meeting[j]})) continue;
@@ -167,8 +167,12 @@ void link_at_once(const Network& network, const std::vector<int>& edges, std::ve
   }
 }
 
+/// Barriers say who goes there, too.
 std::set<std::string> signalled_junctions(const Network& network) {
   std::set<std::string> junctions;
+  for (const Junction& junction : network.junctions) {
+    if (is_rail_crossing(network, junction.id)) junctions.insert(junction.id);
+  }
   for (const Edge& edge : network.edges) {
     if (edge.signalled) junctions.insert(junction_of(edge));
   }

@@ -20,7 +20,7 @@ struct Link {
 /// junction with walking areas: the shortest way over walking areas and crossings, none where it
 /// leads over a signalled crossing or across the end of a street (that stays SUMO's). At one
 /// without: between edges that connections join, or between all where the network has no walking
-/// areas at all, as SUMO's persons pass between them at once.
+/// areas at all, as SUMO's persons pass between them at once. None over a level crossing.
 std::vector<Link> find_links(const Network& network, const std::vector<int>& edges);
 
 /// Lanes inside junctions that belong to a zone with these lanes (ascending): walking areas that
@@ -31,7 +31,7 @@ std::vector<int> inner_lanes(const Network& network, const std::vector<int>& lan
 
 /// Junctions whose whole area is shared: at least two edges of the zone meet there, no road that
 /// stays SUMO's does, none with a carriageway beside its footways, and no signalled crossing.
-/// Indices, ascending.
+/// Nor level crossings. Indices, ascending.
 std::vector<int> shared_junctions(const Network& network, const std::vector<int>& edges);
 
 /// Whether an edge has a lane for vehicles or trains, so that it is more than a footway.

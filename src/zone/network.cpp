@@ -42,6 +42,12 @@ bool is_street_end(const Network& network, const std::string& junction) {
   return found != network.junction_index.end() && network.junctions[found->second].street_end;
 }
 
+bool is_rail_crossing(const Network& network, const std::string& junction) {
+  const auto found = network.junction_index.find(junction);
+  return found != network.junction_index.end() &&
+         network.junctions[found->second].type == "rail_crossing";
+}
+
 bool is_too_short(const Network& network, int edge) {
   const int lane = walking_lane(network, edge);
   return lane < 0 || network.lanes[lane].length < kShortEdge;

@@ -86,7 +86,8 @@ struct MapPoint {
 };
 
 struct Network {
-  std::string file;  ///< as the user named it
+  std::string file;        ///< as the user named it
+  bool left_hand = false;  ///< vehicles drive on the left
   std::vector<Edge> edges;
   std::vector<Lane> lanes;
   std::vector<Connection> connections;
@@ -107,6 +108,9 @@ bool has_carriageway(const Network& network, int edge);
 
 /// Junction::street_end of that id; false for an id that no junction has.
 bool is_street_end(const Network& network, const std::string& junction);
+
+/// Whether a street crosses a railway there.
+bool is_rail_crossing(const Network& network, const std::string& junction);
 
 /// Edges shorter than this are never the place where persons are put or taken over: that makes
 /// SUMO 1.15 abort in MSPModel_Striping::moveToNextLane (measured: 7 of 36 runs with them, 0 of 60

@@ -250,6 +250,7 @@ Network read_network(const std::string& net_file) {
   const XmlFile file(net_file, {"net"});
   Network network;
   network.file = net_file;
+  network.left_hand = file.root().attribute("lefthand").as_bool();
   NetworkReader(file, network).read();
   return network;
 }

@@ -12,6 +12,7 @@ constexpr double kVehicleLook = 5.0;  // [s] assumed: no release before a vehicl
 constexpr double kVehicleSide = 0.5;  // [m] ... whose swept area comes this near
 constexpr double kPatience = 10.0;    // [s] assumed; then only one that would touch it counts ...
 constexpr double kSoon = 2.0;         // [s] ... so soon
+constexpr double kAtSide = 0.4;       // [m] numerical: nearer to its side than SUMO's second stripe
 constexpr double kReachBeyond = 0.5;  // [m] numerical: more than a step's walk
 
 /// [m] on the lane. Where the walk goes on, SUMO walks the person for this step: it starts from
@@ -25,6 +26,16 @@ double release_position(const Lane& lane, const ZoneStretch& stretch, const Walk
                               ? std::clamp(at, stretch.position - reach, stretch.position)
                               : std::clamp(at, stretch.position, stretch.position + reach);
   return std::clamp(position, 0.0, lane.length);
+}
+
+/// [m] on the lane. SUMO keeps whom it gets there on its stripe: where vehicles drive, too, on that
+/// at the side, or they follow it at its pace.
+double release_lateral(const Network& network, const Lane& lane, double lateral, double radius) {
+  const double most = std::max(0.0, 0.5 * lane.width - radius);
+  if (!lane.vehicles) return std::clamp(lateral, -most, most);
+  const double outer = network.left_hand ? 1.0 : -1.0;
+  const double least = std::clamp(0.5 * lane.width - kAtSide, 0.0, most);
+  return outer * std::clamp(outer * lateral, least, most);
 }
 
 /// Another lane that SUMO can put a person on who is on the route's edge `index`; -1: none.
@@ -59,10 +70,9 @@ ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, con
   } else if (present_lane == lane.id) {
     plan.moves.push_back({hop.id, 0.5 * hop.length, {}});
   }
-  const double side = std::max(0.0, 0.5 * lane.width - walked.radius);
   const double lateral = project_on_lane(lane, walked.to).lateral;
-  plan.moves.push_back(
-      {lane.id, release_position(lane, stretch, walked, dt), std::clamp(lateral, -side, side)});
+  plan.moves.push_back({lane.id, release_position(lane, stretch, walked, dt),
+                        release_lateral(network, lane, lateral, walked.radius)});
   return plan;
 }
 

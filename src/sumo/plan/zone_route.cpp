@@ -1,6 +1,7 @@
 #include "sumo/plan/zone_route.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "zone/lane_geometry.hpp"
 
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double kShortStep = 1.0;  // [m] numerical: from the zone's wall to where an edge begins
 constexpr double kLongStep = 3.0;   // [m] assumed: so far over a junction nobody watches the way
+constexpr double kOuterSide = 1.0;  // [m] assumed: for two who leave beside each other
 constexpr double kWayRound = 1.5;   // numerical: a longer way than so many times the straight one
 
 /// Whether a person comes through `next` from one end to the other on its way from `edge` to
@@ -24,6 +26,15 @@ Destination across_lane(const Lane& lane, double position) {
   const LinePoint middle = point_on_lane(lane, position);
   const Vec2 half = left_of(middle.direction) * (0.5 * lane.width);
   return {middle.point + half, middle.point - half};
+}
+
+/// Of a lane that vehicles use as well people leave at its outer side.
+Destination at_lane_end(const Network& network, const Lane& lane, double position) {
+  Destination whole = across_lane(lane, position);
+  if (!lane.vehicles) return whole;
+  if (!network.left_hand) std::swap(whole.a, whole.b);
+  const double share = std::min(1.0, kOuterSide / std::max(lane.width, kOuterSide));
+  return {whole.a, whole.a + share * (whole.b - whole.a)};
 }
 
 std::optional<ZoneStretch> leave_at(const Network& network, const std::vector<int>& route,
@@ -47,7 +58,7 @@ std::optional<ZoneStretch> leave_at(const Network& network, const std::vector<in
   stretch.forward = *forward;
   const double length = network.lanes[lane].length;
   stretch.position = *forward ? length - kPortalInset : kPortalInset;
-  stretch.destination = across_lane(network.lanes[lane], stretch.position);
+  stretch.destination = at_lane_end(network, network.lanes[lane], stretch.position);
   return stretch;
 }
 

@@ -16,6 +16,7 @@ constexpr double kPortal = 50.0 - kPortalInset;  // [m] on the lane of an edge w
 class ReleasePlanTest : public testing::Test, protected test::FourEdges {
  protected:
   ReleasePlanTest() {
+    for (Lane& lane : network.lanes) lane.vehicles = false;
     stretch_.lane = lane_of(e2);
     stretch_.hop_lane = lane_of(e3);
     stretch_.position = kPortal;
@@ -60,6 +61,20 @@ TEST_F(ReleasePlanTest, keeps_the_side_and_the_body_on_the_lane) {
   EXPECT_NEAR(*release().moves.at(0).lateral, 2.0 - 0.25, 1e-9);
   walked_.radius = 3.0;
   EXPECT_NEAR(*release().moves.at(0).lateral, 0.0, 1e-9) << "wider than the lane";
+}
+
+TEST_F(ReleasePlanTest, at_the_side_of_a_lane_that_vehicles_use_as_well) {
+  network.lanes[lane_of(e2)].vehicles = true;
+  for (const bool left_hand : {false, true}) {
+    network.left_hand = left_hand;
+    const double side = left_hand ? 1.0 : -1.0;
+    for (const double walked : {-1.0, 0.0, 1.0}) {
+      walked_.to.y() = walked;
+      EXPECT_NEAR(*release().moves.at(0).lateral, side * (2.0 - 0.4), 1e-9) << walked;
+    }
+    walked_.to.y() = side * 1.7;
+    EXPECT_NEAR(*release().moves.at(0).lateral, side * 1.7, 1e-9) << "is there already";
+  }
 }
 
 TEST_F(ReleasePlanTest, person_that_arrives_is_put_at_its_arrival_position) {

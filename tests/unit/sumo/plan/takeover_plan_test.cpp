@@ -334,6 +334,7 @@ TEST_F(TakeoverPlanTest, crowd_gets_the_person_as_it_walks) {
 }
 
 TEST_F(TakeoverPlanTest, portal_leaves_room_for_the_body_at_both_sides) {
+  network.lanes[lane_of(e2)].vehicles = false;
   walker_.radius = 0.3;
   const auto found = plan(e1);
   const Destination portal = new_person(walker_, *found, {}, 0, 1.35).destination;

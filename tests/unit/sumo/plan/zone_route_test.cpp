@@ -47,11 +47,23 @@ TEST_F(ZoneRouteTest, ends_where_the_other_side_of_a_street_is_linked_at_its_oth
   EXPECT_EQ(last(begins, 0), 1);
 }
 
-TEST_F(ZoneRouteTest, portal_is_as_wide_as_the_lane) {
+TEST_F(ZoneRouteTest, portal_is_as_wide_as_a_lane_for_people) {
+  network.lanes[lane_of(e2)].vehicles = false;
   const auto stretch = plan_stretch(network, zone, {e0, e1, e2, e3}, 1, 20.0);
   ASSERT_TRUE(stretch);
   EXPECT_NEAR((stretch->destination.a - stretch->destination.b).norm(), 4.0, 1e-9);
   EXPECT_NEAR(stretch->destination.a.x(), 150.0 - kPortalInset, 1e-9);
+}
+
+TEST_F(ZoneRouteTest, portal_is_at_the_side_of_a_lane_that_vehicles_use_as_well) {
+  for (const bool left_hand : {false, true}) {
+    network.left_hand = left_hand;
+    const auto stretch = plan_stretch(network, zone, {e0, e1, e2, e3}, 1, 20.0);
+    ASSERT_TRUE(stretch);
+    const double side = left_hand ? 2.0 : -2.0;
+    EXPECT_NEAR(stretch->destination.a.y(), side, 1e-9);
+    EXPECT_NEAR(stretch->destination.b.y(), 0.5 * side, 1e-9);
+  }
 }
 
 TEST_F(ZoneRouteTest, leaves_at_the_beginning_when_walking_against_the_edge) {
