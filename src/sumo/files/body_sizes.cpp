@@ -94,12 +94,17 @@ void BodySizes::visit_parameter(const XmlElement& element) {
 
 const BodySizes::Type* BodySizes::find(std::string_view type) const {
   std::string name(type);
-  if (const auto members = members_of_.find(name); members != members_of_.end()) {
-    name = members->second.front();
+  if (const auto distribution = members_of_.find(name); distribution != members_of_.end()) {
+    name = distribution->second.front();
   }
   auto found = types_.find(name);
   if (found == types_.end()) found = types_.find(name.substr(0, name.rfind('@')));
   return found == types_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> BodySizes::members(std::string_view type) const {
+  const auto found = members_of_.find(std::string(type));
+  return found == members_of_.end() ? std::vector{std::string(type)} : found->second;
 }
 
 std::optional<BodySize> BodySizes::of_type(std::string_view type) const {

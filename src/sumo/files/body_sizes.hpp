@@ -36,6 +36,8 @@ class BodySizes {
   /// Size of a type; nothing where it is not known. A type that a program has derived for one
   /// vehicle ("van@car7") is as large as what it comes from; a distribution as its first member.
   std::optional<BodySize> of_type(std::string_view type) const;
+  /// The types that a vehicle of that type may have: itself, or a distribution's members.
+  std::vector<std::string> members(std::string_view type) const;
   /// Where vehicles of a type of that length [m] bend; as a whole where it is not known.
   VehicleParts parts_of_type(std::string_view type, double length) const;
   /// SUMO's vClass of a type; passenger where it is not known.

@@ -76,11 +76,7 @@ class Reader {
     Departure& departure = planned.departure;
     departure.vehicle = std::string(element.value("id").value_or(""));
     const std::string_view type = element.value("type").value_or(kUsualType);
-    const BodySize size =
-        sizes_.of_type(type).value_or(BodySize{departure.length, departure.width});
-    departure.length = size.length;
-    departure.width = size.width;
-    departure.its_class = road_class(sizes_.class_of(type));
+    const BodySize size = take_type(type, departure);
     const auto at = element.value("departPos");
     const bool base = !at || *at == "base";
     const auto position = base ? size.length + kBehindStart : number_of(at);
@@ -105,6 +101,22 @@ class Reader {
       if (route != routes_.end()) begin(route->second);
     }
     return waiting_;
+  }
+
+  /// Takes in the size and class of the type; of a distribution the largest of its members, of
+  /// whatever class: SUMO chooses. Returns the size.
+  BodySize take_type(std::string_view type, Departure& departure) const {
+    const std::vector<std::string> members = sizes_.members(type);
+    BodySize size = sizes_.of_type(type).value_or(BodySize{departure.length, departure.width});
+    departure.its_class = road_class(sizes_.class_of(type));
+    for (const std::string& member : members) {
+      const BodySize one = sizes_.of_type(member).value_or(size);
+      size = {std::max(size.length, one.length), std::max(size.width, one.width)};
+      if (road_class(sizes_.class_of(member)) != departure.its_class) departure.its_class = 0;
+    }
+    departure.length = size.length;
+    departure.width = size.width;
+    return size;
   }
 
   /// What waits for its first edge gets it.

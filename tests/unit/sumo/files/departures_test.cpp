@@ -76,6 +76,18 @@ TEST_F(DeparturesTest, are_as_long_and_wide_as_their_class_where_a_type_leaves_i
   EXPECT_EQ(std::pair(found[3].length, found[3].width), std::pair(6.5, 2.16));
 }
 
+TEST_F(DeparturesTest, are_as_large_as_the_largest_of_a_distribution) {
+  const auto found =
+      read(R"(<vType id="small" vClass="motorcycle"/><vType id="large" vClass="truck"/>
+    <vTypeDistribution id="mix" vTypes="small large"/>
+    <trip id="one" type="mix" depart="7" from="a" to="b"/>)");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_DOUBLE_EQ(found[0].length, 7.1);
+  EXPECT_DOUBLE_EQ(found[0].width, 2.4);
+  EXPECT_NEAR(found[0].position, 7.2, 1e-9);
+  EXPECT_EQ(found[0].its_class, RoadClasses{0}) << "of whatever class";
+}
+
 TEST_F(DeparturesTest, are_those_of_a_flow_one_by_one) {
   for (const std::string rate : {R"(period="20")", R"(vehsPerHour="180")", R"(number="3")"}) {
     const auto found = read(R"(<flow id="f" begin="10" end="70" from="a" to="b" )" + rate + "/>");

@@ -22,6 +22,10 @@ class InsertionsTest : public testing::Test, protected test::FourEdges {
     return out;
   }
 
+  InsertionsTest() {
+    for (Lane& lane : network.lanes) lane.width = 3.2;
+  }
+
   std::vector<Zone> all_ = zones();
   Fleet fleet_{network, all_};
 };
@@ -36,6 +40,12 @@ TEST_F(InsertionsTest, claim_the_room_from_rear_to_front_when_it_is_due) {
   EXPECT_LE(found[0].way.front().x(), 50.1);
   EXPECT_NEAR(found[0].way.back().x(), 55.1, 1e-9);
   EXPECT_GE(found[0].way.front().x() + found[0].claim, 55.1);
+}
+
+TEST_F(InsertionsTest, claim_the_whole_width_where_there_is_room_beside_it) {
+  network.lanes[lane_of(e1)].width = 5.0;
+  Insertions insertions(network, {car(20.0)});
+  EXPECT_NEAR(claims(insertions, 20.0).at(0).width, 1.8, 1e-9);
 }
 
 TEST_F(InsertionsTest, claim_until_sumo_has_tried_and_on_if_it_could_not) {
