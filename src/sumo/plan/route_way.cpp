@@ -16,6 +16,7 @@ constexpr double kStreets = 0.7;   // assumed: no open space, where so much of i
                                    // rest are junctions
 constexpr double kLook = 5.0;      // [m] numerical: apart are the places looked at
 constexpr double kSameSide = 5.0;  // [m] assumed: so far from an edge somebody is still on it
+constexpr double kAsLong = 3.0;    // [m] assumed: no more than twice that shorter is as long
 constexpr double kBeside = 1.0;    // [m] assumed: of the lane, that is as good
 
 /// That people walk on, of edge k of the route.
@@ -81,11 +82,14 @@ class WayBy {
     return best;
   }
 
-  /// Its last piece leads by that place from now on. False where there is no way.
-  bool lead_by(const Vec2& place) {
-    const auto there = piece(pieces_.back().front(), place);
-    const auto on = piece(place, pieces_.back().back());
-    if (!there || !on) return false;
+  /// Its last piece leads by that waypoint from now on: as people go on from where they count as
+  /// having come by it. From there it may be less far to turn back. False where there is no way.
+  bool lead_by(const Waypoint& waypoint) {
+    auto there = piece(pieces_.back().front(), waypoint.at);
+    if (!there) return false;
+    const Vec2 end = point_on(*there, std::max(0.0, length_of(*there) - waypoint.radius)).point;
+    const auto on = piece(end, pieces_.back().back());
+    if (!on) return false;
     pieces_.back() = *there;
     pieces_.push_back(*on);
     return true;
@@ -105,7 +109,8 @@ class WayBy {
 /// Whether somebody on that way walks along the street that the place is in.
 bool comes_along(const Zone& zone, const WayBy& way, const Vec2& place) {
   const Vec2 nearest = way.nearest(place);
-  return (nearest - place).norm() <= kSameSide || zone.walls.free_line(nearest, place);
+  const double distance = (nearest - place).norm();
+  return distance <= kSameSide || (distance <= kFar && zone.walls.free_line(nearest, place));
 }
 
 /// Whether a way leads along edges of the zone, as the route could have done. Else it is a short
@@ -143,10 +148,19 @@ bool has_middle(const RoutePart& part, const std::vector<Vec2>& ends, int k, con
          (project_on_lane(lane, end).offset < middle);
 }
 
+/// Where the person would be that had come a little less far along its route: of two ways that are
+/// as long somebody may take either.
+Vec2 a_bit_before(const RoutePart& part, const std::vector<Vec2>& ends) {
+  const Vec2 ahead = (ends.empty() ? part.to : ends.front()) - part.from;
+  const double length = ahead.norm();
+  if (length <= 0.0) return part.from;
+  return part.zone.walls.nearest_inside(part.from - ahead * (kAsLong / length), kWayClearance);
+}
+
 /// As waypoints_of(), of a route of that length [m].
 std::vector<Waypoint> by_missed_edges(const RoutePart& part, const std::vector<Vec2>& ends,
                                       double length) {
-  WayBy way(part.zone.ways, part.from, part.to);
+  WayBy way(part.zone.ways, a_bit_before(part, ends), part.to);
   if (!way.exists()) return {};
   std::vector<Waypoint> path;
   for (int k = part.first; k <= part.last; ++k) {
@@ -156,7 +170,7 @@ std::vector<Waypoint> by_missed_edges(const RoutePart& part, const std::vector<V
     if (comes_along(part.zone, way, middle.at)) continue;
     const bool is_shorter = path.empty() && way.length() < kShortCut * length;
     if (is_shorter && !is_along_edges(part, way)) return {};
-    if (way.lead_by(middle.at)) path.push_back(middle);
+    if (way.lead_by(middle)) path.push_back(middle);
   }
   // The edges' middles are no places to come by: the zone has another form than the network.
   return kShortCut * way.length() > length ? std::vector<Waypoint>{} : path;

@@ -68,6 +68,11 @@ TEST_F(RouteWayTest, the_middle_of_an_edge_where_another_street_is_as_long) {
   EXPECT_DOUBLE_EQ(found[0].radius, 3.0);
 }
 
+TEST_F(RouteWayTest, also_where_the_other_street_is_a_little_longer) {
+  EXPECT_EQ(waypoints({left_, top_, right_}, {0.0, 32.0}, {100.0, 29.0}).size(), 1u);
+  EXPECT_THAT(waypoints({left_, top_, right_}, {0.0, 35.0}, {100.0, 32.0}), IsEmpty());
+}
+
 TEST_F(RouteWayTest, nothing_where_the_way_leads_along_the_route) {
   EXPECT_THAT(waypoints({left_, bottom_, right_}, {0.0, 29.0}, {100.0, 29.0}), IsEmpty());
 }
@@ -102,6 +107,15 @@ TEST_F(RouteWayTest, open_space_is_crossed) {
 TEST_F(RouteWayTest, whoever_crosses_anywhere_chooses_its_side) {
   zone_.streets.emplace_back();
   EXPECT_THAT(waypoints({left_, top_, right_}, {0.0, 29.0}, {100.0, 29.0}), IsEmpty());
+}
+
+TEST_F(RouteWayTest, also_the_next_edge_where_one_could_turn_back) {
+  // From the middle of the top street it is 3 m less to go on than to turn back; from where it
+  // counts as passed, 3 m before that, it is 3 m more.
+  const auto found = waypoints({top_, right_, bottom_}, {2.0, 60.0}, {51.5, 0.0});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_TRUE(found[0].at.isApprox(Vec2(50.0, 60.0)));
+  EXPECT_TRUE(found[1].at.isApprox(Vec2(100.0, 30.0)));
 }
 
 }  // namespace
