@@ -85,6 +85,7 @@ SimulationOptions prepare(const RunOptions& options) {
   prepared.screenshots = picture_folder(options.screenshots);
   if (options.own_process()) prepared.own = options.own;
   if (options.own.clients > 0 && options.own.port == 0) prepared.own->port = TraciAddress{}.port;
+  prepared.alone = !options.attach && options.own.all_clients() == 0;
   if (options.model) set_model(*options.model, file.zones);
   prepared.zones = std::move(file.zones);
   prepared.profiles = std::move(file.profiles);

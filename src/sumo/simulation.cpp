@@ -88,6 +88,7 @@ struct Simulation::Parts {
         insertions(network, read_departures(panel_people.scenario(), network, zone_edges())),
         stand_offs(zones),
         attached(options.attach.has_value()),
+        alone(options.alone),
         end(options.end),
         seed(options.seed ? *options.seed
                           : static_cast<std::uint64_t>(number_option(*session, "seed"))),
@@ -152,6 +153,7 @@ struct Simulation::Parts {
   Insertions insertions;
   StandOffs stand_offs;
   bool attached;              ///< SUMO runs on without us
+  bool alone;                 ///< nobody else moves vehicles
   std::optional<double> end;  ///< [s] what was asked for
   std::uint64_t seed;
   Profiles profiles;
@@ -209,7 +211,7 @@ void Simulation::Parts::forget(const std::string& vehicle) {
 void Simulation::Parts::read(double dt) {
   for (const std::string& id : session->vehicles().new_or_gone()) forget(id);
   std::vector<VehicleSeen> seen = vehicles.read(fleet, told, session->time());
-  drivers.mark(seen, steering.steered(), session->time(), dt);
+  if (!alone) drivers.mark(seen, steering.steered(), session->time(), dt);
   fleet.update(std::move(seen), dt);
   steering.foresee(fleet, session->time(), dt);
   takeover.read(session->time(), fleet);

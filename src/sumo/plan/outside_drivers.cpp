@@ -8,9 +8,10 @@
 namespace pedzone {
 namespace {
 
-constexpr double kSame = 0.05;  // [m/s] numerical
-constexpr int kSure = 2;        // numerical: steps; a stop or an insertion is odd for one
-constexpr double kLetGo = 2.0;  // [s] assumed: a controller is not equal to SUMO for so long
+constexpr double kSame = 0.05;   // [m/s] numerical
+constexpr double kBrakes = 0.9;  // numerical: of its decel
+constexpr int kSure = 2;         // numerical: steps; a stop or an insertion is odd for one
+constexpr double kLetGo = 2.0;   // [s] assumed: a controller is not equal to SUMO for so long
 
 }  // namespace
 
@@ -19,7 +20,12 @@ constexpr double kLetGo = 2.0;  // [s] assumed: a controller is not equal to SUM
 bool OutsideDrivers::is_odd(const VehicleSeen& vehicle, const Suspect& suspect, double dt) const {
   const std::optional<double> told = told_.speed(vehicle.id);
   const bool as_sumo = std::abs(vehicle.speed - vehicle.own_speed) <= kSame;
-  if (!told) return !as_sumo;
+  if (!told && !as_sumo) {
+    // Where emergency vehicles drive, SUMO's own speed is lower than that of one that brakes.
+    const double braked = suspect.last_speed - kBrakes * vehicle.traits.decel * dt;
+    return vehicle.speed < vehicle.own_speed || vehicle.speed > std::max(0.0, braked);
+  }
+  if (!told) return false;
   if (suspect.driven && as_sumo) return false;
   if (suspect.last_speed < 0.0) return false;
   const double slowest = suspect.last_speed - vehicle.traits.decel * dt;

@@ -19,7 +19,8 @@ struct OutsideRecord {
 
 /// SUMO tells how fast a vehicle drives and how fast it would drive if no client had told it
 /// anything. The two are the same to the bit, but for who is told a speed (setSpeed, slowDown) or
-/// moved (moveToXY): measured with 1.15.
+/// moved (moveToXY): measured with 1.15. Beside emergency vehicles they differ for some who brake,
+/// too: these count as SUMO's.
 class OutsideDrivers {
  public:
   /// `told`: by pedzone; must outlive it.

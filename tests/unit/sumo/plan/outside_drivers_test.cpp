@@ -43,6 +43,13 @@ TEST_F(OutsideDriversTest, who_drives_otherwise_for_two_steps_is_driven_by_anoth
   EXPECT_DOUBLE_EQ(drivers_.found().front().time, 2 * kStep);
 }
 
+TEST_F(OutsideDriversTest, who_brakes_is_sumos_though_its_own_speed_is_lower_yet) {
+  step(5.0, 5.0);
+  for (double speed = 4.55; speed > 0.5; speed -= 4.5 * kStep) {
+    EXPECT_FALSE(step(speed, speed - 0.4)) << speed;
+  }
+}
+
 TEST_F(OutsideDriversTest, the_next_vehicle_of_its_id_is_sumos) {
   step(3.0, 5.0);
   EXPECT_TRUE(step(3.0, 5.0));
