@@ -30,9 +30,11 @@ double release_position(const Lane& lane, const ZoneStretch& stretch, const Walk
 
 /// [m] on the lane. SUMO keeps whom it gets there on its stripe: where vehicles drive, too, on that
 /// at the side, or they follow it at its pace.
-double release_lateral(const Network& network, const Lane& lane, double lateral, double radius) {
+double release_lateral(const Network& network, const ZoneStretch& stretch, double lateral,
+                       double radius) {
+  const Lane& lane = network.lanes[stretch.lane];
   const double most = std::max(0.0, 0.5 * lane.width - radius);
-  if (!lane.vehicles) return std::clamp(lateral, -most, most);
+  if (!lane.vehicles || stretch.release != Release::kLeave) return std::clamp(lateral, -most, most);
   const double outer = network.left_hand ? 1.0 : -1.0;
   const double least = std::clamp(0.5 * lane.width - kAtSide, 0.0, most);
   return outer * std::clamp(outer * lateral, least, most);
@@ -72,7 +74,7 @@ ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, con
   }
   const double lateral = project_on_lane(lane, walked.to).lateral;
   plan.moves.push_back({lane.id, release_position(lane, stretch, walked, dt),
-                        release_lateral(network, lane, lateral, walked.radius)});
+                        release_lateral(network, stretch, lateral, walked.radius)});
   return plan;
 }
 

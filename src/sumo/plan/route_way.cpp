@@ -168,7 +168,8 @@ std::vector<Waypoint> by_missed_edges(const RoutePart& part, const std::vector<V
     if (!has_middle(part, ends, k, lane)) continue;
     const Waypoint middle = waypoint_on(part, k, point_on_lane(lane, 0.5 * lane.length).point);
     if (comes_along(part.zone, way, middle.at)) continue;
-    const bool is_shorter = path.empty() && way.length() < kShortCut * length;
+    const bool is_shorter =
+        path.empty() && part.zone.ways.distance(part.from, part.to) < kShortCut * length;
     if (is_shorter && !is_along_edges(part, way)) return {};
     if (way.lead_by(middle)) path.push_back(middle);
   }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kShortStep = 1.0;  // [m] numerical: from the zone's wall to where an edge begins
 constexpr double kLongStep = 3.0;   // [m] assumed: so far over a junction nobody watches the way
-constexpr double kOuterSide = 1.0;  // [m] assumed: for two who leave beside each other
+constexpr double kOuterSide = 0.65;  // [m] SUMO's first stripe
 constexpr double kWayRound = 1.5;   // numerical: a longer way than so many times the straight one
 
 /// Whether a person comes through `next` from one end to the other on its way from `edge` to

@@ -75,6 +75,9 @@ TEST_F(ReleasePlanTest, at_the_side_of_a_lane_that_vehicles_use_as_well) {
     walked_.to.y() = side * 1.7;
     EXPECT_NEAR(*release().moves.at(0).lateral, side * 1.7, 1e-9) << "is there already";
   }
+  stretch_.release = Release::kStepOver;  // comes onto it from a walking area
+  walked_.to.y() = 0.0;
+  EXPECT_NEAR(*release().moves.back().lateral, 0.0, 1e-9);
 }
 
 TEST_F(ReleasePlanTest, person_that_arrives_is_put_at_its_arrival_position) {
