@@ -1,7 +1,10 @@
 #include "sumo/plan/route_way.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "geometry/box.hpp"
 #include "zone/lane_geometry.hpp"
@@ -82,16 +85,17 @@ class WayBy {
     return best;
   }
 
-  /// Its last piece leads by that waypoint from now on: as people go on from where they count as
+  /// One of its pieces leads by that waypoint from now on: as people go on from where they count as
   /// having come by it. From there it may be less far to turn back. False where there is no way.
-  bool lead_by(const Waypoint& waypoint) {
-    auto there = piece(pieces_.back().front(), waypoint.at);
+  bool lead_by(const Waypoint& waypoint, std::size_t number) {
+    Polyline& all = pieces_[number];
+    auto there = piece(all.front(), waypoint.at);
     if (!there) return false;
     const Vec2 end = point_on(*there, std::max(0.0, length_of(*there) - waypoint.radius)).point;
-    const auto on = piece(end, pieces_.back().back());
+    auto on = piece(end, all.back());
     if (!on) return false;
-    pieces_.back() = *there;
-    pieces_.push_back(*on);
+    all = std::move(*there);
+    pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(number) + 1, std::move(*on));
     return true;
   }
 
@@ -162,19 +166,26 @@ std::vector<Waypoint> by_missed_edges(const RoutePart& part, const std::vector<V
                                       double length) {
   WayBy way(part.zone.ways, a_bit_before(part, ends), part.to);
   if (!way.exists()) return {};
-  std::vector<Waypoint> path;
+  std::map<int, Waypoint> led;  // by edge
   for (int k = part.first; k <= part.last; ++k) {
     const Lane& lane = lane_of(part, k);
-    if (!has_middle(part, ends, k, lane)) continue;
+    if (led.contains(k) || !has_middle(part, ends, k, lane)) continue;
     const Waypoint middle = waypoint_on(part, k, point_on_lane(lane, 0.5 * lane.length).point);
     if (comes_along(part.zone, way, middle.at)) continue;
     const bool is_shorter =
-        path.empty() && part.zone.ways.distance(part.from, part.to) < kShortCut * length;
+        led.empty() && part.zone.ways.distance(part.from, part.to) < kShortCut * length;
     if (is_shorter && !is_along_edges(part, way)) return {};
-    if (way.lead_by(middle)) path.push_back(middle);
+    const auto next = led.upper_bound(k);
+    if (!way.lead_by(middle, static_cast<std::size_t>(std::distance(led.begin(), next)))) continue;
+    const auto here = led.emplace_hint(next, k, middle);
+    // The new way there may miss edges before this one that the old way came by.
+    k = here == led.begin() ? part.first - 1 : std::prev(here)->first;
   }
   // The edges' middles are no places to come by: the zone has another form than the network.
-  return kShortCut * way.length() > length ? std::vector<Waypoint>{} : path;
+  if (kShortCut * way.length() > length) return {};
+  std::vector<Waypoint> path;
+  for (const auto& [edge, waypoint] : led) path.push_back(waypoint);
+  return path;
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace pedzone {
 namespace {
 
@@ -116,6 +118,18 @@ TEST_F(RouteWayTest, also_the_next_edge_where_one_could_turn_back) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_TRUE(found[0].at.isApprox(Vec2(50.0, 60.0)));
   EXPECT_TRUE(found[1].at.isApprox(Vec2(100.0, 30.0)));
+}
+
+TEST_F(RouteWayTest, edges_that_only_the_way_to_a_missed_one_misses) {
+  // With another block above, the shortest way leads by the right street, but not by the upper one;
+  // the shortest way to the middle of that leads by the left street.
+  add("above", "C", "E", {100.0, 60.0}, {100.0, 120.0});
+  const int beside = add("beside", "B", "F", {0.0, 60.0}, {0.0, 120.0});
+  const int upper = add("upper", "F", "E", {0.0, 120.0}, {100.0, 120.0});
+  walk_in({Polygon{box(-2, -2, 102, 122), {box(2, 2, 98, 58), box(2, 62, 98, 118)}}});
+  const auto found = waypoints({bottom_, right_, top_, beside, upper}, {20.0, 0.0}, {60.0, 120.0});
+  const auto is_on_right = [](const Waypoint& one) { return one.at.isApprox(Vec2(100.0, 30.0)); };
+  EXPECT_TRUE(std::ranges::any_of(found, is_on_right));
 }
 
 }  // namespace
