@@ -1,6 +1,7 @@
 #include "sumo/plan/release_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "zone/lane_geometry.hpp"
@@ -36,8 +37,9 @@ double release_lateral(const Network& network, const ZoneStretch& stretch, doubl
   const double most = std::max(0.0, 0.5 * lane.width - radius);
   if (!lane.vehicles || stretch.release != Release::kLeave) return std::clamp(lateral, -most, most);
   const double outer = network.left_hand ? 1.0 : -1.0;
-  const double least = std::clamp(0.5 * lane.width - kAtSide, 0.0, most);
-  return outer * std::clamp(outer * lateral, least, most);
+  const double least =
+      std::clamp(0.5 * lane.width - kAtSide, 0.0, std::min(most, kClearOfVehicles));
+  return std::abs(lateral) < least ? outer * least : std::clamp(lateral, -most, most);
 }
 
 /// Another lane that SUMO can put a person on who is on the route's edge `index`; -1: none.

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kShortStep = 1.0;  // [m] numerical: from the zone's wall to where an edge begins
 constexpr double kLongStep = 3.0;   // [m] assumed: so far over a junction nobody watches the way
-constexpr double kOuterSide = 0.65;  // [m] SUMO's first stripe
+constexpr double kStripe = 0.65;    // [m] SUMO's, at the least
+constexpr double kBody = 0.24;      // [m] the radius of most
 constexpr double kWayRound = 1.5;   // numerical: a longer way than so many times the straight one
 
 /// Whether a person comes through `next` from one end to the other on its way from `edge` to
@@ -28,12 +29,13 @@ Destination across_lane(const Lane& lane, double position) {
   return {middle.point + half, middle.point - half};
 }
 
-/// Of a lane that vehicles use as well people leave at its outer side.
+/// Of a lane that vehicles use as well people leave at its outer side, out of their way.
 Destination at_lane_end(const Network& network, const Lane& lane, double position) {
   Destination whole = across_lane(lane, position);
   if (!lane.vehicles) return whole;
   if (!network.left_hand) std::swap(whole.a, whole.b);
-  const double share = std::min(1.0, kOuterSide / std::max(lane.width, kOuterSide));
+  const double outer = std::max(kStripe, 0.5 * lane.width - (kClearOfVehicles - kBody));
+  const double share = std::min(1.0, outer / std::max(lane.width, kStripe));
   return {whole.a, whole.a + share * (whole.b - whole.a)};
 }
 

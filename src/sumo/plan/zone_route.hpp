@@ -21,6 +21,10 @@ namespace pedzone {
 /// SUMO's model a lane to be on before the junction.
 constexpr double kPortalInset = 1.0;
 
+/// [m] assumed: so far from the middle of a lane somebody is in no vehicle's way whom SUMO walks:
+/// half a car, a body, and half a stripe, by which it moves people to the middle of one.
+constexpr double kClearOfVehicles = 1.5;
+
 /// How far on the edge that it steps over to it goes back to SUMO. [m] numerical
 constexpr double kEntryInset = 0.3;
 

@@ -70,11 +70,17 @@ TEST_F(ReleasePlanTest, at_the_side_of_a_lane_that_vehicles_use_as_well) {
     const double side = left_hand ? 1.0 : -1.0;
     for (const double walked : {-1.0, 0.0, 1.0}) {
       walked_.to.y() = walked;
-      EXPECT_NEAR(*release().moves.at(0).lateral, side * (2.0 - 0.4), 1e-9) << walked;
+      EXPECT_NEAR(*release().moves.at(0).lateral, side * 1.5, 1e-9) << walked;
     }
-    walked_.to.y() = side * 1.7;
-    EXPECT_NEAR(*release().moves.at(0).lateral, side * 1.7, 1e-9) << "is there already";
+    for (const double walked : {-1.7, 1.7}) {
+      walked_.to.y() = walked;
+      EXPECT_NEAR(*release().moves.at(0).lateral, walked, 1e-9) << "vehicles pass";
+    }
   }
+  network.left_hand = false;
+  network.lanes[lane_of(e2)].width = 3.2;
+  walked_.to.y() = 0.5;
+  EXPECT_NEAR(*release().moves.at(0).lateral, -1.2, 1e-9) << "as far as SUMO's first stripe goes";
   stretch_.release = Release::kStepOver;  // comes onto it from a walking area
   walked_.to.y() = 0.0;
   EXPECT_NEAR(*release().moves.back().lateral, 0.0, 1e-9);
