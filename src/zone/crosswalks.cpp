@@ -13,17 +13,23 @@ constexpr double kBeside = 0.5;  // [m] assumed: who walks so far beside the cro
 constexpr double kMostReach = 3.0;  // [m] numerical
 constexpr double kAcross = 0.7;     // numerical: cosine; who heads more along the street does not
 
+/// Where a point is: x [m] along the crosswalk from its begin, y [m] to its left.
+Vec2 place_on(const Crosswalk& crosswalk, const Vec2& point) {
+  const Vec2 along = (crosswalk.end - crosswalk.begin).normalized();
+  const Vec2 from = point - crosswalk.begin;
+  return {from.dot(along), from.dot(left_of(along))};
+}
+
 /// [m] that somebody who goes from its begin to its end has gone; nothing: it does not.
 std::optional<double> gone_on(const Crosswalk& crosswalk, const Vec2& here, const Vec2& aim,
                               double reach) {
   const Vec2 line = crosswalk.end - crosswalk.begin, way = aim - here;
-  const Vec2 from = here - crosswalk.begin;
   const double length = line.norm();
   if (length <= 0.0) return std::nullopt;
-  const Vec2 along = line / length;
-  const double gone = from.dot(along);
+  const Vec2 along = line / length, place = place_on(crosswalk, here);
+  const double gone = place.x();
   if (gone <= -reach || gone >= length || gone + way.dot(along) <= 0.0) return std::nullopt;
-  if (std::abs(from.dot(left_of(along))) > 0.5 * crosswalk.width + kBeside) return std::nullopt;
+  if (std::abs(place.y()) > 0.5 * crosswalk.width + kBeside) return std::nullopt;
   if (way.dot(along) <= kAcross * way.norm()) return std::nullopt;
   return gone;
 }
@@ -69,14 +75,10 @@ std::optional<CrosswalkAhead> Crosswalks::ahead(const Vec2& here, const Vec2& ai
 
 bool Crosswalks::covers(const Vec2& place) const {
   return std::ranges::any_of(middles_.within(place, around_), [&](std::uint32_t k) {
-    const Crosswalk& crosswalk = all_[k];
-    const Vec2 line = crosswalk.end - crosswalk.begin, from = place - crosswalk.begin;
-    const double length = line.norm();
-    if (length <= 0.0) return false;
-    const Vec2 along = line / length;
-    const double gone = from.dot(along);
-    return gone > 0.0 && gone < length &&
-           std::abs(from.dot(left_of(along))) < 0.5 * crosswalk.width;
+    const Crosswalk& there = all_[k];
+    const Vec2 on = place_on(there, place);
+    return on.x() > 0.0 && on.x() < (there.end - there.begin).norm() &&
+           std::abs(on.y()) < 0.5 * there.width;
   });
 }
 

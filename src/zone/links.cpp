@@ -171,7 +171,7 @@ void link_at_once(const Network& network, const std::vector<int>& edges, std::ve
 std::set<std::string> signalled_junctions(const Network& network) {
   std::set<std::string> junctions;
   for (const Junction& junction : network.junctions) {
-    if (is_rail_crossing(network, junction.id)) junctions.insert(junction.id);
+    if (junction.type == "rail_crossing") junctions.insert(junction.id);
   }
   for (const Edge& edge : network.edges) {
     if (edge.signalled) junctions.insert(junction_of(edge));

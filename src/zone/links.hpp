@@ -30,8 +30,8 @@ std::vector<int> inner_lanes(const Network& network, const std::vector<int>& lan
                              const std::vector<Link>& links);
 
 /// Junctions whose whole area is shared: at least two edges of the zone meet there, no road that
-/// stays SUMO's does, none with a carriageway beside its footways, and no signalled crossing.
-/// Nor level crossings. Indices, ascending.
+/// stays SUMO's does, none with a carriageway beside its footways, and no signalled or level
+/// crossing. Indices, ascending.
 std::vector<int> shared_junctions(const Network& network, const std::vector<int>& edges);
 
 /// Whether an edge has a lane for vehicles or trains, so that it is more than a footway.

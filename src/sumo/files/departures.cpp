@@ -68,6 +68,7 @@ class Reader {
     std::string lane;
     double end = 0.0, period = 0.0;
     bool flow = false;
+    bool mixed = false;  ///< of several classes: SUMO may choose any lane
   };
 
   std::optional<Planned> read(const XmlElement& element) {
@@ -76,10 +77,10 @@ class Reader {
     Departure& departure = planned.departure;
     departure.vehicle = std::string(element.value("id").value_or(""));
     const std::string_view type = element.value("type").value_or(kUsualType);
-    const BodySize size = take_type(type, departure);
+    take_type(type, planned);
     const auto at = element.value("departPos");
     const bool base = !at || *at == "base";
-    const auto position = base ? size.length + kBehindStart : number_of(at);
+    const auto position = base ? departure.length + kBehindStart : number_of(at);
     const auto time = time_of(element.value(planned.flow ? "begin" : "depart"));
     if (!position || *position < 0.0 || (!time && !planned.flow)) return std::nullopt;
     departure.position = *position;
@@ -103,20 +104,20 @@ class Reader {
     return waiting_;
   }
 
-  /// Takes in the size and class of the type; of a distribution the largest of its members, of
-  /// whatever class: SUMO chooses. Returns the size.
-  BodySize take_type(std::string_view type, Departure& departure) const {
-    const std::vector<std::string> members = sizes_.members(type);
+  /// Takes in the size and class of the type; of a distribution the largest of its members, and
+  /// that of all: SUMO chooses.
+  void take_type(std::string_view type, Planned& planned) const {
+    Departure& departure = planned.departure;
     BodySize size = sizes_.of_type(type).value_or(BodySize{departure.length, departure.width});
     departure.its_class = road_class(sizes_.class_of(type));
-    for (const std::string& member : members) {
+    for (const std::string& member : sizes_.members(type)) {
       const BodySize one = sizes_.of_type(member).value_or(size);
       size = {std::max(size.length, one.length), std::max(size.width, one.width)};
-      if (road_class(sizes_.class_of(member)) != departure.its_class) departure.its_class = 0;
+      planned.mixed |= road_class(sizes_.class_of(member)) != departure.its_class;
     }
     departure.length = size.length;
     departure.width = size.width;
-    return size;
+    if (planned.mixed) departure.its_class = 0;
   }
 
   /// What waits for its first edge gets it.
@@ -126,7 +127,7 @@ class Reader {
     if (found == network_.edge_index.end() || !edges_.contains(found->second)) return;
     Departure departure = planned.departure;
     departure.edge = found->second;
-    departure.lane = lane_of(network_.edges[departure.edge], departure.its_class, planned.lane);
+    departure.lane = lane_of(network_.edges[departure.edge], planned);
     if (!planned.flow) return departures_.push_back(departure);
     const double end = std::min(planned.end, departure.time + kLongestFlow);
     for (int i = 0; departure.time < end; ++i, departure.time += planned.period) {
@@ -135,10 +136,13 @@ class Reader {
     }
   }
 
-  int lane_of(const Edge& edge, RoadClasses its_class, const std::string& wished) const {
+  int lane_of(const Edge& edge, const Planned& planned) const {
+    const std::string& wished = planned.lane;
     if (wished.empty() || wished == "first") {
-      const auto first = std::ranges::find_if(
-          edge.lanes, [&](int lane) { return network_.lanes[lane].lets_in(its_class); });
+      if (planned.mixed) return -1;
+      const auto first = std::ranges::find_if(edge.lanes, [&](int lane) {
+        return network_.lanes[lane].lets_in(planned.departure.its_class);
+      });
       return first == edge.lanes.end() ? -1 : *first;
     }
     const auto lane = network_.lane_index.find(edge.id + "_" + wished);

@@ -16,9 +16,9 @@ struct Departure {
   int edge = -1;              ///< index into Network::edges
   int lane = -1;              ///< index into Network::lanes; -1: SUMO chooses one
   double position = 0.0;      ///< [m] ≥ 0 of its front from the lane's begin
-  double length = 5.0;        ///< [m]
-  double width = 1.8;         ///< [m]
-  RoadClasses its_class = 0;  ///< 0: not known
+  double length = 5.0;        ///< [m]; of a distribution that of its longest member
+  double width = 1.8;         ///< [m] likewise
+  RoadClasses its_class = 0;  ///< 0: not known, or one of several
 };
 
 /// Those on one of `edges` (indices into Network::edges), by time. Left out: flows with a

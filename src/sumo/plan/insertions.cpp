@@ -17,7 +17,7 @@ constexpr double kSample = 1.0;  // [m] numerical
 // [m] people keep so much less to each side than of a vehicle that drives past: who has room beside
 // it on a lane of 3.2 m is left where it is. Not so where a wider lane has room for both.
 constexpr double kSides = 0.25;
-constexpr double kRoom = 1.0;  // [m] assumed
+constexpr double kRoomBeside = 1.0;  // [m] assumed
 // [s] assumed: SUMO may wait for a gap in traffic for long, and people have to get past meanwhile.
 constexpr double kClaimsFor = 20.0, kClaimsEvery = 30.0;
 
@@ -86,7 +86,7 @@ void Insertions::add_claim(const Departure& departure, int lane, const Fleet& fl
   state.length = kBar;
   state.claimed = std::numeric_limits<double>::infinity();  // it cannot wait
   const double beside = 0.5 * (there.width - departure.width);
-  const double sides = beside < kRoom ? kSides : 0.0;
+  const double sides = beside < kRoomBeside ? kSides : 0.0;
   state.width = std::max(kBar, departure.width - 2.0 * sides);
   state.key = person_key(departure.vehicle);
   state.way = ways_.back();

@@ -13,19 +13,21 @@ constexpr double kBrakes = 0.9;  // numerical: of its decel
 constexpr int kSure = 2;         // numerical: steps; a stop or an insertion is odd for one
 constexpr double kLetGo = 2.0;   // [s] assumed: a controller is not equal to SUMO for so long
 
+/// Whether it is at least about as much slower than before as it likes to brake.
+bool brakes(const VehicleSeen& vehicle, double before, double dt) {
+  return vehicle.speed <= std::max(0.0, before - kBrakes * vehicle.traits.decel * dt);
+}
+
 }  // namespace
 
 /// One that pedzone has told a speed drives no faster, but for what it cannot brake. Once another
 /// program drives it, what it was told may count no more: then it may drive as SUMO lets it, too.
 bool OutsideDrivers::is_odd(const VehicleSeen& vehicle, const Suspect& suspect, double dt) const {
   const std::optional<double> told = told_.speed(vehicle.id);
+  // Beside emergency vehicles SUMO tells a lower speed of its own for one that brakes.
+  const bool is_faster = vehicle.speed > vehicle.own_speed;
   const bool as_sumo = std::abs(vehicle.speed - vehicle.own_speed) <= kSame;
-  if (!told && !as_sumo) {
-    // Where emergency vehicles drive, SUMO's own speed is lower than that of one that brakes.
-    const double braked = suspect.last_speed - kBrakes * vehicle.traits.decel * dt;
-    return vehicle.speed < vehicle.own_speed || vehicle.speed > std::max(0.0, braked);
-  }
-  if (!told) return false;
+  if (!told) return !as_sumo && !(is_faster && brakes(vehicle, suspect.last_speed, dt));
   if (suspect.driven && as_sumo) return false;
   if (suspect.last_speed < 0.0) return false;
   const double slowest = suspect.last_speed - vehicle.traits.decel * dt;

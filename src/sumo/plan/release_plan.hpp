@@ -38,7 +38,8 @@ struct Walked {
 /// stages in SUMO.
 bool ends_trip(const ZoneStretch& stretch, int stages_left);
 
-/// How a person is given back after a step of `dt` [s]. `present_lane`: id of the lane that SUMO
+/// How a person is given back after a step of `dt` [s]; on a lane that vehicles use as well, beside
+/// these. `present_lane`: id of the lane that SUMO
 /// has it on.
 ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, const Walked& walked,
                          const std::string& present_lane, double dt);

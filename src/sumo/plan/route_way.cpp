@@ -19,6 +19,7 @@ constexpr double kStreets = 0.7;   // assumed: no open space, where so much of i
                                    // rest are junctions
 constexpr double kLook = 5.0;      // [m] numerical: apart are the places looked at
 constexpr double kSameSide = 5.0;  // [m] assumed: so far from an edge somebody is still on it
+constexpr double kSeen = 30.0;     // [m] assumed: from so far one is seen to walk along a street
 constexpr double kAsLong = 3.0;    // [m] assumed: no more than twice that shorter is as long
 constexpr double kBeside = 1.0;    // [m] assumed: of the lane, that is as good
 
@@ -53,7 +54,7 @@ class WayBy {
   double length() const {
     double sum = 0.0;
     for (const Polyline& piece : pieces_) sum += length_of(piece);
-    return sum;
+    return sum - twice_;
   }
 
   /// Whether a place on it every kLook is where `is_such` says, by the share of them.
@@ -85,8 +86,9 @@ class WayBy {
     return best;
   }
 
-  /// One of its pieces leads by that waypoint from now on: as people go on from where they count as
-  /// having come by it. From there it may be less far to turn back. False where there is no way.
+  /// One of its pieces leads by that waypoint from now on. The next one begins where people count
+  /// as having come by it, `radius` before it: from there it may be less far to turn back. False
+  /// where there is no way.
   bool lead_by(const Waypoint& waypoint, std::size_t number) {
     Polyline& all = pieces_[number];
     auto there = piece(all.front(), waypoint.at);
@@ -95,6 +97,7 @@ class WayBy {
     auto on = piece(end, all.back());
     if (!on) return false;
     all = std::move(*there);
+    twice_ += waypoint.radius;
     pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(number) + 1, std::move(*on));
     return true;
   }
@@ -108,13 +111,14 @@ class WayBy {
 
   const WayFinder& ways_;
   std::vector<Polyline> pieces_;
+  double twice_ = 0.0;  ///< [m] that two of them have in common
 };
 
 /// Whether somebody on that way walks along the street that the place is in.
 bool comes_along(const Zone& zone, const WayBy& way, const Vec2& place) {
   const Vec2 nearest = way.nearest(place);
   const double distance = (nearest - place).norm();
-  return distance <= kSameSide || (distance <= kFar && zone.walls.free_line(nearest, place));
+  return distance <= kSameSide || (distance <= kSeen && zone.walls.free_line(nearest, place));
 }
 
 /// Whether a way leads along edges of the zone, as the route could have done. Else it is a short
@@ -155,7 +159,7 @@ bool has_middle(const RoutePart& part, const std::vector<Vec2>& ends, int k, con
 /// Where the person would be that had come a little less far along its route: of two ways that are
 /// as long somebody may take either.
 Vec2 a_bit_before(const RoutePart& part, const std::vector<Vec2>& ends) {
-  const Vec2 ahead = (ends.empty() ? part.to : ends.front()) - part.from;
+  const Vec2 ahead = ends.front() - part.from;
   const double length = ahead.norm();
   if (length <= 0.0) return part.from;
   return part.zone.walls.nearest_inside(part.from - ahead * (kAsLong / length), kWayClearance);
@@ -182,7 +186,7 @@ std::vector<Waypoint> by_missed_edges(const RoutePart& part, const std::vector<V
     k = here == led.begin() ? part.first - 1 : std::prev(here)->first;
   }
   // The edges' middles are no places to come by: the zone has another form than the network.
-  if (kShortCut * way.length() > length) return {};
+  if (kShortCut * (way.length() - kAsLong) > length) return {};
   std::vector<Waypoint> path;
   for (const auto& [edge, waypoint] : led) path.push_back(waypoint);
   return path;

@@ -29,8 +29,8 @@ double length_by(const RoutePart& part, const std::vector<Vec2>& ends);
 /// What the person is to come by, with what ends_of_edges() tells of that part:
 /// - where the crowd's way would be far shorter than the route, the ends of its edges: somebody
 ///   takes it for its own sake, there and back, or round a block;
-/// - where the crowd's way would lead along other streets, which are as long, the middles of those
-///   edges that it would miss.
+/// - where the crowd's way would lead along other streets, which are as long or less than 6 m
+///   longer, the middles of those edges that it would miss.
 /// Nothing where the crowd takes a short cut of more than a tenth of the way.
 std::vector<Waypoint> waypoints_of(const RoutePart& part, const std::vector<Vec2>& ends);
 

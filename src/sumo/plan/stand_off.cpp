@@ -13,6 +13,7 @@ constexpr double kFreeWay = 5.0;    // [m] assumed: so far it must be free
 constexpr double kJunction = 20.0;  // [m] assumed: a junction's width and the way to it
 constexpr double kBorder = 5.0;     // [m] assumed: a crossing beside a zone is no farther from it
 constexpr double kTry = 2.0;        // [s] assumed: one that can creep past does so by then
+constexpr double kRed = 120.0;      // [s] assumed: lights are red for no longer
 constexpr double kSample = 0.5;     // [m] numerical
 constexpr double kGap = 0.3;        // [m] assumed: kept to other vehicles
 constexpr double kNoNearer = 0.05;  // [m] numerical: a way is made of chords
@@ -59,8 +60,8 @@ bool is_in_gridlock(const FleetVehicle& vehicle, std::span<const FleetVehicle> v
   return others && held;
 }
 
-/// Whether it stands before lights: it waits for these, whoever walks by.
-bool waits_at_lights(const FleetVehicle& vehicle) {
+/// Whether it is before lights: it waits for these, whoever walks by.
+bool is_before_lights(const FleetVehicle& vehicle) {
   const JunctionAhead& ahead = vehicle.junction;
   return ahead.signalled && ahead.begin > 0.0 && ahead.begin < kJunction;
 }
@@ -89,7 +90,8 @@ StandOffs::Way StandOffs::way_out(const FleetVehicle& vehicle,
   if (!meets_zone(vehicle)) return Way::kWait;
   const bool held = first_in_way(vehicle, people, kMargin, kFreeWay).has_value();
   // Between lights people are let go by these: where it stands they would walk into it.
-  if (held) return vehicle.junction.signalled ? Way::kWait : Way::kLetGo;
+  const bool between_lights = is_in_junction(vehicle) && vehicle.junction.signalled;
+  if (held) return between_lights ? Way::kWait : Way::kLetGo;
   const VehicleBody body = body_of(vehicle);
   const bool beside = std::any_of(people.begin(), people.end(), [&](const PersonAhead& person) {
     return body.signed_distance(person.position) < kBeside;
@@ -107,7 +109,7 @@ StandOffs::Way StandOffs::go_on(StandOff& one, const FleetVehicle& vehicle, Way 
   const double most = out == Way::kPass ? kTry : zones_[vehicle.zone].parameters.creep_after;
   const bool is_past = one.passed > kFreeWay + vehicle.traits.length && !is_in_junction(vehicle);
   if (out == Way::kWait || (one.tried < most && !is_past)) return out;
-  one.stood = 0.0;
+  one.stood = one.passed = 0.0;
   return Way::kWait;
 }
 
@@ -143,13 +145,14 @@ std::vector<SpeedOrder> StandOffs::plan(std::span<FleetVehicle> vehicles,
     StandOff one = known.empty() ? StandOff{} : known.mapped();
     const Way before = one.way;
     if (before == Way::kWait && vehicle.speed > kHaltingSpeed) continue;
-    one.stood = waits_at_lights(vehicle) ? 0.0 : one.stood + dt;
+    one.stood += dt;
     const bool commanded = vehicle.commanded >= 0.0;
     // Whom Yielding lets drive while it stands, SUMO holds.
     const bool may_drive = !commanded || vehicle.commanded >= kDrives;
     const bool waits = may_drive && !vehicle.stopped && vehicle.speed <= kHaltingSpeed;
-    const bool may_act =
-        may_drive && !vehicle.stopped && one.stood >= zones_[vehicle.zone].parameters.creep_after;
+    const double patience =
+        is_before_lights(vehicle) ? kRed : zones_[vehicle.zone].parameters.creep_after;
+    const bool may_act = may_drive && !vehicle.stopped && one.stood >= patience;
     one.way = may_act ? go_on(one, vehicle, way_out(vehicle, vehicles, people), dt) : Way::kWait;
     tell(vehicle, before, one.way, commanded, dt, orders);
     if (waits || one.way != Way::kWait) stand_offs[vehicle.id] = one;

@@ -25,10 +25,10 @@ class StandOffs {
 
   /// Before SUMO's next step of `dt` [s]: what a vehicle in or at a zone is told that has stood for
   /// creepAfter beside one of `people` (all near the zone), or with others in a junction where all
-  /// stand; not before lights, nor are people let go between these. Where its way is free of people
-  /// and vehicles it creeps past, out of the junction and by its length and 5 m. If SUMO keeps it
-  /// standing for 2 s all the same, it waits again: it may find a gap with its own speed that it
-  /// does not with this one. Where somebody stands in its way it lets people go first, for
+  /// stand; before lights after 120 s, and between these nobody is let go. Where its way is free of
+  /// people and vehicles it creeps past, out of the junction and by its length and 5 m. If SUMO
+  /// keeps it standing for 2 s all the same, it waits again: it may find a gap with its own speed
+  /// that it does not with this one. Where somebody stands in its way it lets people go first, for
   /// creepAfter at most before it waits again: while it is told to stand, SUMO opens crossings to
   /// them, and pedzone gives people back beside it. To be called after Yielding::plan; vehicles
   /// that this slows down are left alone, those that it lets drive while SUMO has them stand are

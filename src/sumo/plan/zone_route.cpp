@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kShortStep = 1.0;  // [m] numerical: from the zone's wall to where an edge begins
 constexpr double kLongStep = 3.0;   // [m] assumed: so far over a junction nobody watches the way
-constexpr double kStripe = 0.65;    // [m] SUMO's, at the least
+constexpr double kTwoBeside = 1.0;  // [m] assumed: two leave beside each other
 constexpr double kBody = 0.24;      // [m] the radius of most
 constexpr double kWayRound = 1.5;   // numerical: a longer way than so many times the straight one
 
@@ -34,8 +34,8 @@ Destination at_lane_end(const Network& network, const Lane& lane, double positio
   Destination whole = across_lane(lane, position);
   if (!lane.vehicles) return whole;
   if (!network.left_hand) std::swap(whole.a, whole.b);
-  const double outer = std::max(kStripe, 0.5 * lane.width - (kClearOfVehicles - kBody));
-  const double share = std::min(1.0, outer / std::max(lane.width, kStripe));
+  const double outer = std::max(kTwoBeside, 0.5 * lane.width - (kClearOfVehicles - kBody));
+  const double share = std::min(1.0, outer / std::max(lane.width, kTwoBeside));
   return {whole.a, whole.a + share * (whole.b - whole.a)};
 }
 

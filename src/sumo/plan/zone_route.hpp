@@ -45,7 +45,8 @@ struct ZoneStretch {
   int hop_lane = -1;        ///< lane of another edge (or of the same one-edge route) to hop over
   double position = 0.0;    ///< [m] lane position of the portal or arrival
   bool forward = true;      ///< walks along the lane's direction where it leaves
-  Destination destination;  ///< where the crowd walks it to
+  Destination destination;  ///< where the crowd walks it to; where the walk goes on on a lane that
+                            ///< vehicles use as well, at its outer side
 };
 
 /// Network indices of a route's edges; -1 for one that the network lacks.
@@ -63,8 +64,8 @@ std::optional<bool> leaves_forward(const Network& network, int before, int edge,
 bool share_walking_area(const Network& network, int a, int b);
 
 /// Plans the stretch of a walk that begins on route[first], which must be an edge of the zone. It
-/// goes on as long as the zone links the route's edges: where a signalled crossing lies between
-/// two of them, SUMO walks the person across.
+/// goes on as long as the zone links the route's edges: where a signalled or level crossing lies
+/// between two of them, SUMO walks the person across.
 /// `route` holds Network edge indices; `arrival_position` [m] on the last edge.
 /// Nothing when SUMO's remote control cannot give the person back safely: too short edges, or
 /// a release edge that the route uses earlier (moveTo takes an edge's first occurrence).

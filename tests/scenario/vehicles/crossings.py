@@ -3,7 +3,7 @@
 
 usage: crossings.py PEDZONE [--scenes NAME,NAME] [--seeds N,N] [--steps S,S] [--keep FOLDER]
 
-All streets are one zone, but in "side" the first one, and cars drive on them.
+All streets are one zone (in "side" only the first one), and cars drive on them.
 - zebra: a zebra crossing over a street with 1,200 cars an hour each way: these let people go first,
   whatever the length of SUMO's steps
 - end: people come from a street that is cut off at the network's border, where netconvert lays no

@@ -50,6 +50,8 @@ def compare(pedzone, folder, seeds):
         runs = {"plain": Run(scene / "plain", ["sumo", "-c", config, "--no-step-log", "true"]),
                 "ours": Run(scene / "ours", [pedzone, "run", config, "--zone",
                                              scene / "all.zone.xml", "--"])}
+        if len(runs["ours"].driven) < len(runs["plain"].driven):
+            return [f"seed {seed}: not all vehicles arrive"]
         figures = {name: (statistics.mean(run.driven), statistics.mean(run.walks.values()))
                    for name, run in runs.items()}
         for name in both:

@@ -86,6 +86,7 @@ TEST_F(DeparturesTest, are_as_large_as_the_largest_of_a_distribution) {
   EXPECT_DOUBLE_EQ(found[0].width, 2.4);
   EXPECT_NEAR(found[0].position, 7.2, 1e-9);
   EXPECT_EQ(found[0].its_class, RoadClasses{0}) << "of whatever class";
+  EXPECT_EQ(found[0].lane, -1) << "on whatever lane";
 }
 
 TEST_F(DeparturesTest, are_those_of_a_flow_one_by_one) {

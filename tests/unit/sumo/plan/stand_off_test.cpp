@@ -166,20 +166,33 @@ TEST_F(StandOffTest, passes_on_a_street_by_its_length_and_five_metres_whoever_el
   EXPECT_NEAR(passed, vehicles_[0].traits.length + 5.0, creep_);
 }
 
-TEST_F(StandOffTest, is_none_where_a_vehicle_waits_at_lights) {
+TEST_F(StandOffTest, is_none_at_a_red_light) {
   vehicles_[0].junction = {.junction = 3, .begin = 1.0, .end = 15.0, .signalled = true};
-  EXPECT_THAT(wait(3.0 * creep_after_), IsEmpty());
-  vehicles_[0].junction.signalled = false;
-  EXPECT_THAT(wait(creep_after_ - 1.0), IsEmpty()) << "that time does not count";
-  EXPECT_THAT(wait(2.0), testing::SizeIs(2));
+  EXPECT_THAT(wait(119.0), IsEmpty());
+  EXPECT_THAT(wait(2.0), testing::SizeIs(2)) << "no light is red for so long";
+}
+
+TEST_F(StandOffTest, each_try_has_its_own_way) {
+  vehicles_[0].junction = {.junction = 3, .end = 90.0};
+  wait(100.0);
+  const auto told = [&](double speed, double dt) {
+    vehicles_[0].commanded = kOwnSpeed;
+    vehicles_[0].speed = speed;
+    return step(dt);
+  };
+  for (int k = 0; k < 30; ++k) told(creep_, 1.0);  // farther than on a street
+  while (told(0.0, 0.5).back() != SpeedOrder{"van", kOwnSpeed}) continue;
+  vehicles_[0].junction = {};
+  wait(100.0);
+  EXPECT_THAT(told(creep_, 1.0), ElementsAre(SpeedOrder{"van", creep_}));
 }
 
 TEST_F(StandOffTest, nobody_is_let_go_between_lights) {
   people_ = {{{83.0, 0.0}, {0.0, 0.0}, 0.24}};  // before the van
   vehicles_[0].junction = {.junction = 3, .begin = -5.0, .end = 15.0, .signalled = true};
   EXPECT_THAT(wait(3.0 * creep_after_), IsEmpty());
-  vehicles_[0].junction.signalled = false;
-  EXPECT_THAT(wait(1.0), ElementsAre(SpeedOrder{"van", 0.0}));
+  vehicles_[0].junction.begin = 30.0;
+  EXPECT_THAT(wait(1.0), ElementsAre(SpeedOrder{"van", 0.0})) << "far before them they are";
 }
 
 TEST_F(StandOffTest, waits_again_where_sumo_does_not_let_it_past) {

@@ -62,7 +62,7 @@ TEST_F(ZoneRouteTest, portal_is_at_the_side_of_a_lane_that_vehicles_use_as_well)
     ASSERT_TRUE(stretch);
     const double side = left_hand ? 2.0 : -2.0;
     EXPECT_NEAR(stretch->destination.a.y(), side, 1e-9);
-    EXPECT_NEAR(stretch->destination.b.y(), side > 0.0 ? 1.26 : -1.26, 1e-9);
+    EXPECT_NEAR(stretch->destination.b.y(), 0.5 * side, 1e-9);
   }
 }
 
