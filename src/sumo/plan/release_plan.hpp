@@ -39,8 +39,7 @@ struct Walked {
 bool ends_trip(const ZoneStretch& stretch, int stages_left);
 
 /// How a person is given back after a step of `dt` [s]; on a lane that vehicles use as well, beside
-/// these. `present_lane`: id of the lane that SUMO
-/// has it on.
+/// these. `present_lane`: id of the lane that SUMO has it on.
 ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, const Walked& walked,
                          const std::string& present_lane, double dt);
 
