@@ -221,7 +221,8 @@ class Outside(AttachedCase):
             nearest[row["id"]] = min(away, nearest.get(row["id"], 100.0))
         met = [away for away in nearest.values() if away < 3.0]
         self.assertGreater(len(met), 50)
-        self.assertLess(sum(met) / len(met), 1.5)
+        # 1.2 m with SUMO 1.15, 1.3 to 1.5 m with 1.18; 1.85 m where it is taken to be so fast.
+        self.assertLess(sum(met) / len(met), 1.65)
 
     def test_persons_and_vehicles_added_rerouted_and_removed(self):
         errors = self.together("""
