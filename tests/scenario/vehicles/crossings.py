@@ -17,14 +17,13 @@ All streets are one zone (in "side" only the first one), and cars drive on them.
 Read from SUMO's tripinfo: everybody arrives who does in plain SUMO, people's walks are on average no
 longer than there by more than 25 % and 5 s, and cars' drives by more than 25 %, trains' by 4 %.
 """
-import argparse
 import itertools
 import statistics
 import sys
 from functools import partial
 from pathlib import Path
 
-from junction import Run, call, judge
+from junction import arguments, call, judge, run_both
 
 LONGER, MORE, DRIVEN = 0.25, 5.0, 0.25  # share and [s] of walks; share of drives
 TRAINS = 0.04  # share of trains' drives: 0.06 to 0.14 where they waited
@@ -112,9 +111,7 @@ def make_scene(folder, name, seed, step):
 def compare(pedzone, folder, name, seed, step):
     """What is wrong."""
     make_scene(folder, name, seed, step)
-    config = folder / "s.sumocfg"
-    plain = Run(folder / "plain", ["sumo", "-c", config, "--no-step-log", "true"])
-    ours = Run(folder / "ours", [pedzone, "run", config, "--zone", folder / "all.zone.xml", "--"])
+    plain, ours = run_both(pedzone, folder)
     walks = [statistics.mean(run.walks.values()) for run in (plain, ours)]
     drives = [statistics.mean(run.driven) if run.driven else 0.0 for run in (plain, ours)]
     print(f"{name}, seed {seed}, steps of {step} s: walks {walks[0]:.0f} -> {walks[1]:.0f} s, drives"
@@ -129,13 +126,9 @@ def compare(pedzone, folder, name, seed, step):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("pedzone")
+    parser = arguments(__doc__, "1")
     parser.add_argument("--scenes", default=",".join(SCENES))
-    parser.add_argument("--seeds", default="1")
     parser.add_argument("--steps", default="0.1,1")
-    parser.add_argument("--keep", help="folder for networks and outputs")
     asked = parser.parse_args()
     cases = {f"{name}-{step}-{seed}": (name, int(seed), float(step))
              for name, step, seed in itertools.product(

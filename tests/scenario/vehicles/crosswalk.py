@@ -16,13 +16,12 @@ with crossing="anywhere", they do not; there it may be 1.15 times (people walk 0
 the mean of eight seeds it is 1.04 with SUMO 1.15 and 1.06 with 1.18, in one seed up to 1.17. So how
 long cars drive is judged over all seeds together.
 """
-import argparse
 import statistics
 import sys
 import tempfile
 from pathlib import Path
 
-from junction import call, contacts, run_both
+from junction import arguments, call, contacts, run_both
 
 FLOWS, END = 900, 1500  # [s]
 LATER, ANYWHERE = 1.1, 1.15
@@ -90,14 +89,10 @@ def compare(plain, ours, touched):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("pedzone")
-    parser.add_argument("--seeds", default="1,2")
+    parser = arguments(__doc__, "1,2")
     parser.add_argument("--cars", type=int, default=1400)
     parser.add_argument("--people", type=int, default=200)
     parser.add_argument("--anywhere", action="store_true", help="people cross anywhere")
-    parser.add_argument("--keep", help="folder for networks and outputs")
     parser.add_argument("--model", help="walking model")
     asked = parser.parse_args()
     failed, drives = False, ([], [])

@@ -112,6 +112,16 @@ def run_both(pedzone, folder, *options):
     return plain, ours
 
 
+def arguments(text, seeds):
+    """What such a test understands; `text`: its docstring, `seeds`: by default."""
+    parser = argparse.ArgumentParser(description=text,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pedzone")
+    parser.add_argument("--seeds", default=seeds)
+    parser.add_argument("--keep", help="folder for networks and outputs")
+    return parser
+
+
 def judge(cases, keep, compare):
     """Exit code of a test: 1 where compare(folder, *case) finds something wrong. `cases`: by the name of
     a folder each, in `keep` or one that is removed."""
@@ -178,14 +188,10 @@ def numbers(text):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("pedzone")
-    parser.add_argument("--seeds", default="1,2,3")
+    parser = arguments(__doc__, "1,2,3")
     parser.add_argument("--steps", default="0.1,1")
     parser.add_argument("--footways", default="yes,no")
     parser.add_argument("--model", help="walking model")
-    parser.add_argument("--keep", help="folder for networks and outputs")
     options = parser.parse_args()
     ours, plain, runs, wrong = 0, 0, 0, 0
     with tempfile.TemporaryDirectory() as temporary:

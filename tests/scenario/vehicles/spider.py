@@ -9,13 +9,12 @@ wait for a gap; here cars let those go first who are on a crossing, so that they
 SUMO's outputs, over all seeds: vehicles take no more than MORE times as long as in plain SUMO, people no
 longer by more than a tenth, everybody arrives.
 """
-import argparse
 import statistics
 import sys
 from functools import partial
 from pathlib import Path
 
-from junction import SUMO_HOME, Run, call, judge, zone_of_all
+from junction import SUMO_HOME, arguments, call, judge, run_both, zone_of_all
 
 MORE, WALKED = 1.7, 1.1  # vehicles: 1.2; 3.8 where people waited for one crossing on another
 WINDOW, END = 600, 2500  # [s]
@@ -46,10 +45,7 @@ def compare(pedzone, folder, seeds):
     for seed in seeds:
         scene = folder / str(seed)
         make_scene(scene, seed)
-        config = scene / "s.sumocfg"
-        runs = {"plain": Run(scene / "plain", ["sumo", "-c", config, "--no-step-log", "true"]),
-                "ours": Run(scene / "ours", [pedzone, "run", config, "--zone",
-                                             scene / "all.zone.xml", "--"])}
+        runs = dict(zip(both, run_both(pedzone, scene)))
         if len(runs["ours"].driven) < len(runs["plain"].driven):
             return [f"seed {seed}: not all vehicles arrive"]
         figures = {name: (statistics.mean(run.driven), statistics.mean(run.walks.values()))
@@ -70,12 +66,7 @@ def compare(pedzone, folder, seeds):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("pedzone")
-    parser.add_argument("--seeds", default="1,2")
-    parser.add_argument("--keep", help="folder for networks and outputs")
-    asked = parser.parse_args()
+    asked = arguments(__doc__, "1,2").parse_args()
     seeds = [int(seed) for seed in asked.seeds.split(",")]
     return judge({"spider": (seeds,)}, asked.keep, partial(compare, Path(asked.pedzone).resolve()))
 

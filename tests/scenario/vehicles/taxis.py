@@ -8,7 +8,6 @@ A grid of 16 junctions, all streets one zone, 30 taxis, 100 people who ride and 
 outputs: people whom pedzone walks are touched by as few vehicles that drive as in the same town with
 other vehicles.
 """
-import argparse
 import itertools
 import random
 import sys
@@ -16,7 +15,7 @@ import xml.etree.ElementTree as xml
 from functools import partial
 from pathlib import Path
 
-from junction import all_contacts, call, judge, run_both, zone_of_all
+from junction import all_contacts, arguments, call, judge, run_both, zone_of_all
 
 TAXIS, PEOPLE, EVERY, WINDOW, END = 30, 700, 7, 1200, 2400  # numbers; every so many rides; [s]
 TOUCHED = 2  # of a run; with the routes of the last rides 7 to 10 were
@@ -64,12 +63,8 @@ def compare(pedzone, folder, seed, idle):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("pedzone")
-    parser.add_argument("--seeds", default="1,2")
+    parser = arguments(__doc__, "1,2")
     parser.add_argument("--idle", default="stop,randomCircling")
-    parser.add_argument("--keep", help="folder for networks and outputs")
     asked = parser.parse_args()
     cases = {f"{idle}-{seed}": (int(seed), idle) for idle, seed in
              itertools.product(asked.idle.split(","), asked.seeds.split(","))}

@@ -14,7 +14,6 @@ lanes:
 - everybody arrives
 With --model constant-velocity it fails.
 """
-import argparse
 import itertools
 import json
 import math
@@ -26,7 +25,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from junction import Run, call, judge
+from junction import Run, arguments, call, judge
 
 FLOWS, END = 600, 1000  # [s]
 RADIUS, WIDTH = 25, 2.4  # [m]
@@ -196,13 +195,9 @@ def compare(pedzone, folder, scene, seed, step, model):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("pedzone")
-    parser.add_argument("--seeds", default="1,2")
+    parser = arguments(__doc__, "1,2")
     parser.add_argument("--steps", default="0.1,1")
     parser.add_argument("--model", help="walking model")
-    parser.add_argument("--keep", help="folder for networks and outputs")
     asked = parser.parse_args()
     cases = {f"{scene.name}-{step}-{seed}": (scene, int(seed), float(step), asked.model)
              for scene, step, seed in itertools.product(SCENES, asked.steps.split(","),

@@ -158,7 +158,7 @@ TEST_F(StandOffTest, passes_in_a_junction_for_as_long_as_it_takes) {
 TEST_F(StandOffTest, passes_on_a_street_by_its_length_and_five_metres_whoever_else_walks_there) {
   wait(100.0);
   double passed = 0.0;
-  for (std::vector<SpeedOrder> orders; passed < 60.0; passed += creep_) {
+  for (; passed < 60.0; passed += creep_) {
     vehicles_[0].commanded = kOwnSpeed;
     vehicles_[0].speed = creep_;
     if (step(1.0).back() == SpeedOrder{"van", kOwnSpeed}) break;
