@@ -158,6 +158,9 @@ class Files(TinyCase):
         # m: SUMO walks people over the corners of its lanes, by 0.8 m with 1.15 and 1.4 m with 1.18.
         ground = data.ground().buffer(1.5)
         self.assertTrue(ground.covers(MultiPoint(data.rows[:, 2:4])))
+        self.run_with("--trajectories", "own.sqlite")
+        own = Database(self.folder / "own.sqlite")
+        self.assertTrue(own.ground().buffer(1.0).covers(MultiPoint(own.rows[:, 2:4])))
 
     def test_nobody_at_all(self):
         self.tiny.write("tiny.rou.xml", "<routes/>")
