@@ -72,8 +72,8 @@ bool walks_undisturbed(const CrowdState& crowd, std::size_t i) {
                         crowd.persons.present_radius[i] != crowd.persons.radius[i];
   const bool busy = activity.activity != Activity::kNone || activity.dash > 0.0 ||
                     std::ranges::any_of(activity.rates, [](float rate) { return rate > 0.0F; });
-  return !hindered && !busy && crowd.groups[handle].group == 0 && crowd.paths[handle] == nullptr &&
-         walker.route.found && !walker.entered && !is_at_street(crowd, i);
+  return !hindered && !busy && crowd.groups[handle].group == 0 && walker.route.found &&
+         !walker.entered && !is_at_street(crowd, i);
 }
 
 /// [m] that it walks within `time` [s], at most.
@@ -81,10 +81,15 @@ double longest_way(const CrowdState& crowd, std::size_t i, double time) {
   return std::max(crowd.persons.preferred_speed[i], crowd.velocity(i).norm()) * time;
 }
 
+/// Whether it comes to no corner, waypoint or destination on that way [m].
 bool room_ahead(const CrowdState& crowd, std::size_t i, double way) {
+  const auto is_beyond = [&](const Vec2& place, double near) {
+    return (place - crowd.position(i)).norm() > way + near + crowd.persons.radius[i];
+  };
+  const PathMemory& path = crowd.paths[crowd.handle(i)];
+  if (path != nullptr && !is_beyond(path->current().at, path->current().radius)) return false;
   const Vec2 aim = heading_point(crowd.walkers[i].route, crowd.position(i));
-  const double near = std::max(crowd.zone.parameters.waypoint_radius, kAhead);
-  return (aim - crowd.position(i)).norm() > way + near + crowd.persons.radius[i];
+  return is_beyond(aim, std::max(crowd.zone.parameters.waypoint_radius, kAhead));
 }
 
 /// Whether it could meet nobody within `time` [s].

@@ -17,7 +17,7 @@ Insight insight_of(const CrowdState& crowd, std::size_t i) {
   insight.direction = crowd.decisions[i].direction;
   insight.speed = crowd.decisions[i].speed;
   const PathMemory& path = crowd.paths[walker.handle];
-  if (path != nullptr) insight.waypoint = path->waypoints[path->next];
+  if (path != nullptr) insight.waypoint = path->current();
   crowd.model->rays(i, insight.rays);
   return insight;
 }

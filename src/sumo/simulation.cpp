@@ -96,7 +96,8 @@ struct Simulation::Parts {
         crowds(make_crowds()),
         takeover(network, zones, crowds, profiles, paths,
                  read_type_files<WalkSpeeds>(panel_people.scenario()),
-                 number_option(*session, "pedestrian.striping.dawdling"), session->persons()),
+                 number_option(*session, "pedestrian.striping.dawdling"), alone,
+                 session->persons()),
         gui(session->view(), session->persons(), crowds, takeover, options.screenshots) {
     if (session->option("pedestrian.model") != "striping") {
       throw InputError("is a pedestrian model that pedzone cannot take persons over from",

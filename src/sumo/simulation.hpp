@@ -28,7 +28,7 @@ struct SimulationOptions {
   std::optional<TraciAddress> attach;      ///< a SUMO that runs
   std::string screenshots;                 ///< folder for a picture of each step; empty: none
   std::optional<OwnSumo> own;              ///< one to start; neither: in this process
-  bool alone = false;                      ///< no other program moves vehicles: none is looked for
+  bool alone = false;                      ///< no other program moves anybody: none is looked for
 };
 
 /// A person on foot whom SUMO walks, or who waits as SUMO says.

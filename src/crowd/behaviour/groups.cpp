@@ -28,7 +28,7 @@ double left_in_all(const CrowdState& crowd, std::size_t i) {
   const PathMemory& path = crowd.paths[crowd.handle(i)];
   if (path == nullptr) return left;
   const std::vector<Waypoint>& waypoints = path->waypoints;
-  Vec2 at = waypoints[path->next].at;
+  Vec2 at = path->current().at;
   for (std::size_t k = path->next + 1; k < waypoints.size(); ++k) {
     left += (waypoints[k].at - at).norm();
     at = waypoints[k].at;

@@ -31,7 +31,7 @@ void plan_way(const CrowdState& crowd, std::size_t i, const Destination& destina
 void plan_leg(const CrowdState& crowd, std::size_t i, Ways ways) {
   PathMemory& path = ways.paths[crowd.handle(i)];
   for (; path->next < path->waypoints.size(); ++path->next) {
-    const Vec2& at = path->waypoints[path->next].at;
+    const Vec2& at = path->current().at;
     plan_way(crowd, i, {at, at}, ways);
     if (crowd.walkers[i].route.found) return;
   }

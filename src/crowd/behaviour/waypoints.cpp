@@ -33,9 +33,6 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
   return cross(ab, c - a) * cross(ab, d - a) <= 0.0 && cross(cd, a - c) * cross(cd, b - c) < 0.0;
 }
 
-/// The user's waypoint that a person on a path is on the way to.
-const Waypoint& current(const PathWalk& path) { return path.waypoints[path.next]; }
-
 /// A portal is reached by crossing it or coming close to it; a point by coming close. Where the
 /// destination lies outside the walkable area, the nearest place inside counts.
 bool reaches(const Route& route, double radius, const Vec2& from, const Vec2& to) {
@@ -203,7 +200,7 @@ void follow_waypoints(const CrowdState& crowd, double dt, std::uint64_t substeps
         const StreetCrossing* const crossing = crowd.crossing(i);
         const bool to_kerb = crossing != nullptr && crossing->phase == CrossingPhase::kToKerb;
         const PathMemory& path = crowd.paths[walker.handle];
-        if (path != nullptr && comes_by(crowd.zone.walls, current(*path), from, to)) {
+        if (path != nullptr && comes_by(crowd.zone.walls, path->current(), from, to)) {
           leave_waypoint(crowd, i, ways);
         } else if (to_kerb && reaches(walker.route, persons.radius[i], from, to)) {
           come_to_kerb(ways.crossing(i));

@@ -79,8 +79,10 @@ struct KerbMemory {
 /// The user's waypoints of a person. While it has them, its route leads to the current one.
 struct PathWalk {
   std::vector<Waypoint> waypoints;
-  std::size_t next = 0;     ///< the current one
+  std::size_t next = 0;     ///< the one that the person is on the way to
   Destination destination;  ///< after the last
+
+  const Waypoint& current() const { return waypoints[next]; }
 };
 
 /// Null: none, or all its waypoints are behind it (path_walk.cpp).

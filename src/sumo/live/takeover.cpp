@@ -17,13 +17,14 @@ constexpr double kNewPlan = 2.0;  // numerical: steps until somebody with anothe
 Takeover::Takeover(const Network& network, const std::vector<Zone>& zones,
                    std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
                    const std::vector<WaypointPath>& paths, WalkSpeeds walk_speeds, double dawdling,
-                   SumoPersons& sumo)
+                   bool alone, SumoPersons& sumo)
     : network_(network),
       zones_(zones),
       crowds_(crowds),
       profiles_(profiles),
       paths_(paths),
       walk_speeds_(std::move(walk_speeds)),
+      alone_(alone),
       sumo_(sumo),
       striping_share_(striping_share(dawdling)),
       zone_of_edge_(zones_of_edges(network, zones)),
@@ -132,10 +133,12 @@ void Takeover::show_bystanders(const Fleet& fleet) {
 void Takeover::check_guests(double time, const Fleet& fleet) {
   std::vector<std::pair<std::string, Vec2>> replanned;
   std::vector<std::string> moved;
+  const double interval = alone_ ? kPlanIntervalAlone : kPlanInterval;
   for (Guest& guest : guests_) {
+    if (alone_ && time < guest.watch.check_at) continue;
     const int left = sumo_.stages_left(guest.id);
     if (!is_due(guest.watch, time, left)) continue;
-    note_look(guest.watch, time, left);
+    note_look(guest.watch, time, left, interval);
     follow_speed(guest);
     const GuestFinding found = what_happened(guest.watch, sumo_.plan(guest.id), guest.position,
                                              [&] { return sumo_.position(guest.id); });

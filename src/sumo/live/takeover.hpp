@@ -63,11 +63,12 @@ struct JamRecord {
 
 class Takeover {
  public:
-  /// `dawdling`: SUMO's option pedestrian.striping.dawdling. The rest must outlive it.
+  /// `dawdling`: SUMO's option pedestrian.striping.dawdling. `alone`: no other program is about.
+  /// The rest must outlive it.
   Takeover(const Network& network, const std::vector<Zone>& zones,
            std::vector<std::unique_ptr<Crowd>>& crowds, const Profiles& profiles,
            const std::vector<WaypointPath>& paths, WalkSpeeds walk_speeds, double dawdling,
-           SumoPersons& sumo);
+           bool alone, SumoPersons& sumo);
 
   /// After a step of SUMO, at `time` [s]: forgets persons that are gone, notices new plans, takes
   /// over who has entered a zone, and lets the crowds see who else is near.
@@ -135,6 +136,7 @@ class Takeover {
   const Profiles& profiles_;
   const std::vector<WaypointPath>& paths_;
   WalkSpeeds walk_speeds_;
+  bool alone_;
   SumoPersons& sumo_;
   double striping_share_;          ///< of top speed, see takeover_plan.hpp
   std::vector<int> zone_of_edge_;  ///< -1: SUMO's

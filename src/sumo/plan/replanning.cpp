@@ -3,7 +3,6 @@
 namespace pedzone {
 namespace {
 
-constexpr double kPlanInterval = 0.5;  // [s] numerical
 // [m] numerical: SUMO gives back what it is told, exactly.
 constexpr double kPlaceTolerance = 0.01;
 
@@ -13,8 +12,8 @@ bool is_due(const PlanWatch& watch, double time, int stages_left) {
   return time >= watch.check_at || stages_left != watch.stages_left;
 }
 
-void note_look(PlanWatch& watch, double time, int stages_left) {
-  watch.check_at = time + kPlanInterval;
+void note_look(PlanWatch& watch, double time, int stages_left, double interval) {
+  watch.check_at = time + interval;
   watch.stages_left = stages_left;
 }
 

@@ -1,6 +1,6 @@
 // Persons that pedzone walks, and programs that meddle with them: when SUMO's plan for a person is
-// read again, and what follows from it. Reading plans is dear: each is read twice a second, before
-// it is acted upon, and when the number of stages has changed.
+// read again, and what follows from it. Reading plans is dear: each is read twice a second where
+// there are such programs, before it is acted upon, and when the number of stages has changed.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,10 @@
 #include "sumo/plan/takeover_plan.hpp"
 
 namespace pedzone {
+
+/// [s] numerical: between two looks at a plan; and where no other program is about, so that only
+/// SUMO's rerouters give people other plans.
+constexpr double kPlanInterval = 0.5, kPlanIntervalAlone = 5.0;
 
 /// What is known of SUMO's plan for a person.
 struct PlanWatch {
@@ -20,8 +24,8 @@ struct PlanWatch {
 /// Whether it is time [s] to read the plan. SUMO tells that so many stages are left.
 bool is_due(const PlanWatch& watch, double time, int stages_left);
 
-/// It is read now.
-void note_look(PlanWatch& watch, double time, int stages_left);
+/// It is read now, and again after `interval` [s].
+void note_look(PlanWatch& watch, double time, int stages_left, double interval = kPlanInterval);
 
 /// What a look at a person finds.
 enum class GuestFinding {

@@ -181,6 +181,18 @@ TEST(FreeWalk, ends_before_a_corner_and_the_destination) {
   EXPECT_GE(footway.scene.least_wall_gap(), -1e-6);
 }
 
+TEST(FreeWalk, ends_before_a_waypoint) {
+  for (const double distance : {4.5, 8.0}) {  // it walks 1.3 m of it in each second
+    Footway footway;
+    NewPerson person;
+    person.position = {10, 2};
+    person.destination = point(190, 2);
+    person.path = {{{10 + distance, 2}, 1.0}};
+    footway.scene.add(person);
+    EXPECT_EQ(footway.decisions_of(1), distance < 7.0 ? 10 : 1) << distance;
+  }
+}
+
 TEST(FreeWalk, takes_as_long_as_in_substeps) {
   for (const double speed : {0.6, 1.34, 2.0}) {
     double times[2];

@@ -33,6 +33,12 @@ TEST_F(ReplanningTest, looks_twice_a_second) {
   EXPECT_FALSE(is_due(watch_, 20.9, 3));
 }
 
+TEST_F(ReplanningTest, looks_more_seldom_where_no_program_is_about) {
+  note_look(watch_, 21.0, 3, kPlanIntervalAlone);
+  EXPECT_FALSE(is_due(watch_, 25.9, 3));
+  EXPECT_TRUE(is_due(watch_, 26.0, 3));
+}
+
 TEST_F(ReplanningTest, looks_at_once_when_the_number_of_stages_has_changed) {
   EXPECT_TRUE(is_due(watch_, 20.1, 2));
   EXPECT_TRUE(is_due(watch_, 20.1, 4));
