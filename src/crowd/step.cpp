@@ -17,6 +17,7 @@
 #include "crowd/behaviour/kerbs.hpp"
 #include "crowd/behaviour/pace.hpp"
 #include "crowd/behaviour/rears.hpp"
+#include "crowd/behaviour/rounding.hpp"
 #include "crowd/behaviour/stepping_aside.hpp"
 #include "crowd/behaviour/way.hpp"
 #include "crowd/behaviour/waypoints.hpp"
@@ -122,6 +123,7 @@ void walk_substep(CrowdState& crowd, double dt) {
   propose_ways_to_adults(crowd, proposals);
   propose_room_in_groups(crowd, crowd.members, proposals);
   propose_seats(crowd, proposals);
+  propose_ways_round_vehicles(crowd, proposals);
   propose_dashes(crowd, proposals, crowd.attention);
   propose_ways_out_of_claims(crowd, proposals);
   propose_crossings(crowd, proposals);

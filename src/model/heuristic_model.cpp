@@ -123,7 +123,8 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
   DirectionChoice best = choose(i, self, to_goal, task, scratch);
   // Round a vehicle that stands across the way Eq. 1 finds no way: it would stand before it for
   // ever.
-  const auto near = static_cast<float>(parameters.near_distance);
+  const auto near =
+      static_cast<float>(std::min(parameters.near_distance, snapshot_.persons->goal_distance[i]));
   if (extended() && scratch.surroundings.nearest_bar() < near + self.radius &&
       best.time * self.speed < near) {
     set_goal(task, to_goal, true);

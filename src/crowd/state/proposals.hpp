@@ -16,6 +16,7 @@ enum class Behaviour : std::uint8_t {
   kGroup,  ///< towards the others it waits for, or out of the way of one of them who is behind:
            ///< on its route it would get farther ahead. No child that is led waits
   kSeat,   ///< to a seat: who wants to rest does so, and the others find it there
+  kRound,  ///< round a vehicle that stands in its way. Bends the way that would win without it
   kDash,   ///< in front of a vehicle: an impulse minds nobody
   kClaim,  ///< out of the room that a held-up vehicle claims: until it is through, nobody else gets
            ///< on either. Bends the way that would win without it

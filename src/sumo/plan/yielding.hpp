@@ -54,6 +54,8 @@ class Yielding {
     double alone = 0.0;  ///< [s] since somebody was there who may want in
   };
 
+  std::optional<YieldOrder> plan_start(FleetVehicle& vehicle, const PeopleNear& near,
+                                       double dt) const;
   std::optional<YieldOrder> plan_for_people(FleetVehicle& vehicle, const PeopleNear& near,
                                             const SafeSpeeds& safe_speeds, double time, double dt);
   static void keep_junctions_clear(std::span<FleetVehicle> vehicles, const SafeSpeeds& safe_speeds,

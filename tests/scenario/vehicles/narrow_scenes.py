@@ -146,6 +146,18 @@ def stopped(forward: bool, kind: str = "car") -> Scene:
     return scene
 
 
+def crowd_before(kind: str = "van", people: int = 60) -> Scene:
+    """A vehicle stands for five minutes in a lane that leaves 0.9 m beside it: for one person at a time. Every two
+    seconds somebody comes, head-on."""
+    wide = {"width": "4"}
+    scene = Scene({"a": (0, 0), "b": (60, 0), "c": (220, 0)}, {"before": ("a", "b", wide), "lane": ("b", "c", wide)},
+                  "before lane")
+    scene.vehicle("standing", 0, "before lane", kind, stop={"lane": "lane_0", "endPos": "60", "duration": "300"})
+    for k in range(people):
+        scene.person(f"walker{k}", 25 + 2 * k, "lane", departPos="100", arrivalPos="20")
+    return scene
+
+
 def both_ways(count: int, kind: str = "car", people: int = 5) -> Scene:
     """People of both directions meet beside vehicles that follow each other."""
     scene = street()
@@ -241,6 +253,7 @@ for _count in (1, 3):
 for _kind in ("car", "van", "bus"):
     SCENES[f"stopped-forward-{_kind}"] = stopped(True, _kind)
     SCENES[f"stopped-back-{_kind}"] = stopped(False, _kind)
+    SCENES[f"crowd-before-{_kind}"] = crowd_before(_kind)
     SCENES[f"both-ways-{_kind}"] = both_ways(3, _kind)
     SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
     SCENES[f"footpath-{_kind}"] = footpath(_kind)

@@ -133,7 +133,19 @@ TEST_F(YieldingTest, leaves_vehicles_alone_that_do_not_yield_or_are_others) {
 TEST_F(YieldingTest, gives_a_vehicle_back_that_stops_at_a_stop_of_its_own) {
   plan(kNear);
   vehicle_.stopped = true;
-  EXPECT_THAT(plan(kNear), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed}));
+  EXPECT_THAT(plan({}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed}));
+}
+
+TEST_F(YieldingTest, lets_none_drive_off_from_a_stop_onto_people) {
+  vehicle_.stopped = true;
+  vehicle_.speed = 0.0;
+  vehicle_.claim = 10.0;
+  const PersonAhead at_bumper{{0.5, 0.0}, {0.0, 0.0}}, farther{{20.0, 0.0}, {0.0, 0.0}};
+  EXPECT_THAT(plan({at_bumper}), ElementsAre(SpeedOrder{"shuttle", 0.0}));
+  EXPECT_EQ(vehicle_.claim, 0.0) << "it asks nobody for room";
+  EXPECT_THAT(plan({farther}), ElementsAre(SpeedOrder{"shuttle", kOwnSpeed}));
+  vehicle_.traits.yields = false;
+  EXPECT_THAT(plan({at_bumper}), IsEmpty());
 }
 
 TEST_F(YieldingTest, stops_one_that_has_run_into_somebody_whether_it_yields_or_not) {
