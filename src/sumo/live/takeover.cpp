@@ -272,7 +272,10 @@ std::optional<ReleasePlan> Takeover::hand_over(Guest& guest, const PersonView& v
   const Walked walked{guest.position, view.position, guest.radius, guest.preferred_speed,
                       ends_trip(guest.stretch, guest.watch.stages_left)};
   ReleasePlan plan = plan_release(network_, guest.stretch, walked, sumo_.lane(guest.id), dt);
-  if (!may_hand_over(walked, place_of(network_, plan), fleet, dt, guest.kept)) return std::nullopt;
+  if (!go_ahead_of_vehicles(network_, guest.stretch, fleet, dt, guest.kept, plan) ||
+      !may_hand_over(walked, place_of(network_, plan), fleet, dt, guest.kept)) {
+    return std::nullopt;
+  }
   return plan;
 }
 

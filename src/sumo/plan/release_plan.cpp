@@ -14,6 +14,13 @@ constexpr double kVehicleSide = 0.5;  // [m] ... whose swept area comes this nea
 constexpr double kPatience = 10.0;    // [s] assumed; then only one that would touch it counts ...
 constexpr double kSoon = 2.0;         // [s] ... so soon
 constexpr double kAtSide = 0.4;       // [m] numerical: nearer to its side than SUMO's second stripe
+constexpr double kStripe = 0.65;      // [m] SUMO's pedestrian.striping.stripe-width, as it is set
+constexpr double kCar = 1.8, kPerson = 0.478;  // [m] SUMO's usual widths
+constexpr double kOverlap = 0.03;              // [m] numerical
+constexpr double kAheadOf = 1.25;              // [m] of a vehicle: SUMO's gap of 1 m, and a body
+constexpr double kLongest = 30.0;              // [s] assumed; and for one that comes on its lane
+constexpr double kWalks = 1.5;       // [m/s] assumed: a faster one is not before people who walk on
+constexpr double kStepsOver = 0.05;  // [m] numerical: beyond the end SUMO has it on the next lane
 constexpr double kReachBeyond = 0.5;  // [m] numerical: more than a step's walk
 
 /// [m] on the lane. Where the walk goes on, SUMO walks the person for this step: it starts from
@@ -29,13 +36,27 @@ double release_position(const Lane& lane, const ZoneStretch& stretch, const Walk
   return std::clamp(position, 0.0, lane.length);
 }
 
+/// [m] from the lane's middle, at most. SUMO has nobody walk on right before a vehicle whose share
+/// of the lane, by whole stripes, is the last one, too: but whom the vehicle would touch.
+double most_lateral(const Network& network, const Lane& lane, double radius) {
+  const double most = std::max(0.0, 0.5 * lane.width - radius);
+  const bool is_free =
+      network.left_hand
+          ? lane.width - kCar >= 2.0 * kStripe
+          : lane.width + kCar < 2.0 * kStripe * (std::floor(lane.width / kStripe) - 1.0);
+  return is_free ? most : std::min(most, 0.5 * kCar + kPerson - kOverlap);
+}
+
 /// [m] on the lane. SUMO keeps whom it gets there on its stripe: where vehicles drive, too, on that
 /// at the side, or they follow it at its pace.
 double release_lateral(const Network& network, const ZoneStretch& stretch, double lateral,
                        double radius) {
   const Lane& lane = network.lanes[stretch.lane];
-  const double most = std::max(0.0, 0.5 * lane.width - radius);
-  if (!lane.vehicles || stretch.release != Release::kLeave) return std::clamp(lateral, -most, most);
+  if (!lane.vehicles || stretch.release != Release::kLeave) {
+    const double most = std::max(0.0, 0.5 * lane.width - radius);
+    return std::clamp(lateral, -most, most);
+  }
+  const double most = most_lateral(network, lane, radius);
   const double outer = network.left_hand ? 1.0 : -1.0;
   const double least =
       std::clamp(0.5 * lane.width - kAtSide, 0.0, std::min(most, kClearOfVehicles));
@@ -78,6 +99,26 @@ ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, con
   plan.moves.push_back({lane.id, release_position(lane, stretch, walked, dt),
                         release_lateral(network, stretch, lateral, walked.radius)});
   return plan;
+}
+
+bool go_ahead_of_vehicles(const Network& network, const ZoneStretch& stretch, const Fleet& fleet,
+                          double dt, double& kept, ReleasePlan& plan) {
+  if (stretch.release != Release::kLeave || !stretch.forward || plan.moves.empty()) return true;
+  const Lane& lane = network.lanes[stretch.lane];
+  double& position = plan.moves.back().position;
+  for (const FleetVehicle& vehicle : fleet.vehicles()) {
+    if (vehicle.lane != stretch.lane) continue;
+    const double front = project_on_lane(lane, vehicle.front).offset;
+    if (front >= position) continue;
+    const double first = front + kAheadOf;
+    if (vehicle.speed > kWalks && first + vehicle.speed * kSoon > position && kept < kLongest) {
+      kept += dt;
+      return false;
+    }
+    if (vehicle.speed <= kWalks)
+      position = std::max(position, std::min(first, lane.length + kStepsOver));
+  }
+  return true;
 }
 
 std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector<int>& route,

@@ -43,6 +43,12 @@ bool ends_trip(const ZoneStretch& stretch, int stages_left);
 ReleasePlan plan_release(const Network& network, const ZoneStretch& stretch, const Walked& walked,
                          const std::string& present_lane, double dt);
 
+/// Puts who leaves the zone forward on a lane so far ahead of a vehicle there that SUMO walks it
+/// on; over the lane's end where it goes no farther. False where one comes that would have to brake
+/// for it. It does not wait for ever: `kept` as in may_release().
+bool go_ahead_of_vehicles(const Network& network, const ZoneStretch& stretch, const Fleet& fleet,
+                          double dt, double& kept, ReleasePlan& plan);
+
 /// How a person in the middle of its stretch, at `position` [m] with `radius` [m], is given back at
 /// once: on the lane of its `route` (Network edges) up to index `last` that is nearest to it.
 /// A route of one edge with one lane begins anew there, since there is no lane to hop over. Nothing

@@ -201,6 +201,21 @@ def two_lanes(count: int, kind: str = "car", people: int = 12, width: str = "3.2
     return scene
 
 
+def shared_end(seed: int, width: str = "3.5", people: int = 30, vehicles: int = 12) -> Scene:
+    """A shared street ends at one with sidewalks: people and cars leave it there together. By SUMO's stripes a car of
+    1.8 m fills such a lane at the right, where people walk."""
+    lane, walk = {"width": width, "speed": "5.5", "allow": "pedestrian passenger"}, {"sidewalkWidth": "2.5"}
+    scene = Scene({"w": (-100, 0), "a": (0, 0), "b": (200, 0), "e": (300, 0)},
+                  {"aw": ("a", "w", walk), "wa": ("w", "a", walk), "ab": ("a", "b", lane), "ba": ("b", "a", lane),
+                   "be": ("b", "e", walk), "eb": ("e", "b", walk)}, "ab ba", sidewalks=True)
+    rng = random.Random(seed)
+    for k in range(people):
+        scene.person(f"walker{k}", 2 * k + rng.random(), "ba aw", departPos="60", arrivalPos="40")
+    for k in range(vehicles):
+        scene.vehicle(f"car{k}", 10 + 4 * k + rng.random(), "eb ba aw")
+    return scene
+
+
 def zone_end(seed: int, people: int = 20, vans: int = 10) -> Scene:
     """A zone of one street ends at a junction that it shares with two ordinary ones: vans come
     through the junction, people leave the zone over it."""
@@ -257,5 +272,7 @@ for _kind in ("car", "van", "bus"):
     SCENES[f"both-ways-{_kind}"] = both_ways(3, _kind)
     SCENES[f"two-lanes-{_kind}"] = two_lanes(3, _kind)
     SCENES[f"footpath-{_kind}"] = footpath(_kind)
+for _seed in range(1, 6):
+    SCENES[f"shared-end-{_seed}"] = shared_end(_seed)
 for _width in ("2.6", "2.8"):
     SCENES[f"two-lanes-{_width}m"] = two_lanes(3, "van", width=_width)

@@ -81,6 +81,12 @@ TEST_F(ReleasePlanTest, at_the_side_of_a_lane_that_vehicles_use_as_well) {
   network.lanes[lane_of(e2)].width = 3.2;
   walked_.to.y() = 0.5;
   EXPECT_NEAR(*release().moves.at(0).lateral, -1.2, 1e-9) << "as far as SUMO's first stripe goes";
+  network.lanes[lane_of(e2)].width = 3.5;
+  walked_.to.y() = -1.5;
+  EXPECT_NEAR(*release().moves.at(0).lateral, -(0.9 + 0.448), 1e-9)
+      << "SUMO gives a car the last stripe";
+  network.lanes[lane_of(e2)].width = 3.38;
+  EXPECT_NEAR(*release().moves.at(0).lateral, -(1.69 - 0.25), 1e-9) << "that one is free";
   stretch_.release = Release::kStepOver;  // comes onto it from a walking area
   walked_.to.y() = 0.0;
   EXPECT_NEAR(*release().moves.back().lateral, 0.0, 1e-9);
@@ -138,11 +144,34 @@ class MayRelease : public testing::Test, protected test::FourEdges {
 
   static constexpr double kRadius = 0.25;  // [m]
   const Vec2 kPlace{149.0, 0.0};
+
   const std::vector<int> route_{e2, e3};
   const std::vector<Zone> zones_{zone};
   Fleet fleet_{network, zones_};
   double held_ = 0.0;  ///< [s]
 };
+
+TEST_F(MayRelease, puts_whom_it_releases_so_far_ahead_of_a_vehicle_that_sumo_walks_it_on) {
+  ZoneStretch stretch;
+  stretch.lane = lane_of(e2);
+  const auto position = [&](double before, double speed) {
+    vehicle(before, speed);
+    ReleasePlan plan{.moves = {{"e2_0", 49.0, {}}}};
+    const bool goes = go_ahead_of_vehicles(network, stretch, fleet_, 0.5, held_, plan);
+    return goes ? plan.moves.back().position : 0.0;
+  };
+  EXPECT_NEAR(position(1.1, 0.0), 49.15, 1e-9);
+  EXPECT_NEAR(position(1.3, 0.0), 49.0, 1e-9) << "it is already";
+  EXPECT_NEAR(position(-0.5, 0.0), 49.0, 1e-9) << "beside it";
+  EXPECT_NEAR(position(9.0, 3.0), 49.0, 1e-9) << "it can stop";
+  EXPECT_EQ(position(5.0, 3.0), 0.0) << "not before one that drives";
+  EXPECT_EQ(held_, 0.5);
+  held_ = 100.0;
+  EXPECT_NEAR(position(5.0, 3.0), 49.0, 1e-9) << "but not for ever";
+  EXPECT_NEAR(position(0.1, 0.0), 50.05, 1e-9) << "over the end of the lane";
+  stretch.forward = false;
+  EXPECT_NEAR(position(1.1, 0.0), 49.0, 1e-9);
+}
 
 TEST_F(MayRelease, where_no_vehicle_is) { EXPECT_TRUE(ask()); }
 
