@@ -99,8 +99,11 @@ class VehicleCalls final : public SumoVehicles {
   }
 
   void set_braking(const std::string& id, double decel, double emergency_decel) override {
+    // SUMO warns of one that is less than the other, at any time.
+    const bool lower = emergency_decel < Vehicle::getDecel(id);
+    if (lower) Vehicle::setDecel(id, decel);
     Vehicle::setEmergencyDecel(id, emergency_decel);
-    Vehicle::setDecel(id, decel);
+    if (!lower) Vehicle::setDecel(id, decel);
   }
 
   SafeSpeeds safe_speeds() const override {
