@@ -122,7 +122,7 @@ PacedChoice HeuristicModel::give_way(std::size_t i, const Walker& self, double t
   }
   DirectionChoice best = choose(i, self, to_goal, task, scratch);
   // Round a vehicle that stands across the way Eq. 1 finds no way: it would stand before it for
-  // ever.
+  // ever. Not for what is beyond its goal: that may lie right beside the vehicle.
   const auto near =
       static_cast<float>(std::min(parameters.near_distance, snapshot_.persons->goal_distance[i]));
   if (extended() && scratch.surroundings.nearest_bar() < near + self.radius &&

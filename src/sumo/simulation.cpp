@@ -154,7 +154,7 @@ struct Simulation::Parts {
   Insertions insertions;
   StandOffs stand_offs;
   bool attached;              ///< SUMO runs on without us
-  bool alone;                 ///< nobody else moves vehicles
+  bool alone;                 ///< nobody else moves anybody
   std::optional<double> end;  ///< [s] what was asked for
   std::uint64_t seed;
   Profiles profiles;

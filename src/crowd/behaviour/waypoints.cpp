@@ -142,8 +142,8 @@ class Follower {
   /// Blocked for the whole of its patience, a person goes on to the next waypoint when there is a
   /// free way to it, and plans again when there is not (the next one may be behind a corner). Near
   /// its destination it has arrived; far from it it goes on trying. A waypoint of the user's is
-  /// passed over, however far it is. Waiting for a vehicle or the group, going with an adult,
-  /// chatting and sitting is not being blocked.
+  /// passed over, however far it is. Waiting for a vehicle or the group, going with an adult or
+  /// round a vehicle, chatting and sitting is not being blocked.
   void lose_patience(double dt) {
     const double left = way_left(route_, here_);
     if (left < walker_.least_left - kProgress) {
@@ -172,6 +172,7 @@ class Follower {
   bool stays() const {
     return walker_.waits || crowd_.groups[walker_.handle].waits ||
            crowd_.children[walker_.handle].led ||
+           crowd_.proposals.best(row_).by == Behaviour::kRound ||
            info_of(crowd_.activities[walker_.handle].activity).speed <= 0.0;
   }
 

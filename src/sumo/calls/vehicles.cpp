@@ -75,6 +75,9 @@ class VehicleCalls final : public SumoVehicles {
   bool is_at_stop(const std::string& id) const override {
     return (Vehicle::getStopState(id) & 1) != 0;
   }
+  bool is_parked(const std::string& id) const override {
+    return (Vehicle::getStopState(id) & 2) != 0;
+  }
   double length(const std::string& id) const override { return Vehicle::getLength(id); }
 
   void read_body(const std::string& id, VehicleTraits& traits) const override {

@@ -38,6 +38,7 @@ class SumoVehicles {
   /// to; nothing inside a junction.
   virtual std::vector<std::string> lanes_ahead(const std::string& id) const = 0;
   virtual bool is_at_stop(const std::string& id) const = 0;  ///< of its own, parking included
+  virtual bool is_parked(const std::string& id) const = 0;   ///< at such a stop beside the road
   virtual double length(const std::string& id) const = 0;    ///< [m]
   /// Its sizes, decelerations and acceleration; the rest is left as it is.
   virtual void read_body(const std::string& id, VehicleTraits& traits) const = 0;

@@ -48,7 +48,7 @@ struct Guest {
   double preferred_speed = 0.0;  ///< [m/s]
   /// [m/s] SUMO's, that this follows from; none: its <walk> says it.
   std::optional<double> top_speed;
-  double kept = 0.0;  ///< [s] kept at its end by a vehicle that waits for people
+  double kept = 0.0;  ///< [s] kept at its end by vehicles
   PersonColour colour;
   bool landed = false;  ///< SUMO has it on its lane, since its next stage begins where that is
   bool gone = false;    ///< no longer ours: dropped at the end of the phase

@@ -126,6 +126,7 @@ std::vector<VehicleSeen> VehicleReader::read(const Fleet& fleet, const Told& tol
     vehicle.horn = is_true(sumo_.parameter(id, "pedzone.horn"));
     vehicle.invites = sumo_.parameter(id, "pedzone.signal") == "after-you";
     vehicle.stopped = sumo_.is_at_stop(id);
+    vehicle.parks = vehicle.stopped && sumo_.is_parked(id);
     const auto lane = network_.lane_index.find(sumo_.lane(id));
     if (lane != network_.lane_index.end()) {
       vehicle.lane = lane->second;

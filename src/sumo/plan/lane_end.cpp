@@ -8,7 +8,6 @@
 namespace pedzone {
 namespace {
 
-constexpr double kStripe = 0.65;  // [m] SUMO's pedestrian.striping.stripe-width, as it is set
 // [m] left before the lane's end for who comes or leaves: SUMO lets nobody walk on who is less than
 // 5 m before a vehicle, and takes people back 3 m before the end at most.
 constexpr double kRoom = 8.0;

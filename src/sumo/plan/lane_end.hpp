@@ -10,6 +10,9 @@
 
 namespace pedzone {
 
+inline constexpr double kStripe =
+    0.65;  ///< [m] SUMO's pedestrian.striping.stripe-width, as it is set
+
 /// Whether SUMO lets nobody past the vehicle on that lane, which people share, and there is room
 /// for it to wait before the lane's end: its whole body, in a straight piece of the lane.
 bool leaves_no_stripe(const Lane& lane, const VehicleTraits& traits);

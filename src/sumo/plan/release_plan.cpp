@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sumo/plan/lane_end.hpp"
 #include "zone/lane_geometry.hpp"
 
 namespace pedzone {
@@ -14,11 +15,10 @@ constexpr double kVehicleSide = 0.5;  // [m] ... whose swept area comes this nea
 constexpr double kPatience = 10.0;    // [s] assumed; then only one that would touch it counts ...
 constexpr double kSoon = 2.0;         // [s] ... so soon
 constexpr double kAtSide = 0.4;       // [m] numerical: nearer to its side than SUMO's second stripe
-constexpr double kStripe = 0.65;      // [m] SUMO's pedestrian.striping.stripe-width, as it is set
-constexpr double kCar = 1.8, kPerson = 0.478;  // [m] SUMO's usual widths
-constexpr double kOverlap = 0.03;              // [m] numerical
-constexpr double kAheadOf = 1.25;              // [m] of a vehicle: SUMO's gap of 1 m, and a body
-constexpr double kLongest = 30.0;              // [s] assumed; and for one that comes on its lane
+constexpr double kCar = VehicleTraits{}.width, kPerson = 0.478;  // [m] SUMO's usual widths
+constexpr double kOverlap = 0.03;                                // [m] numerical
+constexpr double kAheadOf = 1.25;    // [m] of a vehicle: SUMO's gap of 1 m, and a body
+constexpr double kLongest = 30.0;    // [s] assumed, all together; for one that comes on its lane
 constexpr double kWalks = 1.5;       // [m/s] assumed: a faster one is not before people who walk on
 constexpr double kStepsOver = 0.05;  // [m] numerical: beyond the end SUMO has it on the next lane
 constexpr double kReachBeyond = 0.5;  // [m] numerical: more than a step's walk
@@ -37,14 +37,14 @@ double release_position(const Lane& lane, const ZoneStretch& stretch, const Walk
 }
 
 /// [m] from the lane's middle, at most. SUMO has nobody walk on right before a vehicle whose share
-/// of the lane, by whole stripes, is the last one, too: but whom the vehicle would touch.
+/// of the lane, by whole stripes, is the last one, too: only whom the vehicle would touch.
 double most_lateral(const Network& network, const Lane& lane, double radius) {
   const double most = std::max(0.0, 0.5 * lane.width - radius);
   const bool is_free =
       network.left_hand
           ? lane.width - kCar >= 2.0 * kStripe
           : lane.width + kCar < 2.0 * kStripe * (std::floor(lane.width / kStripe) - 1.0);
-  return is_free ? most : std::min(most, 0.5 * kCar + kPerson - kOverlap);
+  return is_free ? most : std::min(most, 0.5 * kCar + std::min(kPerson, 2.0 * radius) - kOverlap);
 }
 
 /// [m] on the lane. SUMO keeps whom it gets there on its stripe: where vehicles drive, too, on that
@@ -106,17 +106,22 @@ bool go_ahead_of_vehicles(const Network& network, const ZoneStretch& stretch, co
   if (stretch.release != Release::kLeave || !stretch.forward || plan.moves.empty()) return true;
   const Lane& lane = network.lanes[stretch.lane];
   double& position = plan.moves.back().position;
+  // The nearest last: who is put ahead of one may come before another.
+  std::vector<std::pair<double, double>> on_lane;  // [m] front, [m/s]
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
     if (vehicle.lane != stretch.lane) continue;
-    const double front = project_on_lane(lane, vehicle.front).offset;
+    on_lane.emplace_back(project_on_lane(lane, vehicle.front).offset, vehicle.speed);
+  }
+  std::ranges::sort(on_lane);
+  for (const auto& [front, speed] : on_lane) {
     if (front >= position) continue;
     const double first = front + kAheadOf;
-    if (vehicle.speed > kWalks && first + vehicle.speed * kSoon > position && kept < kLongest) {
+    if (speed <= kWalks) {
+      position = std::max(position, std::min(first, lane.length + kStepsOver));
+    } else if (first + speed * kSoon > position && kept < kLongest) {
       kept += dt;
       return false;
     }
-    if (vehicle.speed <= kWalks)
-      position = std::max(position, std::min(first, lane.length + kStepsOver));
   }
   return true;
 }

@@ -43,6 +43,7 @@ struct VehicleSeen {
   double allowed_speed = 0.0;  ///< [m/s] what it may drive here
   double time_loss = 0.0;      ///< [s] SUMO's timeLoss so far
   bool stopped = false;        ///< at a stop of its own (also parking)
+  bool parks = false;          ///< ... beside the road
   bool horn = false;           ///< parameter pedzone.horn of it or its vType is true at present
   bool invites = false;        ///< pedzone.signal is after-you at present
   int lane = -1;               ///< index into Network::lanes; -1: on none of them
@@ -99,7 +100,8 @@ struct FleetVehicle : VehicleSeen {
   Vec2 centre() const { return front - unit(heading) * (0.5 * traits.length); }
 };
 
-/// Whether it is told anything for people: neither another program's, nor at a stop of its own.
+/// Whether it is told anything for people on its way: neither another program's, nor at a stop of
+/// its own.
 bool gives_way(const FleetVehicle& vehicle);
 
 /// [m] in which it stops as it likes to brake.

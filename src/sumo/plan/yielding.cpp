@@ -42,14 +42,15 @@ std::optional<YieldOrder> Yielding::plan_stop(FleetVehicle& vehicle, double dt) 
   return YieldOrder{next, true};
 }
 
-/// One at a stop of its own may drive off in the next step, whenever SUMO ends the stop: it stands
-/// for whom it would reach then. Nothing where that is nobody.
+/// One at a stop of its own on the road may drive off in the next step, whenever SUMO ends the
+/// stop: it stands for whom it would reach then. Nothing where that is nobody.
 std::optional<YieldOrder> Yielding::plan_start(FleetVehicle& vehicle, const PeopleNear& near,
                                                double dt) const {
   const VehicleTraits& traits = vehicle.traits;
   vehicle.claim = vehicle.blocked_time = vehicle.slowed = 0.0;
   vehicle.creeping = false;
-  if (!traits.yields || traits.external) return std::nullopt;
+  const bool passes = vehicle.speed > kHaltingSpeed;  // it does not have to stand at its stop
+  if (!traits.yields || traits.external || passes) return std::nullopt;
   const Parameters& parameters = zones_[vehicle.zone].parameters;
   const double way = traits.accel * dt * dt + parameters.yield_gap;
   const auto people = near.at(vehicle.front, traits.length + way);
@@ -181,7 +182,7 @@ void Yielding::note(const FleetVehicle& vehicle, double time) {
 std::optional<YieldOrder> Yielding::plan_for_people(FleetVehicle& vehicle, const PeopleNear& near,
                                                     const SafeSpeeds& safe_speeds, double time,
                                                     double dt) {
-  if (vehicle.stopped) return plan_start(vehicle, near, dt);
+  if (vehicle.stopped && !vehicle.parks) return plan_start(vehicle, near, dt);
   if (!gives_way(vehicle)) return std::nullopt;
   const Parameters& parameters = zones_[vehicle.zone].parameters;
   const auto people = near.at(vehicle.front, reach_for_people(vehicle, parameters));

@@ -18,7 +18,8 @@ Persons two_people() {
 
 TEST(Proposals, the_most_important_one_wins_whoever_comes_first) {
   const std::vector<Behaviour> rising{Behaviour::kWay,  Behaviour::kChild, Behaviour::kGroup,
-                                      Behaviour::kSeat, Behaviour::kDash,  Behaviour::kClaim};
+                                      Behaviour::kSeat, Behaviour::kRound, Behaviour::kDash,
+                                      Behaviour::kClaim};
   Proposals proposals;
   for (std::size_t k = 1; k < rising.size(); ++k) {
     for (const bool important_first : {false, true}) {

@@ -42,6 +42,26 @@ TEST(Rounding, takes_the_side_that_has_room) {
   }
 }
 
+/// Three bodies of 8 m in a row across the way, `gap` [m] apart.
+std::size_t past_a_row(double gap, bool of_one_vehicle) {
+  const Zone zone = zone_of(box(0, -60, 60, 60), {}, true);
+  Scene scene(zone);
+  for (const int k : {-1, 0, 1}) {
+    VehicleState body = vehicle_at({30, k * (8.0 + gap)}, 0.5 * kPi, 0.0, 8.0, 2.4);
+    body.key = of_one_vehicle ? 7 : 7 + static_cast<std::uint64_t>(k + 1);
+    scene.vehicles.push_back(body);
+  }
+  for (const double y : {-4.3, -2.0, 0.5, 4.2, 9.0}) scene.add({20, y}, point(40, y));
+  while (scene.time < 90.0) scene.step(0.5);
+  return scene.arrived();
+}
+
+TEST(Rounding, leads_round_all_parts_of_a_vehicle) { EXPECT_EQ(past_a_row(0.0, true), 5u); }
+
+TEST(Rounding, leads_nobody_between_vehicles_that_leave_no_room) {
+  EXPECT_EQ(past_a_row(0.1, false), 5u);
+}
+
 TEST(Rounding, leads_nobody_where_there_is_no_room) {
   Zone zone = zone_of(box(0, 0, 80, 2.3), {}, true);
   Scene scene(zone);
