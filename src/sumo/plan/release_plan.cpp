@@ -36,10 +36,16 @@ double release_position(const Lane& lane, const ZoneStretch& stretch, const Walk
   return std::clamp(position, 0.0, lane.length);
 }
 
-/// [m] from the lane's middle, at most. SUMO has nobody walk on right before a vehicle whose share
-/// of the lane, by whole stripes, is the last one, too: only whom the vehicle would touch.
-double most_lateral(const Network& network, const Lane& lane, double radius) {
-  const double most = std::max(0.0, 0.5 * lane.width - radius);
+/// [m] from the lane's middle, at most: so far the body is on it.
+double most_on_lane(const Lane& lane, double radius) {
+  return std::max(0.0, 0.5 * lane.width - radius);
+}
+
+/// [m] from the lane's middle, at most, where vehicles drive, too. SUMO has nobody walk on right
+/// before a vehicle whose share of the lane, by whole stripes, is the last one, too: only whom the
+/// vehicle would touch.
+double most_beside_vehicles(const Network& network, const Lane& lane, double radius) {
+  const double most = most_on_lane(lane, radius);
   const bool is_free =
       network.left_hand
           ? lane.width - kCar >= 2.0 * kStripe
@@ -53,10 +59,10 @@ double release_lateral(const Network& network, const ZoneStretch& stretch, doubl
                        double radius) {
   const Lane& lane = network.lanes[stretch.lane];
   if (!lane.vehicles || stretch.release != Release::kLeave) {
-    const double most = std::max(0.0, 0.5 * lane.width - radius);
+    const double most = most_on_lane(lane, radius);
     return std::clamp(lateral, -most, most);
   }
-  const double most = most_lateral(network, lane, radius);
+  const double most = most_beside_vehicles(network, lane, radius);
   const double outer = network.left_hand ? 1.0 : -1.0;
   const double least =
       std::clamp(0.5 * lane.width - kAtSide, 0.0, std::min(most, kClearOfVehicles));
@@ -150,7 +156,7 @@ std::optional<ReleasePlan> plan_let_go(const Network& network, const std::vector
       plan.moves.push_back({network.lanes[hop].id, 0.5 * network.lanes[hop].length, {}});
   }
   const auto [offset, lateral] = project_on_lane(lane, position);
-  const double side = std::max(0.0, 0.5 * lane.width - radius);
+  const double side = most_on_lane(lane, radius);
   plan.moves.push_back(
       {lane.id, std::clamp(offset, 0.0, lane.length), std::clamp(lateral, -side, side)});
   return plan;
