@@ -8,6 +8,7 @@
 #include "app/command_line/values.hpp"
 #include "app/guarded.hpp"
 #include "app/inspect_json.hpp"
+#include "crowd/zone_models.hpp"
 #include "results/complete_file.hpp"
 #include "sumo/files/hint_values.hpp"
 #include "sumo/files/scenario.hpp"
@@ -33,7 +34,7 @@ void report(const InspectOptions& options) {
   std::unique_ptr<CompleteFile> picture;
   if (!options.svg.empty()) picture = std::make_unique<CompleteFile>(options.svg, "--svg");
   const Network network = read_scenario_network(scenario);
-  const std::vector<Zone> zones = build_any_zones(network, file.zones);
+  const std::vector<Zone> zones = build_any_zones(network, with_models(file.zones));
   const std::vector<WaypointPath> paths = find_paths(network, zones, file.paths);
   require_known_hints(scenario, {file.profiles, paths});
   if (picture) {

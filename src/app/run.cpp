@@ -129,10 +129,16 @@ void warn_of_far_places(const Network& network) {
 }
 
 void warn_of_shapes(const Simulation& simulation) {
+  constexpr std::size_t kTold = 3;  // of each zone
   for (const Zone& zone : simulation.zones()) {
-    if (zone.warnings.empty()) continue;
-    fmt::print(stderr, "Zone '{}': {} warnings about its shape; `pedzone inspect` lists them.\n",
-               zone.id, zone.warnings.size());
+    const std::size_t all = zone.warnings.size(), told = std::min(all, kTold);
+    for (std::size_t i = 0; i < told; ++i) {
+      print_warning(fmt::format("zone '{}': {}.", zone.id, zone.warnings[i]));
+    }
+    if (all > told) {
+      print_warning(fmt::format("zone '{}': {} more of its shape; `pedzone inspect` lists them.",
+                                zone.id, all - told));
+    }
   }
 }
 

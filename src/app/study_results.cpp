@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/command_line/terminal.hpp"
+#include "core/shell_word.hpp"
 #include "results/complete_file.hpp"
 #include "study/report/report.hpp"
 #include "study/report/report_verdict.hpp"
@@ -72,7 +73,7 @@ void write_results(const Store& store, const Plan& plan, const Records& records)
           "  report.html    what differs, by how much, how sure; to be opened in a browser\n"
           "  summary.csv    each measure of each model against {}, also summary.json\n"
           "  runs.csv       the measures of each run\n",
-          store.folder(), plan.study.reference));
+          shell_word(store.folder()), plan.study.reference));
 }
 
 RunCounts count_runs(const Records& records) {

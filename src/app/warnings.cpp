@@ -27,8 +27,8 @@ void JamWarnings::step(const Simulation& simulation, Progress& progress) {
   for (; told_ < std::min(jams.size(), kNamed); ++told_) {
     const JamRecord& jam = jams[told_];
     progress.print(fmt::format(
-        "{} person '{}' in zone '{}' is stuck among people at ({:.1f}, {:.1f}), "
-        "time {:.1f}: it squeezes through.",
+        "{} person '{}' in zone '{}' is stuck among people, or beside a vehicle that stands, at "
+        "({:.1f}, {:.1f}), time {:.1f}: it squeezes through.",
         warning_label(), jam.person, jam.zone, jam.position.x(), jam.position.y(), jam.time));
   }
 }

@@ -250,7 +250,7 @@ void bind_crowd(py::module_& module) {
            "model: a name of MODELS, the path of a plug-in, an object of a class derived from\n"
            "WalkingModel, or None: the zone's. Raises InputError.")
       .def("step", &PythonCrowd::step, "dt"_a, "vehicles"_a = std::vector<PythonVehicle>(),
-           "Walks everybody for dt [s] > 0, in substeps of at most 0.1 s.\n\n"
+           "Walks everybody for dt [s], (0, 3600], in substeps of at most 0.1 s.\n\n"
            "vehicles: a list of Vehicle as they are now; between substeps they move on. The\n"
            "interpreter's lock is free meanwhile. Raises ValueError, and what a model in Python\n"
            "raises: after that the crowd cannot be used.")

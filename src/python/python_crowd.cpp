@@ -1,6 +1,5 @@
 #include "python/python_crowd.hpp"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -28,8 +27,11 @@ Crowd::Handle PythonCrowd::add(NewPerson person, const std::string& profile) {
 }
 
 void PythonCrowd::step(double dt, const std::vector<PythonVehicle>& vehicles) {
-  if (!(dt > 0.0) || !std::isfinite(dt)) {
-    throw std::invalid_argument("dt: " + std::to_string(dt) + "; allowed: more than 0 s");
+  constexpr double kLongest =
+      3600.0;  // [s] assumed: nobody means to walk people for longer at once
+  if (!(dt > 0.0 && dt <= kLongest)) {
+    throw std::invalid_argument("dt: " + std::to_string(dt) +
+                                "; allowed: more than 0 s, at most 3600 s");
   }
   const std::vector<VehicleState> states = states_of(vehicles);
   Crowd& crowd = change();

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
-#include "model/walking_model.hpp"
+#include "crowd/zone_models.hpp"
 #include "sumo/files/hint_values.hpp"
 #include "sumo/files/path_vehicles.hpp"
 #include "sumo/files/type_files.hpp"
@@ -37,18 +37,6 @@ double number_option(const Session& session, const std::string& name) {
 }
 
 std::string time_text(double time) { return std::to_string(time) + " s"; }
-
-/// The specs themselves, once their models are known to be there.
-const std::vector<ZoneSpec>& with_models(const std::vector<ZoneSpec>& specs) {
-  for (const ZoneSpec& spec : specs) {
-    try {
-      check_model(spec.model);
-    } catch (const ModelError& error) {
-      throw zone_error(spec, error.problem, "model", spec.model, error.allowed);
-    }
-  }
-  return specs;
-}
 
 /// The paths themselves, once their vehicles are known to be there.
 const std::vector<VehiclePath>& known_vehicles(const SimulationOptions& options) {

@@ -300,6 +300,20 @@ class Coordinates(ScenarioCase):
         wall = float(re.search(r"wall +([\d.]+) s", done.stdout)[1])
         self.assertLess(wall, 40.0)  # 125 s when each cell of 8 m was looked at
 
+    def test_polygons_that_are_left_out_are_named(self):
+        islands = "".join(f'<poly id="island{k}" type="pedzone.walkable" '
+                          f'shape="{x},200 {x + 5},200 {x + 5},205"/>'
+                          for k, x in enumerate(range(60, 120, 15)))
+        self.scenario(additional=f"<additional>{islands}</additional>")
+        done = self.pedzone()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = [line for line in done.stderr.splitlines() if "zone 'shared-space': " in line]
+        self.assertEqual(len(told), 4, done.stderr)
+        for k, line in enumerate(told[:3]):
+            self.assertIn(f"walkable polygon 'island{k}' touches no lane of the zone: left out.",
+                          line)
+        self.assertIn("1 more of its shape; `pedzone inspect` lists them.", told[3])
+
 
 if __name__ == "__main__":
     PEDZONE = str(Path(sys.argv.pop(1)).resolve())

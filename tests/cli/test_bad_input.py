@@ -188,6 +188,13 @@ class BadInput(RefusalChecks, TinyCase):
         self.expect(self.zone('<zones>\n<zone id="a" model="libnowhere.so"/></zones>'), 2,
                     "bad.zone.xml:2", "'libnowhere.so' is missing")
 
+    def test_inspect_misses_the_plugin_too(self):
+        zone = self.tiny.write("bad.zone.xml",
+                               '<zones>\n<zone id="a" model="libnowhere.so"/></zones>')
+        done = self.pedzone("inspect", self.tiny.config(), "--zone", zone, "--svg", "zone.svg")
+        self.expect(done, 2, "bad.zone.xml:2", "'libnowhere.so' is missing")
+        self.assertFalse((self.tiny.folder / "zone.svg").exists())
+
     def test_plugin_that_is_no_library(self):
         self.tiny.write("libtext.so", "no library")
         done = self.run_scenario(self.tiny.config(), "--model", "libtext.so")

@@ -221,6 +221,7 @@ class Mistakes(unittest.TestCase):
         cases = {
             "dt: .*allowed: more than 0 s": lambda: crowd.step(0),
             "dt": lambda: crowd.step(math.nan),
+            "dt: .*at most 3600 s": lambda: crowd.step(1e9),
             "vehicle.*allowed": lambda: pedzone.Vehicle("v", (math.inf, 0)),
             "length": lambda: pedzone.Vehicle("v", (0, 0), length=0),
             "position": lambda: crowd.add((math.nan, 1), (2, 2)),
