@@ -5,6 +5,7 @@ walks the people: real SUMO, SUMO's own traci.
 usage: test_outside.py PEDZONE_PROGRAM
 """
 
+import json
 import math
 
 import attached
@@ -271,6 +272,21 @@ class Outside(AttachedCase):
         # The last one ends 20 m after the street's begin.
         self.assertGreater(max(x for _, x in usual), 110.0)
         self.assertAlmostEqual(max(x for _, x in places), 80.0, delta=1.0)
+
+    def test_collisions_are_counted(self):
+        crash = """<routes><vType id="blind" tau="0.1" sigma="0" decel="2" emergencyDecel="9"/>
+            <vehicle id="ahead" depart="0" departPos="30"><route edges="west"/>
+            <stop lane="west_1" endPos="40" duration="20"/></vehicle>
+            <vehicle id="behind" type="blind" depart="2" departPos="26" departSpeed="13.8"
+            insertionChecks="none"><route edges="west"/></vehicle></routes>"""
+        self.together("""
+            with open("collisions.txt", "a") as file:
+                for one in traci.simulation.getCollisions():
+                    print(one.collider, one.victim, file=file)""", end=30, routes=crash)
+        told = set((self.folder / "collisions.txt").read_text().splitlines())
+        self.assertEqual(told, {"behind ahead"})
+        summary = json.loads((self.folder / "s.json").read_text())
+        self.assertEqual(summary["sumo"]["collisions"], 1)
 
     def test_horn(self):
         """Parameters that a client sets while it runs are read in each step."""

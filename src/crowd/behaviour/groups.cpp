@@ -1,5 +1,5 @@
-// What is compared is the way left to the destination; members whose destinations differ compare
-// what is left to their own. (People in groups also walk slower than alone, by 0.04 m/s for each of
+// What is compared is the way left to the destination: only members who go to the same place belong
+// together. (People in groups also walk slower than alone, by 0.04 m/s for each of
 // them: Moussaid et al. 2010. Speeds are the scenario's; here nobody walks slower for that.)
 #include "crowd/behaviour/groups.hpp"
 
@@ -14,11 +14,43 @@
 namespace pedzone {
 namespace {
 
+constexpr double kSamePlace = 10.0;  // [m] assumed: destinations that are farther apart differ
 constexpr double kNearer = 0.5;  // [m] assumed: less within the patience is nothing (waypoints.cpp)
 constexpr double kPastReach = 2.0;  // [m] assumed: who is so near before somebody is in its way
 constexpr double kPastGap = 0.2;    // [m] assumed: gap that is enough to go past
 constexpr double kHeldUpShare =
     0.5;  // assumed: who walks slower than so much of its speed is held up
+
+/// The middle of where row i gets to at last [m].
+Vec2 end_of_way(const CrowdState& crowd, std::size_t i) {
+  const PathMemory& path = crowd.paths[crowd.handle(i)];
+  const StreetCrossing* const street = crowd.crossing(i);
+  const Destination& end = path != nullptr     ? path->destination
+                           : street != nullptr ? street->destination
+                                               : crowd.walkers[i].route.destination;
+  return 0.5 * (end.a + end.b);
+}
+
+bool by_group(const GroupMember& one, const GroupMember& other) {
+  return one.group != other.group ? one.group < other.group : one.key < other.key;
+}
+
+/// Makes those of each group who go to another place than those before them a group of their own.
+/// Who waited for such members would wait for people who walk away, or lead a child astray.
+void part_ways(const CrowdState& crowd, std::vector<GroupMember>& members) {
+  const auto same_place = [&](const GroupMember& one, const GroupMember& other) {
+    return (end_of_way(crowd, one.row) - end_of_way(crowd, other.row)).norm() <= kSamePlace;
+  };
+  for_each_group(members, [&](std::span<GroupMember> group) {
+    for (std::size_t k = 1; k < group.size(); ++k) {
+      const auto before = group.first(k);
+      const auto there = std::ranges::find_if(
+          before, [&](const GroupMember& one) { return same_place(one, group[k]); });
+      group[k].group = there == before.end() ? group[k].key : there->group;
+    }
+  });
+  std::ranges::sort(members, by_group);
+}
 
 /// D of row i [m]: its way to the waypoint of the user's that it is on the way to, if any, then by
 /// the ones after it to the end. Straight from each to the next, so that members on different
@@ -127,9 +159,8 @@ void index_members(const CrowdState& crowd, std::vector<GroupMember>& members,
     members.push_back(
         {group, crowd.persons.key[i], static_cast<std::uint32_t>(i), left_in_all(crowd, i)});
   }
-  std::sort(members.begin(), members.end(), [](const auto& one, const auto& other) {
-    return one.group != other.group ? one.group < other.group : one.key < other.key;
-  });
+  std::ranges::sort(members, by_group);
+  part_ways(crowd, members);
 }
 
 void update_waits(const CrowdState& crowd, double dt, ByHandle<GroupMemory>& groups) {

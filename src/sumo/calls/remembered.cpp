@@ -44,6 +44,7 @@ const Variables kCounts{libsumo::VAR_TIME,
                         libsumo::VAR_ARRIVED_PERSONS_NUMBER,
                         libsumo::VAR_TELEPORT_STARTING_VEHICLES_NUMBER,
                         libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER,
+                        libsumo::VAR_COLLIDING_VEHICLES_IDS,
                         libsumo::VAR_DEPARTED_VEHICLES_IDS,
                         libsumo::VAR_ARRIVED_VEHICLES_IDS,
                         libsumo::VAR_PENDING_VEHICLES};
@@ -215,6 +216,16 @@ int Simulation::getStartingTeleportNumber() {
 }
 int Simulation::getEmergencyStoppingVehiclesNumber() {
   return count(libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER);
+}
+std::vector<libsumo::TraCICollision> Simulation::getCollisions() {
+  const auto& ids = count<TraCIStringList>(libsumo::VAR_COLLIDING_VEHICLES_IDS);
+  std::vector<libsumo::TraCICollision> collisions;
+  for (std::size_t k = 0; k + 1 < ids.size(); k += 2) {
+    collisions.emplace_back();
+    collisions.back().collider = ids[k];
+    collisions.back().victim = ids[k + 1];
+  }
+  return collisions;
 }
 std::vector<std::string> Simulation::getDepartedIDList() {
   return count<TraCIStringList>(libsumo::VAR_DEPARTED_VEHICLES_IDS);

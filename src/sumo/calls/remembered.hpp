@@ -62,6 +62,8 @@ struct Simulation : libtraci::Simulation {
   static int getArrivedPersonNumber();
   static int getStartingTeleportNumber();
   static int getEmergencyStoppingVehiclesNumber();
+  /// libtraci's own tells of none. SUMO tells the two of each that begins, one after the other.
+  static std::vector<libsumo::TraCICollision> getCollisions();
   static std::vector<std::string> getDepartedIDList();
   static std::vector<std::string> getArrivedIDList();
   static std::vector<std::string> getPendingVehicles();

@@ -92,6 +92,7 @@ class VehicleCalls final : public SumoVehicles {
     if (!motion_) motion_ = read_motion();
     traits.ballistic = motion_->ballistic;
     traits.drifts = motion_->drifts;
+    traits.sublanes = motion_->sublanes;
   }
 
   std::string type(const std::string& id) const override { return Vehicle::getTypeID(id); }
@@ -152,7 +153,7 @@ class VehicleCalls final : public SumoVehicles {
  private:
   /// How SUMO moves vehicles.
   struct Motion {
-    bool ballistic, drifts;
+    bool ballistic, drifts, sublanes;
   };
   static Motion read_motion() {
     const auto number = [](const char* option) {
@@ -160,7 +161,7 @@ class VehicleCalls final : public SumoVehicles {
     };
     const bool sublanes = number("lateral-resolution") > 0.0;
     return {is_true(api::Simulation::getOption("step-method.ballistic")),
-            !sublanes && number("lanechange.duration") > 0.0};
+            !sublanes && number("lanechange.duration") > 0.0, sublanes};
   }
 
   /// As its type's parameters have them.

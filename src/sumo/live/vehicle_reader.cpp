@@ -65,7 +65,8 @@ bool VehicleReader::is_near(const Fleet& fleet, const std::string& id, const Vec
   if (fleet.near_zone(front)) return true;
   const auto known = known_.find(id);
   if (known == known_.end() || known->second.traits.length < kLong) return false;
-  return fleet.near_zone(front - unit(sumo_.heading(id)) * known->second.traits.length);
+  const Vec2 rear = front - unit(sumo_.heading(id)) * known->second.traits.length;
+  return fleet.near_zone(front, rear);
 }
 
 /// Which lanes it will take matters only where its lane leads onto several of the next edge.

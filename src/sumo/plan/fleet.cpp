@@ -21,6 +21,17 @@ constexpr double kLeaderAhead = 10.0;   // [m] numerical: who is farther ahead l
 constexpr double kRounding = 1e-6;      // [m] numerical
 constexpr double kWaitingSpeed = 0.5;   // [m/s] numerical: slower vehicles wait
 
+/// Whether any of a line is in a box, which is wider than kNear: of a long vehicle the front and
+/// the rear may be beyond it.
+bool comes_into(const Box& box, const Vec2& from, const Vec2& to) {
+  const Vec2 line = to - from;
+  const double pieces = std::max(1.0, std::ceil(line.norm() / kNear));
+  for (double k = 0.0; k <= pieces; ++k) {
+    if (box.contains(Vec2(from + line * (k / pieces)))) return true;
+  }
+  return false;
+}
+
 /// What is carried over from a vehicle's last step, of `dt` [s].
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.seen_for = old.seen_for + dt;
@@ -217,12 +228,16 @@ bool Fleet::near_zone(const Vec2& point) const {
   return std::ranges::any_of(boxes_, [&](const Box& box) { return box.contains(point); });
 }
 
+bool Fleet::near_zone(const Vec2& front, const Vec2& rear) const {
+  return std::ranges::any_of(boxes_, [&](const Box& box) { return comes_into(box, front, rear); });
+}
+
 std::vector<VehicleState> Fleet::states_near(std::size_t zone,
                                              std::span<const VehicleState> states) const {
   std::vector<VehicleState> near;
   for (const VehicleState& state : states) {
-    const Vec2 front = state.centre + 0.5 * state.length * unit(state.heading);
-    if (boxes_[zone].contains(front) || boxes_[zone].contains(state.centre)) near.push_back(state);
+    const Vec2 half = 0.5 * state.length * unit(state.heading);
+    if (comes_into(boxes_[zone], state.centre + half, state.centre - half)) near.push_back(state);
   }
   return near;
 }

@@ -22,7 +22,9 @@ class Fleet {
   /// where people cross streets anywhere), or as far as it needs to stop where it drives fast or on
   /// ice.
   bool near_zone(const Vec2& point) const;
-  /// Those of `states` with their front or centre near that zone.
+  /// The same of one with its front and its rear at these points [m].
+  bool near_zone(const Vec2& front, const Vec2& rear) const;
+  /// Those of `states` with any of their body near that zone.
   std::vector<VehicleState> states_near(std::size_t zone,
                                         std::span<const VehicleState> states) const;
   /// (0, 1] the share of their deceleration that the weather leaves to vehicles.

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kAside = 10.0;    // [m] numerical: more than two lanes are wide
 constexpr double kStepsOut = 1.3;  // [m/s] assumed: of who stands between lanes
+constexpr double kChange = 3.5;    // [s] numerical: SUMO's sublane model moves sideways at 1 m/s
 
 /// Whether its body would touch anybody on the way in this step, or before it can stop.
 bool is_barred(const FleetVehicle& vehicle, Polyline way, std::span<const PersonAhead> people,
@@ -27,12 +28,25 @@ bool is_barred(const FleetVehicle& vehicle, Polyline way, std::span<const Person
          first_in_way(moved, people, margin, distance).has_value();
 }
 
+/// What lies between the middles of its own way and of that beside it: the vehicle as wide as that
+/// is, on a way in between.
+std::pair<FleetVehicle, Polyline> between(const FleetVehicle& vehicle, const Polyline& beside) {
+  const Vec2 aside = point_on(beside, vehicle.traits.length).point - vehicle.front;
+  std::pair<FleetVehicle, Polyline> strip{vehicle, beside};
+  strip.first.traits.width = aside.norm();
+  for (Vec2& point : strip.second) point -= 0.5 * aside;
+  return strip;
+}
+
 }  // namespace
 
 bool LaneKeeping::is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehicle,
                                     const PeopleNear& all, double dt) const {
   const double soon = (vehicle.speed + vehicle.traits.accel * dt) * dt;
-  const double distance = soon + braking_distance(vehicle);
+  // One that changes lanes bit by bit sweeps what is between them on its way.
+  const bool drifts = vehicle.traits.drifts || vehicle.traits.sublanes;
+  const double distance =
+      soon + braking_distance(vehicle) + (drifts ? kChange * vehicle.speed : 0.0);
   const double reach = distance + vehicle.traits.length + kAside;
   const auto is_near = [&](const PersonAhead& person) {
     return (person.position - vehicle.front).squaredNorm() < reach * reach;
@@ -44,6 +58,10 @@ bool LaneKeeping::is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehi
   const double margin = zones_[vehicle.zone].parameters.yield_margin;
   std::vector<Polyline> ways = fleet.ways_beside(vehicle, soon, distance);
   return std::ranges::any_of(ways, [&](Polyline& way) {
+    if (drifts) {
+      auto [strip, middle] = between(vehicle, way);
+      if (is_barred(strip, std::move(middle), people, margin, distance, dt)) return true;
+    }
     return is_barred(vehicle, std::move(way), people, margin, distance, dt);
   });
 }

@@ -21,7 +21,9 @@ class LaneKeeping {
   /// Before SUMO's next step of `dt` [s]: a vehicle that gives way to people is told to keep its
   /// lane as long as somebody is on a lane beside it where its body would be, or nearer ahead than
   /// it could stop for as it likes to brake; or could be there within the step, of who crosses a
-  /// street. After that, and once it is not in the fleet any more, it may change lanes as before.
+  /// street. One that changes lanes bit by bit keeps it for people between the lanes, too, and for
+  /// those whom it would come to in 3.5 s more. After that, and once it is not in the fleet any
+  /// more, it may change lanes as before.
   std::vector<SpeedOrder> plan(const Fleet& fleet, const PeopleNear& people, double dt);
 
  private:

@@ -30,6 +30,7 @@ struct VehicleTraits {
   bool ballistic = false;  ///< within a step its speed changes evenly (SUMO's
                            ///< step-method.ballistic); else it has the new one from the beginning
   bool drifts = false;     ///< it changes lanes bit by bit (SUMO's lanechange.duration)
+  bool sublanes = false;   ///< it drives anywhere on its lane (SUMO's lateral-resolution)
 };
 
 /// What SUMO tells of a vehicle at present.

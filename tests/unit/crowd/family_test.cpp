@@ -56,6 +56,18 @@ TEST(Family, a_child_that_is_far_away_comes_to_its_adult) {
   EXPECT_LE(family.apart(), 2.5);
 }
 
+TEST(Family, a_child_with_another_way_than_its_adult_takes_it) {
+  const Zone zone = zone_of(box(0, 0, 101, 20), {}, true);
+  Scene scene(zone);
+  scene.add(member({50, 10}, line_at_x(100, 1, 19), 3));
+  NewPerson child = member({50, 12}, line_at_x(1, 1, 19), 3);
+  child.profile = profile("child");
+  scene.add(child);
+  scene.run(60);
+  EXPECT_EQ(scene.arrived(), 2u);
+  EXPECT_LT(scene.time, 50.0);
+}
+
 TEST(Family, the_hand_is_taken_before_a_vehicle_comes_and_let_go_after) {
   for (const double lane : {8.0, 10.0, 14.0}) {
     Family family;

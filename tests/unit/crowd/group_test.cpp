@@ -136,6 +136,35 @@ TEST(Group, others_do_not_count) {
   }
 }
 
+TEST(Group, nobody_waits_for_one_who_goes_to_another_place) {
+  const Zone zone = open_space();
+  const double ends[] = {1.0, 60.0};  // the other way; the same way, less far
+  for (const double end : ends) {
+    Scene scene(zone);
+    const auto one = scene.add(member({30, 10}, line_at_x(100, 1, 19), 1));
+    NewPerson slow = member({30, 12}, line_at_x(end, 1, 19), 1);
+    slow.preferred_speed = 0.6;
+    scene.add(slow);
+    while (scene.arrived() < 2 && scene.time < 120) {
+      scene.step();
+      ASSERT_FALSE(scene.people[one].here && scene.people[one].view.waits_for_group) << end;
+    }
+    EXPECT_EQ(scene.arrived(), 2u) << end;
+    EXPECT_LT(scene.time, 75.0) << end;
+  }
+}
+
+TEST(Group, who_goes_to_the_same_place_still_belongs_together) {
+  const Zone zone = open_space();
+  Scene scene(zone);
+  const auto quick = scene.add(member({30, 10}, line_at_x(100, 1, 19), 1));
+  scene.add(member({30, 8}, line_at_x(1, 1, 19), 1));
+  NewPerson slow = member({20, 12}, line_at_x(100, 1, 19), 1);
+  scene.add(slow);
+  scene.step();
+  EXPECT_TRUE(scene.people[quick].view.waits_for_group);
+}
+
 TEST(Group, whoever_has_gone_counts_no_more) {
   const Zone zone = open_space();
   Crowd crowd(zone, 1);
@@ -203,10 +232,10 @@ TEST(Group, makes_room_in_a_passage_for_one_of_its_own) {
 TEST(Group, who_waits_steps_to_the_side_on_which_it_stands_already) {
   const Zone zone = zone_of(box(0, 0, 60, 10));
   for (const double side : {1.0, -1.0}) {
-    // The first has 10 m left, and so waits for the second, which has 32 m left and sets out from
+    // The first has 21 m left, and so waits for the second, which has 32 m left and sets out from
     // 1.8 m behind it.
     const double y = 5.0 + 0.1 * side;
-    NewPerson first = member({20.0, y}, Destination{{30.0, y}, {30.0, y}}, 7);
+    NewPerson first = member({20.0, y}, Destination{{41.0, y}, {41.0, y}}, 7);
     NewPerson second = member({18.2, 5.0}, Destination{{50.0, 5.0}, {50.0, 5.0}}, 7);
     first.velocity = second.velocity = Vec2::Zero();
     Scene scene(zone);

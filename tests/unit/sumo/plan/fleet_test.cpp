@@ -21,22 +21,33 @@ TEST_F(FleetTest, has_the_vehicles_within_sixty_metres_of_a_zone) {
   EXPECT_FALSE(fleet.near_zone({100.0, 2.0 + 60.1}));
 }
 
+TEST_F(FleetTest, has_a_train_of_which_both_ends_are_far_away) {
+  const Fleet fleet(network, zones());
+  const double y = 3.0;
+  EXPECT_TRUE(fleet.near_zone({400.0, y}, {-200.0, y}));
+  EXPECT_TRUE(fleet.near_zone({-200.0, y}, {400.0, y}));
+  EXPECT_FALSE(fleet.near_zone({400.0, y}, {300.0, y}));
+  EXPECT_FALSE(fleet.near_zone({400.0, 100.0}, {-200.0, 100.0}));
+}
+
 TEST_F(FleetTest, shows_each_zone_the_vehicles_near_it) {
   std::vector<Zone> two{zones()[0], zones()[0]};
   for (Vec2& corner : two[1].walkable[0].outer) corner += Vec2(1000.0, 0.0);
   const Fleet fleet(network, two);
-  VehicleState here, there, long_one;
+  VehicleState here, there, long_one, train;
   here.centre = {60.0, 0.0};
   there.centre = {1060.0, 0.0};
   long_one.centre = {50.0 - 65.0, 0.0};  // its front is 59 m from the first zone
   long_one.length = 12.0;
-  const std::vector<VehicleState> all{here, there, long_one};
+  train.centre = {300.0, 0.0};
+  train.length = 400.0;  // from 100 m to 500 m
+  const std::vector<VehicleState> all{here, there, long_one, train};
   const auto centres_near = [&](std::size_t which) {
     std::vector<Vec2> centres;
     for (const VehicleState& state : fleet.states_near(which, all)) centres.push_back(state.centre);
     return centres;
   };
-  EXPECT_THAT(centres_near(0), testing::ElementsAre(here.centre, long_one.centre));
+  EXPECT_THAT(centres_near(0), testing::ElementsAre(here.centre, long_one.centre, train.centre));
   EXPECT_THAT(centres_near(1), testing::ElementsAre(there.centre));
 }
 

@@ -73,6 +73,22 @@ TEST_F(LaneKeepingTest, keeps_its_lane_beside_people_who_cross_and_wait_between_
   EXPECT_THAT(step({seen}, {waits}), ElementsAre(keeps_));
 }
 
+TEST_F(LaneKeepingTest, who_changes_lanes_bit_by_bit_does_not_sweep_over_people_between_them) {
+  const auto orders = [&](bool VehicleTraits::*how, const PersonAhead& person) {
+    VehicleSeen seen = car(left_, {60, 4}, 5.0);
+    if (how != nullptr) seen.traits.*how = true;
+    fleet_->update({seen}, 1.0);
+    return LaneKeeping(zones_).plan(*fleet_, PeopleNear(std::vector{person}), 1.0);
+  };
+  for (const PersonAhead& person : {at(66, 2.0), at(80, 0.0)}) {
+    EXPECT_THAT(orders(nullptr, person), IsEmpty()) << "from one step to the next";
+    EXPECT_THAT(orders(&VehicleTraits::drifts, person), ElementsAre(keeps_));
+    EXPECT_THAT(orders(&VehicleTraits::sublanes, person), ElementsAre(keeps_));
+  }
+  EXPECT_THAT(orders(&VehicleTraits::drifts, at(66, -2.0)), IsEmpty()) << "beside the road";
+  EXPECT_THAT(orders(&VehicleTraits::drifts, at(66, 5.5)), IsEmpty()) << "on its other side";
+}
+
 TEST_F(LaneKeepingTest, keeps_its_lane_beside_people_at_its_side_even_while_it_stands) {
   const VehicleSeen seen = car(left_, {60, 4}, 0.0);
   EXPECT_THAT(step({seen}, {at(56.5, 0)}), ElementsAre(keeps_)) << "where its rear would be";
