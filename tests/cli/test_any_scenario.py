@@ -265,6 +265,39 @@ class KindsOfNetworks(ScenarioCase):
         self.assertEqual(self.pedzone().returncode, 3)
 
 
+class Bridge(ScenarioCase):
+    """A road over a footway that is the zone."""
+
+    NODES = ('<nodes><node id="w" x="-200" y="0" z="{z}"/><node id="e" x="200" y="0" z="{z}"/>'
+             '<node id="s" x="0" y="-50" z="0"/><node id="n" x="0" y="50" z="0"/></nodes>')
+    EDGES = ('<edges><edge id="road" from="w" to="e" speed="27.8" disallow="pedestrian"/>'
+             '<edge id="path" from="s" to="n" speed="1.4" width="4" allow="pedestrian"/></edges>')
+    ROUTES = ('<routes><flow id="c" begin="0" end="100" period="5" from="road" to="road"/>'
+              '<personFlow id="p" begin="0" end="100" period="4"><walk edges="path"/></personFlow></routes>')
+
+    def drives(self, z):
+        """How long [s] each vehicle drives, (with pedzone, in plain SUMO)."""
+        self.scenario(routes=self.ROUTES)
+        self.tiny.write("tiny.nod.xml", self.NODES.format(z=z))
+        self.tiny.write("tiny.edg.xml", self.EDGES)
+        self.tiny.convert()
+        self.tiny.write("path.zone.xml", '<zones><zone id="path" edges="path"/></zones>')
+        done = self.pedzone("--zone", "path.zone.xml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotEqual(self.walked(), [])
+        self.sumo()
+        return [{name: legs[0][2] for name, (kind, legs) in self.trips(who).items()
+                 if kind == "tripinfo"} for who in ("pedzone", "sumo")]
+
+    def test_its_vehicles_are_not_in_the_zone(self):
+        for z in (8, -8):
+            ours, plain = self.drives(z)
+            self.assertEqual(ours, plain)
+            self.assertEqual(len(plain), 20)
+        ours, plain = self.drives(0)
+        self.assertGreater(sum(ours.values()), sum(plain.values()) + 5.0, "on the ground they are")
+
+
 class Coordinates(ScenarioCase):
     def places(self, x, y):
         """{(time, id): place} of all who are walked, relative to (x, y) [m]."""

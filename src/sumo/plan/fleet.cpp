@@ -255,6 +255,9 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     const auto found = previous_index_.find(vehicle.id);
     const FleetVehicle* const before =
         found == previous_index_.end() ? nullptr : &previous_[found->second];
+    // Told to stand, it is seen until it has been let go.
+    const bool is_told = before != nullptr && before->commanded >= 0.0;
+    if (ways_.is_apart(vehicle.lane) && !is_told) continue;
     if (before != nullptr) {
       carry_over(*before, dt, vehicle);
       ways_.remember(*before, vehicle);
@@ -320,7 +323,9 @@ void Fleet::share_junctions() {
 
 void Fleet::states(double dt, std::vector<VehicleState>& out) const {
   out.clear();
-  for (const FleetVehicle& vehicle : vehicles_) add_states(vehicle, dt, out);
+  for (const FleetVehicle& vehicle : vehicles_) {
+    if (!ways_.is_apart(vehicle.lane)) add_states(vehicle, dt, out);
+  }
 }
 
 bool Fleet::touches(const Vec2& point, double radius) const {

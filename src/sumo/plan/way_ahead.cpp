@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sumo/plan/lane_end.hpp"
+#include "sumo/plan/other_levels.hpp"
 
 namespace pedzone {
 namespace {
@@ -72,6 +73,7 @@ Polyline straight_behind(const FleetVehicle& vehicle) {
 
 WayAhead::WayAhead(const Network& network, const std::vector<Zone>& zones)
     : network_(network),
+      apart_(lanes_on_other_levels(network, zones)),
       zone_of_lane_(network.lanes.size(), -1),
       connections_from_(network.lanes.size()) {
   for (std::size_t z = 0; z < zones.size(); ++z) {
@@ -230,7 +232,7 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   const double came_in = way_inside(vehicle, offset);
   const double lateral = append_drift(vehicle, offset, left, way);
   bool passed = false;
-  while (lane >= 0 && left > 0.0) {
+  while (lane >= 0 && left > 0.0 && !is_apart(lane)) {
     const bool inside = is_internal(lane);
     const double begin = distance - left;
     append_from(network_.lanes[lane].shape, offset, lateral, left, way);
@@ -247,7 +249,8 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
     offset = 0.0;
     lane = next_lane(lane, vehicle, index);
   }
-  vehicle.leaves = left > 0.0 && index + 1 == static_cast<int>(vehicle.route.size());
+  const bool at_end = index + 1 == static_cast<int>(vehicle.route.size());
+  vehicle.leaves = left > 0.0 && (at_end || is_apart(lane));
   vehicle.zone = std::max(0, zone);
 }
 

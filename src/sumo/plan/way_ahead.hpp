@@ -14,14 +14,17 @@ class WayAhead {
   /// The network must outlive it.
   WayAhead(const Network& network, const std::vector<Zone>& zones);
 
+  /// Whether a vehicle on that lane is over or below the zones.
+  bool is_apart(int lane) const { return lane >= 0 && apart_[lane]; }
+
   /// Sets by which lanes a vehicle came to its present one, from what was known a step before.
   void remember(const FleetVehicle& before, FleetVehicle& vehicle) const;
 
   /// Sets the vehicle's way, whether its trip ends there, its first junction and its zone. The way
   /// begins at the rear and follows the lanes that it came by; if these do not fit its heading, it
-  /// is straight. The way ends `distance` [m] beyond the front, or with the route. If the vehicle
-  /// is on no lane, the way goes straight on. The zone is the first one on the way; if there is
-  /// none, the first of all.
+  /// is straight. The way ends `distance` [m] beyond the front, with the route, or where it comes
+  /// to a lane over or below the zones. If the vehicle is on no lane, the way goes straight on. The
+  /// zone is the first one on the way; if there is none, the first of all.
   void look(FleetVehicle& vehicle, double distance) const;
 
   /// The ways that it would take from the lanes beside it, if it changed to one of them within the
@@ -54,6 +57,7 @@ class WayAhead {
   int next_lane(int lane, const VehicleSeen& vehicle, int& index) const;
 
   const Network& network_;
+  std::vector<bool> apart_;                         ///< of each lane
   std::vector<int> zone_of_lane_;                   ///< -1: in no zone
   std::vector<std::vector<int>> connections_from_;  ///< per lane: indices of Network::connections
 };
