@@ -235,7 +235,9 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   while (lane >= 0 && left > 0.0 && !is_apart(lane)) {
     const bool inside = is_internal(lane);
     const double begin = distance - left;
-    append_from(network_.lanes[lane].shape, offset, lateral, left, way);
+    // One that overtakes on the opposite lane is back on its own at the junction.
+    const bool is_back = vehicle.overtakes && lane != vehicle.lane;
+    append_from(network_.lanes[lane].shape, offset, is_back ? 0.0 : lateral, left, way);
     if (inside && !passed) {
       if (junction.junction < 0) {
         junction = {junction_after(vehicle.route, index), begin - came_in};

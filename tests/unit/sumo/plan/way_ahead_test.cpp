@@ -35,6 +35,8 @@ TEST_F(WayAheadTest, of_one_that_overtakes_leads_on_beside_its_own_lane) {
   overtaking.front.y() = overtaking.lateral = 4.0;
   overtaking.overtakes = true;
   EXPECT_TRUE(one(overtaking).way.back().isApprox(Vec2(90.0, 4.0)));
+  overtaking.front.x() = 90.0;
+  EXPECT_TRUE(one(overtaking).way.back().isApprox(Vec2(120.0, 0.0))) << "back on its own beyond";
 }
 
 TEST_F(WayAheadTest, follows_the_route_round_a_corner) {
