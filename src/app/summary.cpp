@@ -67,8 +67,7 @@ std::string stuck_list(const Stuck& stuck) {
 std::string warned_text(const RunSummary& summary, long WarningCounts::*count) {
   return summary.sumo.warnings ? std::to_string((*summary.sumo.warnings).*count)
                                : "not known: of SUMO's warnings, which are not read over TraCI nor "
-                                 "with no-warnings or "
-                                 "aggregate-warnings";
+                                 "with no-warnings or aggregate-warnings";
 }
 
 std::string teleport_text(const RunSummary& summary) {

@@ -12,9 +12,22 @@
 namespace pedzone {
 namespace {
 
-bool has_heights(const Lane& lane) {
-  return !lane.z.empty() &&
-         std::any_of(lane.z.begin(), lane.z.end(), [](double z) { return z != 0.0; });
+/// [m] Lowest and highest of a lane.
+std::pair<double, double> heights_of(const Lane& lane) {
+  if (lane.z.empty()) return {0.0, 0.0};
+  const auto [low, high] = std::ranges::minmax(lane.z);
+  return {low, high};
+}
+
+/// Whether `is_such` holds for any difference [m] between two lanes' heights where they overlap.
+template <class Predicate>
+bool any_step(const Lane& a, const Lane& b, const Predicate& is_such) {
+  const Region overlap = intersect(area_of(a), area_of(b));
+  return std::ranges::any_of(overlap, [&](const Polygon& polygon) {
+    return std::ranges::any_of(polygon.outer, [&](const Vec2& point) {
+      return is_such(std::abs(height_near(a, point) - height_near(b, point)));
+    });
+  });
 }
 
 double length_of(const Network& network, int edge) {
@@ -59,6 +72,10 @@ std::vector<int> count_links(const Network& network) {
 
 }  // namespace
 
+bool has_heights(const Lane& lane) {
+  return std::ranges::any_of(lane.z, [](double z) { return z != 0.0; });
+}
+
 double height_near(const Lane& lane, const Vec2& point) {
   if (lane.z.empty()) return 0.0;
   double height = lane.z.front(), nearest = std::numeric_limits<double>::infinity();
@@ -74,14 +91,14 @@ double height_near(const Lane& lane, const Vec2& point) {
 }
 
 bool on_different_levels(const Lane& a, const Lane& b) {
-  if (!has_heights(a) && !has_heights(b)) return false;
-  const Region overlap = intersect(area_of(a), area_of(b));
-  for (const Polygon& polygon : overlap) {
-    for (const Vec2& point : polygon.outer) {
-      if (std::abs(height_near(a, point) - height_near(b, point)) > kLevelStep) return true;
-    }
-  }
-  return false;
+  const auto [a_low, a_high] = heights_of(a);
+  const auto [b_low, b_high] = heights_of(b);
+  if (std::max(a_high - b_low, b_high - a_low) <= kLevelStep) return false;  // nearly always
+  return any_step(a, b, [](double step) { return step > kLevelStep; });
+}
+
+bool on_one_level(const Lane& a, const Lane& b) {
+  return any_step(a, b, [](double step) { return step <= kLevelStep; });
 }
 
 void separate_levels(const Network& network, Selection& selection,
@@ -104,7 +121,8 @@ void separate_levels(const Network& network, Selection& selection,
     std::erase_if(conflicts, [](const auto& entry) { return entry.second.empty(); });
     warnings.push_back("edge '" + network.edges[edge].id + "' is on another level than edge " +
                        others + " that it overlaps: left out");
-    leave_out(network, [&](int other) { return other == edge; }, selection);
+    leave_out(
+        network, [&](int other) { return other == edge; }, selection);
   }
 }
 

@@ -1,6 +1,6 @@
 // What is compared is the way left to the destination: only members who go to the same place belong
-// together. (People in groups also walk slower than alone, by 0.04 m/s for each of
-// them: Moussaid et al. 2010. Speeds are the scenario's; here nobody walks slower for that.)
+// together. (People in groups also walk slower than alone, by 0.04 m/s for each of them: Moussaid et
+// al. 2010. Speeds are the scenario's; here nobody walks slower for that.)
 #include "crowd/behaviour/groups.hpp"
 
 #include <algorithm>

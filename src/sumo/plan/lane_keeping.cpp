@@ -10,14 +10,21 @@ constexpr double kAside = 10.0;    // [m] numerical: more than two lanes are wid
 constexpr double kStepsOut = 1.3;  // [m/s] assumed: of who stands between lanes
 constexpr double kChange = 3.5;    // [s] numerical: SUMO's sublane model moves sideways at 1 m/s
 
-/// Whether its body would touch anybody on the way in this step, or before it can stop.
-bool is_barred(const FleetVehicle& vehicle, Polyline way, std::span<const PersonAhead> people,
+/// A way from the rear on, and how wide [m] a body sweeps it.
+struct Course {
+  Polyline way;
+  double width;
+};
+
+/// Whether its body would touch anybody on the course in this step, or before it can stop.
+bool is_barred(const FleetVehicle& vehicle, Course course, std::span<const PersonAhead> people,
                double margin, double distance, double dt) {
   FleetVehicle moved;
   moved.traits = vehicle.traits;
-  moved.front = point_on(way, vehicle.traits.length).point;
+  moved.traits.width = course.width;
+  moved.front = point_on(course.way, vehicle.traits.length).point;
   moved.heading = vehicle.heading;
-  moved.way = std::move(way);
+  moved.way = std::move(course.way);
   const VehicleBody body = body_of(moved);
   const auto touches = [&](const PersonAhead& person) {
     const double reach = person.radius + margin;
@@ -28,13 +35,11 @@ bool is_barred(const FleetVehicle& vehicle, Polyline way, std::span<const Person
          first_in_way(moved, people, margin, distance).has_value();
 }
 
-/// What lies between the middles of its own way and of that beside it: the vehicle as wide as that
-/// is, on a way in between.
-std::pair<FleetVehicle, Polyline> between(const FleetVehicle& vehicle, const Polyline& beside) {
+/// What lies between the middles of its own way and of that beside it.
+Course between(const FleetVehicle& vehicle, const Polyline& beside) {
   const Vec2 aside = point_on(beside, vehicle.traits.length).point - vehicle.front;
-  std::pair<FleetVehicle, Polyline> strip{vehicle, beside};
-  strip.first.traits.width = aside.norm();
-  for (Vec2& point : strip.second) point -= 0.5 * aside;
+  Course strip{beside, aside.norm()};
+  for (Vec2& point : strip.way) point -= 0.5 * aside;
   return strip;
 }
 
@@ -57,12 +62,12 @@ bool LaneKeeping::is_anybody_beside(const Fleet& fleet, const FleetVehicle& vehi
   for (PersonAhead& person : people) person.radius += person.crosses ? kStepsOut * dt : 0.0;
   const double margin = zones_[vehicle.zone].parameters.yield_margin;
   std::vector<Polyline> ways = fleet.ways_beside(vehicle, soon, distance);
+  const auto barred = [&](Course course) {
+    return is_barred(vehicle, std::move(course), people, margin, distance, dt);
+  };
   return std::ranges::any_of(ways, [&](Polyline& way) {
-    if (drifts) {
-      auto [strip, middle] = between(vehicle, way);
-      if (is_barred(strip, std::move(middle), people, margin, distance, dt)) return true;
-    }
-    return is_barred(vehicle, std::move(way), people, margin, distance, dt);
+    return (drifts && barred(between(vehicle, way))) ||
+           barred({std::move(way), vehicle.traits.width});
   });
 }
 

@@ -78,7 +78,8 @@ struct FleetVehicle : VehicleSeen {
   double drift = 0.0;            ///< [m/s] sideways, to the left, while it changes lanes so
   std::vector<int> behind;       ///< lanes that it came by to its present one, the last first
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
-  bool leaves = false;           ///< where its way ends its trip does, or before
+  bool leaves = false;           ///< where its way ends its trip does, or
+                                 ///< before; or it goes on above or below the zones
   JunctionAhead junction;
   double tight_end =
       std::numeric_limits<double>::infinity();  ///< [m] from the front to the end of
