@@ -70,4 +70,14 @@ Vec2 GeoFrame::lon_lat(const Vec2& place) const {
   return found;
 }
 
+std::optional<Vec2> GeoFrame::place(const Vec2& lon_lat) const {
+  if (!(std::abs(lon_lat.x()) <= 180.0) || !(std::abs(lon_lat.y()) <= 90.0)) return std::nullopt;
+  const PJ_COORD there =
+      proj_trans(projection_->projection, PJ_FWD,
+                 proj_coord(proj_torad(lon_lat.x()), proj_torad(lon_lat.y()), 0.0, HUGE_VAL));
+  const Vec2 found = Vec2(there.xy.x, there.xy.y) + geo_.offset;
+  if (!found.allFinite()) return std::nullopt;
+  return found;
+}
+
 }  // namespace pedzone

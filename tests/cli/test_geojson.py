@@ -220,6 +220,31 @@ class TinyStreet(GeoJsonCase):
         self.assertEqual([(p["path"], p["order"], p["poi"]) for p in points],
                          [("x", 1, "b"), ("x", 2, "a")])
 
+    def test_shapes_by_longitude_and_latitude(self):
+        """A building is as in the way, and a waypoint where it is, as with the same places in m."""
+        net = sumolib.net.readNet(str(self.folder / "tiny.net.xml"))
+        building, waypoint = [(80, -6), (90, -6), (90, -3), (80, -3)], (100, -5)
+        shape_in = {"false": building, "true": [net.convertXY2LonLat(*corner) for corner in building]}
+        lon, lat = net.convertXY2LonLat(*waypoint)
+        seen = {}
+        for geo, place in (("false", 'x="100" y="-5"'), ("true", f'lon="{lon:.9f}" lat="{lat:.9f}"')):
+            corners = " ".join(f"{a:.9f},{b:.9f}" for a, b in shape_in[geo])
+            self.tiny.write("tiny.add.xml", f"""<additional>
+              <poly id="house" type="building" geo="{geo}" shape="{corners}"/>
+              <poi id="a" type="pedzone.waypoint" {place}/></additional>""")
+            self.tiny.write("p.zone.xml", '<zones><path id="x" waypoints="a"/></zones>')
+            told = json.loads(self.command("inspect", self.config, "--json").stdout)
+            self.assertEqual(told["zones"][0]["warnings"], [])
+            self.command("geojson", self.config, "--zone", "p.zone.xml", "--out", "gis")
+            point, = self.layers()["waypoints"]
+            numpy.testing.assert_allclose(point["geometry"]["coordinates"], (lon, lat), atol=1e-8,
+                                          rtol=0)
+            seen[geo] = told["zones"][0]["walkable_m2"]
+        self.assertAlmostEqual(seen["true"], seen["false"], delta=0.05)
+        self.tiny.write("tiny.add.xml", "<additional/>")
+        free = json.loads(self.command("inspect", self.config, "--json").stdout)["zones"][0]
+        self.assertAlmostEqual(free["walkable_m2"] - seen["true"], 30, delta=0.1)
+
     def check_refused(self, *parts, words=()):
         error = self.command("geojson", self.config, "--out", "gis", *words, code=2).stderr
         for part in parts:

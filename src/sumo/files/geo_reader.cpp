@@ -1,5 +1,6 @@
 #include "sumo/files/geo_reader.hpp"
 
+#include "core/error.hpp"
 #include "core/xml_stream.hpp"
 
 namespace pedzone {
@@ -27,6 +28,18 @@ GeoReference read_geo_reference(const std::string& net_file) {
     geo.offset = read_offset(element);
   });
   return geo;
+}
+
+std::optional<Vec2> GeoPlaces::at(const Vec2& lon_lat) {
+  if (!is_read_) {
+    is_read_ = true;
+    try {
+      frame_.emplace(read_geo_reference(net_file_));
+    } catch (const InputError&) {
+      // No projection: SUMO runs such a scenario, too.
+    }
+  }
+  return frame_ ? frame_->place(lon_lat) : std::nullopt;
 }
 
 }  // namespace pedzone

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "core/xml.hpp"
+#include "sumo/files/geo_reader.hpp"
 #include "sumo/files/poi_reader.hpp"
 
 namespace pedzone {
@@ -217,7 +219,18 @@ class NetworkReader {
   std::vector<std::pair<int, std::string>> opposites_;  ///< of lanes, by id
 };
 
-void read_polygons(const XmlFile& file, Network& network) {
+/// Longitudes and latitudes [°] as places [m]; nothing where one of them is no place there.
+std::optional<std::vector<Vec2>> on_network(const std::vector<Vec2>& lon_lats, GeoPlaces& earth) {
+  std::vector<Vec2> places;
+  for (const Vec2& lon_lat : lon_lats) {
+    const auto place = earth.at(lon_lat);
+    if (!place) return std::nullopt;
+    places.push_back(*place);
+  }
+  return places;
+}
+
+void read_polygons(const XmlFile& file, GeoPlaces& earth, Network& network) {
   const auto warn = [&](const pugi::xml_node& node, const std::string& problem) {
     network.warnings.push_back(file.file() + ":" + std::to_string(file.line(node)) + ": polygon '" +
                                node.attribute("id").value() + "' " + problem + ": left out");
@@ -228,15 +241,20 @@ void read_polygons(const XmlFile& file, Network& network) {
     MapPolygon polygon;
     polygon.id = file.required(node, "id");
     polygon.type = node.attribute("type").value();
-    if (node.attribute("geo").as_bool()) {
-      warn(node, "has geographical coordinates");
-      continue;
-    }
     if (!known.insert(polygon.id).second) {
       warn(node, "has the id of another polygon");
       continue;
     }
     polygon.shape = read_shape(file, node, nullptr);
+    if (node.attribute("geo").as_bool()) {
+      auto places = on_network(polygon.shape, earth);
+      if (!places) {
+        warn(node,
+             "has longitudes and latitudes, and the network's <location> no projection for them");
+        continue;
+      }
+      polygon.shape = std::move(*places);
+    }
     if (polygon.shape.size() > 1 && polygon.shape.front() == polygon.shape.back()) {
       polygon.shape.pop_back();
     }
@@ -257,8 +275,9 @@ Network read_network(const std::string& net_file) {
 
 void read_shapes(const std::string& additional_file, Network& network) {
   const XmlFile file(additional_file);
-  read_polygons(file, network);
-  read_waypoints(file, network);
+  GeoPlaces earth(network.file);
+  read_polygons(file, earth, network);
+  read_waypoints(file, earth, network);
 }
 
 }  // namespace pedzone

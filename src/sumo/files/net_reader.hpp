@@ -12,8 +12,9 @@ namespace pedzone {
 Network read_network(const std::string& net_file);
 
 /// Adds the <poly> elements of an additional file (.xml or .xml.gz) and its waypoints (see
-/// poi_reader.hpp) to the network. Polygons with geographical coordinates and those whose id is
-/// taken are left out with a warning. Throws InputError as read_network.
+/// poi_reader.hpp) to the network. Longitudes and latitudes (geo="true") are led through the
+/// network's projection. Polygons that have no place in it and those whose id is taken are left out
+/// with a warning. Throws InputError as read_network.
 void read_shapes(const std::string& additional_file, Network& network);
 
 }  // namespace pedzone

@@ -15,7 +15,8 @@ constexpr std::string_view kRadiusKey = "pedzone.radius";
 constexpr NumberRange kRadiusRange{0.0, 20.0};          // [m]
 constexpr NumberRange kCoordinateRange{-1.0e8, 1.0e8};  // [m] as shapes of the network
 constexpr NumberRange kLateralRange{-1000.0, 1000.0};   // [m]
-constexpr const char* kPlaces = "x and y, or lane and pos";
+constexpr NumberRange kLongitudeRange{-180.0, 180.0};   // [°]
+constexpr NumberRange kLatitudeRange{-90.0, 90.0};      // [°]
 
 Vec2 place_on_lane(const XmlFile& file, const pugi::xml_node& node, const Network& network) {
   const std::string id = file.required(node, "lane");
@@ -31,11 +32,22 @@ Vec2 place_on_lane(const XmlFile& file, const pugi::xml_node& node, const Networ
   return there.point + left * Vec2(-there.direction.y(), there.direction.x());
 }
 
-Vec2 read_place(const XmlFile& file, const pugi::xml_node& node, const Network& network) {
+Vec2 place_on_earth(const XmlFile& file, const pugi::xml_node& node, GeoPlaces& earth) {
+  const Vec2 lon_lat(file.number(node, "lon", kLongitudeRange),
+                     file.number(node, "lat", kLatitudeRange));
+  const auto place = earth.at(lon_lat);
+  if (!place) {
+    throw file.error("is a longitude for which the network's <location> has no projection", node,
+                     "lon", node.attribute("lon").value(), "x and y, or lane and pos");
+  }
+  return *place;
+}
+
+Vec2 read_place(const XmlFile& file, const pugi::xml_node& node, GeoPlaces& earth,
+                const Network& network) {
   if (!node.attribute("lane").empty()) return place_on_lane(file, node, network);
-  if (!node.attribute("lon").empty()) {
-    throw file.error("is a geographical coordinate, which pedzone does not read", node, "lon",
-                     node.attribute("lon").value(), kPlaces);
+  if (node.attribute("x").empty() && !node.attribute("lon").empty()) {
+    return place_on_earth(file, node, earth);
   }
   return {file.number(node, "x", kCoordinateRange), file.number(node, "y", kCoordinateRange)};
 }
@@ -60,17 +72,17 @@ std::optional<double> read_radius(const XmlFile& file, const pugi::xml_node& nod
 
 }  // namespace
 
-void read_waypoints(const XmlFile& file, Network& network) {
+void read_waypoints(const XmlFile& file, GeoPlaces& earth, Network& network) {
   for (const pugi::xml_node& node : file.root().children("poi")) {
     const std::string_view type = node.attribute("type").value();
-    if (type == kSeatType) network.seats.push_back(read_place(file, node, network));
+    if (type == kSeatType) network.seats.push_back(read_place(file, node, earth, network));
     if (type != kWaypointType) continue;
     MapPoint point;
     point.id = file.required(node, "id");
     if (std::ranges::find(network.waypoints, point.id, &MapPoint::id) != network.waypoints.end()) {
       throw file.error("is used twice", node, "id", point.id, "a new id");
     }
-    point.at = read_place(file, node, network);
+    point.at = read_place(file, node, earth, network);
     point.radius = read_radius(file, node);
     network.waypoints.push_back(std::move(point));
   }

@@ -247,8 +247,30 @@ TEST_F(NetReader, reads_polygons_and_says_which_it_cannot_use) {
   EXPECT_EQ(network.polygons[0].shape.size(), 3u);  // closed without repeating the first point
   EXPECT_THAT(network.polygons[1].shape, IsEmpty());
   EXPECT_THAT(network.warnings,
-              ElementsAre(HasSubstr(":3: polygon 'b' has geographical coordinates: left out"),
+              ElementsAre(HasSubstr(":3: polygon 'b' has longitudes and latitudes"),
                           HasSubstr(":5: polygon 'a' has the id of another polygon: left out")));
+}
+
+// Where pyproj has them: Transformer.from_crs("EPSG:4326", "EPSG:32632", always_xy=True).
+TEST_F(NetReader, leads_longitudes_and_latitudes_through_the_projection) {
+  const std::string net = path_ + ".net.xml";
+  std::ofstream(net) << R"(<net><location netOffset="-552000,-5632000" projParameter="+proj=utm )"
+                        R"(+zone=32 +ellps=WGS84 +datum=WGS84 +units=m +no_defs"/></net>)";
+  Network network = read_network(net);
+  std::ofstream(path_) << R"(<additional>
+<poly id="a" geo="true" shape="9.75,50.85 9.76,50.85 9.76,50.86"/>
+<poly id="b" geo="true" shape="9.75,50.85 9.76,91 9.76,50.86"/>
+<poi id="c" type="pedzone.waypoint" lon="9.75" lat="50.85"/>
+</additional>)";
+  read_shapes(path_, network);
+  std::remove(net.c_str());
+  ASSERT_EQ(network.polygons.size(), 1u);
+  ASSERT_EQ(network.polygons[0].shape.size(), 3u);
+  EXPECT_LT((network.polygons[0].shape[0] - Vec2(796.4009, 1412.5178)).norm(), 1e-3);
+  EXPECT_LT((network.polygons[0].shape[2] - Vec2(1488.9046, 2531.7019)).norm(), 1e-3);
+  EXPECT_THAT(network.warnings, ElementsAre(HasSubstr(":3: polygon 'b' has longitudes")));
+  ASSERT_EQ(network.waypoints.size(), 1u);
+  EXPECT_EQ(network.waypoints[0].at, network.polygons[0].shape[0]);
 }
 
 // Places on lanes as SUMO 1.15 has them (its own poi.getPosition for the same file).
