@@ -31,7 +31,7 @@ while (($#)); do
   shift
 done
 
-jobs=$(nproc)
+jobs=$(($(nproc) + 1))  # some tests wait, for Slurm or a browser
 
 # run_tests BUILD_PRESET TEST_PRESET...   builds, and runs each test preset unless it last passed
 # with the same files.

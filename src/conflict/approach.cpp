@@ -22,28 +22,48 @@ double distance_from_origin(const Vec2& a, const Vec2& b) {
   return (a + share * along).norm();
 }
 
+/// Least signed distance of a way that leads into the rectangle. The nearest side changes where the
+/// way crosses a middle line or a line through a corner at 45°; between these it is linear.
+double deepest_on_way(const Vec2& half, const Vec2& from, const Vec2& way) {
+  double least = 0.0;
+  const auto look = [&](double rise, double to_go) {
+    const double share = to_go / rise;
+    if (share >= 0.0 && share <= 1.0) {
+      least = std::min(least, signed_distance(half, from + share * way));
+    }
+  };
+  look(way.x(), -from.x());
+  look(way.y(), -from.y());
+  for (const double side : {-1.0, 1.0}) {
+    for (const double corner : {-1.0, 1.0}) {
+      look(way.x() + side * way.y(), corner * (half.x() - half.y()) - (from.x() + side * from.y()));
+    }
+  }
+  return least;
+}
+
 }  // namespace
 
 double clearance(const Approach& a) {
   return signed_distance(half_of(a.sizes), a.at) - a.sizes.radius;
 }
 
-Closest closest_on_way(const Approach& a, const Vec2& from, const Vec2& to) {
-  const Vec2 way = to - from, half = half_of(a.sizes);
-  const auto touch = first_within(half, from, way, std::max(a.sizes.radius - kTouch, 0.0), 1.0);
+Closest closest_on_way(const Sizes& sizes, const Vec2& from, const Vec2& to) {
+  const Vec2 way = to - from, half = half_of(sizes);
+  const auto touch = first_within(half, from, way, std::max(sizes.radius - kTouch, 0.0), 1.0);
   double least = std::min(signed_distance(half, from), signed_distance(half, to));
   if (first_within(half, from, way, 0.0, 1.0)) {
-    least = std::min(least, 0.0);
+    least = std::min(least, deepest_on_way(half, from, way));
   } else {
     // Two shapes that do not meet are nearest at an end of the way or a corner of the rectangle.
     for (const double sx : {-1.0, 1.0}) {
       for (const double sy : {-1.0, 1.0}) {
-        const Vec2 corner(sx * a.sizes.half_length, sy * a.sizes.half_width);
+        const Vec2 corner(sx * sizes.half_length, sy * sizes.half_width);
         least = std::min(least, distance_from_origin(from - corner, to - corner));
       }
     }
   }
-  return {least - a.sizes.radius, touch};
+  return {least - sizes.radius, touch};
 }
 
 std::optional<double> time_to_contact(const Approach& a) {

@@ -42,7 +42,7 @@ struct Closest {
   double clearance;             ///< [m]
   std::optional<double> touch;  ///< share of the way
 };
-Closest closest_on_way(const Approach& approach, const Vec2& from, const Vec2& to);
+Closest closest_on_way(const Sizes& sizes, const Vec2& from, const Vec2& to);
 
 /// TTC: time [s] ≥ 0 to the first touch if both keep their velocity and the vehicle its heading;
 /// nothing where they never touch. 0 where they touch already, unless they only graze (by less than

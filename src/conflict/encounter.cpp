@@ -79,15 +79,18 @@ void Encounter::record_contact_course(const Meeting& meeting) {
   }
 }
 
+void Encounter::record_clearance(const Meeting& meeting) {
+  const double clearance = meeting.closest.clearance;
+  if (conflict.clearance && clearance >= conflict.clearance->value) return;
+  conflict.clearance = extreme(meeting, clearance, meeting.time, meeting.person);
+  if (conflict.ttc) return;
+  conflict.aware = noticed_;
+  if (!conflict.pet) tell_by(meeting);
+}
+
 void Encounter::record_closeness(const Meeting& meeting) {
   const Closest& closest = meeting.closest;
-  if (!conflict.clearance || closest.clearance < conflict.clearance->value) {
-    conflict.clearance = extreme(meeting, closest.clearance, meeting.time, meeting.person);
-    if (!conflict.ttc) {
-      conflict.aware = noticed_;
-      if (!conflict.pet) tell_by(meeting);
-    }
-  }
+  record_clearance(meeting);
   if (meeting.passing && (!conflict.pet || meeting.passing->pet() < conflict.pet->value)) {
     const Passing& passing = *meeting.passing;
     conflict.pet = extreme(meeting, passing.pet(), meeting.time, passing.place);

@@ -33,6 +33,8 @@ struct Encounter {
 
   /// Takes a step in which the pair mattered. `aware` is asked only where needed.
   void record(const Meeting& meeting, const std::function<std::optional<bool>()>& aware);
+  /// Takes a step in which it did not: only how near they came.
+  void record_clearance(const Meeting& meeting);
 
  private:
   /// By this meeting the conflict is told, as far as is known.

@@ -88,11 +88,10 @@ void visit_near_pieces(const Trail<Pose>& trail, double moved, double since, dou
   }
 }
 
-}  // namespace
-
-std::optional<Passing> closest_in_time(const PersonPose& p0, const PersonPose& p1,
-                                       const VehiclePose& v0, const VehiclePose& v1,
-                                       const Sizes& sizes) {
+/// closest_in_time() where the vehicle turns so little that it keeps the mean of its two axes.
+std::optional<Passing> closest_in_piece(const PersonPose& p0, const PersonPose& p1,
+                                        const VehiclePose& v0, const VehiclePose& v1,
+                                        const Sizes& sizes) {
   const Vec2 middle = v0.axis + v1.axis;
   const Vec2 axis = middle.norm() > 0.0 ? Vec2(middle.normalized()) : v1.axis;
   const MomentArea area = overlaps(to_frame(axis, p0.at - v0.centre), to_frame(axis, p1.at - p0.at),
@@ -112,6 +111,47 @@ std::optional<Passing> closest_in_time(const PersonPose& p0, const PersonPose& p
     }
   }
   return Passing{least, p0.at + (p1.at - p0.at) * best.x()};
+}
+
+/// Calls visit(from, to, number) for the pieces of the vehicle's way, of `all`.
+template <typename Visit>
+void visit_pieces(const VehiclePose& v0, const VehiclePose& v1, int all, const Visit& visit) {
+  VehiclePose from = v0;
+  for (int k = 0; k < all; ++k) {
+    const VehiclePose to = k + 1 < all ? pose_between(v0, v1, (k + 1.0) / all) : v1;
+    visit(from, to, k);
+    from = to;
+  }
+}
+
+}  // namespace
+
+std::optional<Passing> closest_in_time(const PersonPose& p0, const PersonPose& p1,
+                                       const VehiclePose& v0, const VehiclePose& v1,
+                                       const Sizes& sizes) {
+  std::optional<Passing> best;
+  visit_pieces(v0, v1, pieces_between(v0, v1),
+               [&](const VehiclePose& from, const VehiclePose& to, int /*number*/) {
+                 const auto found = closest_in_piece(p0, p1, from, to, sizes);
+                 if (found && (!best || found->pet() < best->pet())) best = found;
+               });
+  return best;
+}
+
+Closest closest_on_ways(const PersonPose& p0, const PersonPose& p1, const VehiclePose& v0,
+                        const VehiclePose& v1, const Sizes& sizes) {
+  Closest all{std::numeric_limits<double>::infinity(), std::nullopt};
+  const int pieces = pieces_between(v0, v1);
+  const auto person_at = [&](int piece) {
+    return piece < pieces ? Vec2(p0.at + (p1.at - p0.at) * piece / pieces) : p1.at;
+  };
+  visit_pieces(v0, v1, pieces, [&](const VehiclePose& from, const VehiclePose& to, int number) {
+    const Closest here = closest_on_way(sizes, to_frame(from.axis, person_at(number) - from.centre),
+                                        to_frame(to.axis, person_at(number + 1) - to.centre));
+    all.clearance = std::min(all.clearance, here.clearance);
+    if (here.touch && !all.touch) all.touch = (number + *here.touch) / pieces;
+  });
+  return all;
 }
 
 std::optional<Passing> latest_passing(const Trail<PersonPose>& person,

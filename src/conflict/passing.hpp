@@ -6,25 +6,10 @@
 #include <optional>
 
 #include "conflict/approach.hpp"
+#include "conflict/poses.hpp"
 #include "conflict/trail.hpp"
 
 namespace pedzone {
-
-/// In single precision what may be: there is one for every person and step of the memory.
-struct PersonPose {
-  Vec2 at = Vec2::Zero();  ///< [m] centre of the disc
-  double time = 0.0;       ///< [s]
-  float travelled = 0.0F;  ///< [m] so far
-  float direction = 0.0F;  ///< [rad] in which it moves
-};
-
-struct VehiclePose {
-  double time = 0.0;           ///< [s]
-  Vec2 centre = Vec2::Zero();  ///< [m] of the rectangle
-  Vec2 axis = Vec2::UnitX();   ///< unit vector, forward
-  double travelled = 0.0;      ///< [m] by its farthest corner
-  float direction = 0.0F;      ///< [rad] in which it moves
-};
 
 /// A place that both have been at.
 struct Passing {
@@ -35,11 +20,16 @@ struct Passing {
 
 /// The least time between one leaving a place and the other entering it, where both were while the
 /// person went from `p0` to `p1` and the vehicle from `v0` to `v1`; nothing where no place is in
-/// both ways. Both move evenly; the vehicle keeps the mean of its two axes. The shapes meet in the
-/// rectangle grown by the disc, its corners cut as an octagon's (2 cm outside the round ones).
+/// both ways. Both move evenly, and the vehicle turns evenly. The shapes meet in the rectangle
+/// grown by the disc, its corners cut as an octagon's (2 cm outside the round ones).
 std::optional<Passing> closest_in_time(const PersonPose& p0, const PersonPose& p1,
                                        const VehiclePose& v0, const VehiclePose& v1,
                                        const Sizes& sizes);
+
+/// The least clearance while the person goes from `p0` to `p1` and the vehicle, which turns evenly,
+/// at the same time from `v0` to `v1`; and the share of that time at which they first touch.
+Closest closest_on_ways(const PersonPose& p0, const PersonPose& p1, const VehiclePose& v0,
+                        const VehiclePose& v1, const Sizes& sizes);
 
 /// Which of the two may have been first at a place; who was not need not be looked for.
 struct Order {

@@ -27,8 +27,9 @@ Search::Search(const Trail<VehiclePose>& trail, const Vec2& velocity, const Size
   for (std::size_t k = 0; k < trail.size(); ++k) {
     const Vec2 at = to_frame(axis_, trail[k].centre - centre_);
     const Vec2 turned = to_frame(axis_, trail[k].axis).cwiseAbs();
-    const Vec2 extent(turned.x() * sizes.half_length + turned.y() * sizes.half_width,
-                      turned.y() * sizes.half_length + turned.x() * sizes.half_width);
+    const double bulge = k > 0 ? bulge_between(trail[k], trail[k - 1], body_) : 0.0;
+    const Vec2 extent(turned.x() * sizes.half_length + turned.y() * sizes.half_width + bulge,
+                      turned.y() * sizes.half_length + turned.x() * sizes.half_width + bulge);
     low_ = low_.cwiseMin(at - extent);
     high_ = high_.cwiseMax(at + extent);
   }

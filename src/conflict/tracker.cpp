@@ -44,7 +44,9 @@ void add_parts(std::string_view id, std::span<const Rectangle> parts, double spe
 }
 
 ConflictTracker::ConflictTracker(const ConflictLimits& limits)
-    : limits_(limits), memory_(std::max(limits.pet, kMemory)) {}
+    : limits_(limits), memory_(std::max(limits.pet, kMemory)) {
+  limits_.horizon = std::max(limits.horizon, limits.ttc);  // what is to be told is looked for
+}
 
 void ConflictTracker::step(double time, std::span<const PersonSample> persons,
                            std::span<const VehicleSample> vehicles, const AwareOf& aware,
@@ -106,7 +108,7 @@ void ConflictTracker::board(Person& person, std::uint32_t place, std::string_vie
   const Vehicle* own = vehicles_.find(vehicle, vehicle_place);
   if (own == nullptr) return;
   person.own_vehicle = own->serial;
-  encounters_.erase(pair_of(place, vehicle_place));
+  if (encounters_.erase(pair_of(place, vehicle_place)) > 0) --person.encounters;
 }
 
 void ConflictTracker::take(const VehicleSample& sample, std::size_t index) {
@@ -128,9 +130,8 @@ void ConflictTracker::take(const VehicleSample& sample, std::size_t index) {
   vehicle.braking = false;
   if (vehicle.trail.size() > 0) {
     const VehiclePose& last = vehicle.trail[0];
-    const double turn = std::abs(std::atan2(cross(last.axis, pose.axis), last.axis.dot(pose.axis)));
-    pose.travelled = last.travelled + (pose.centre - last.centre).norm() +
-                     turn * Vec2(vehicle.half_length, vehicle.half_width).norm();
+    pose.travelled = last.travelled +
+                     way_between(last, pose, Vec2(vehicle.half_length, vehicle.half_width).norm());
     vehicle.braking = was - is > kBraking * (time_ - last.time);
     if (jumped(last.centre, pose.centre, was, is, time_ - last.time)) vehicle.trail.clear();
   }
@@ -161,8 +162,14 @@ void ConflictTracker::meet_persons(std::uint32_t v, const AwareOf& aware) {
   for (; row != rows_.end() && row->at.x() <= high.x(); ++row) {
     if (row->at.y() < low.y() || row->at.y() > high.y()) continue;
     const Search::Reasons reasons = search.look_at(*row);
-    if (reasons.any()) meet(*row, v, reasons, aware);
+    if (reasons.any() || is_followed(*row, vehicle)) meet(*row, v, reasons, aware);
   }
+}
+
+/// Whether the two have an encounter that is not over.
+bool ConflictTracker::is_followed(const PersonRow& person, const Vehicle& vehicle) const {
+  return persons_.bodies[person.place].encounters > 0 &&
+         encounters_.contains(pair_of(person.place, vehicle.whole));
 }
 
 void ConflictTracker::meet(const PersonRow& person, std::uint32_t v, const Search::Reasons& reasons,
@@ -177,9 +184,10 @@ void ConflictTracker::meet(const PersonRow& person, std::uint32_t v, const Searc
   approach.sizes = {vehicle.half_length, vehicle.half_width, person.radius};
   measure(persons_.bodies[person.place].trail, vehicle.trail, reasons, meeting);
   const bool matters = meeting.ttc || meeting.passing || meeting.closest.clearance <= kNear;
-  const Person& known = persons_.bodies[person.place];
+  Person& known = persons_.bodies[person.place];
   const Vehicle& whole = vehicles_.bodies[vehicle.whole];
-  if (!matters || known.own_vehicle == whole.serial) return;
+  if (known.own_vehicle == whole.serial) return;
+  if (!matters && !is_followed(person, vehicle)) return;
 
   meeting.time = time_;
   meeting.before = before_;
@@ -194,7 +202,12 @@ void ConflictTracker::meet(const PersonRow& person, std::uint32_t v, const Searc
                          vehicle.velocity.norm() < kHaltingSpeed);
   const auto [entry, is_new] = encounters_.try_emplace(pair_of(person.place, vehicle.whole));
   Encounter& encounter = entry->second;
+  if (!matters) {
+    encounter.record_clearance(meeting);
+    return;
+  }
   if (is_new) {
+    ++known.encounters;
     encounter.conflict.person = known.id;
     encounter.conflict.vehicle = whole.id;
   }
@@ -211,13 +224,11 @@ void ConflictTracker::measure(const Trail<PersonPose>& person, const Trail<Vehic
   if (reasons.course && room <= limits_.range) meeting.ttc = time_to_contact(approach);
   if (meeting.ttc && *meeting.ttc > limits_.horizon) meeting.ttc.reset();
   meeting.closest.clearance = room;
-  if (reasons.near) {
-    if (person.size() >= 2 && vehicle.size() >= 2) {
-      const Vec2 from = to_frame(vehicle[1].axis, person[1].at - vehicle[1].centre);
-      meeting.closest = closest_on_way(approach, from, approach.at);
-    } else if (room < -kTouch) {
-      meeting.closest.touch = 1.0;
-    }
+  const bool far_ahead = reasons.course && !reasons.near;  // it comes nearer yet
+  if (!far_ahead && person.size() >= 2 && vehicle.size() >= 2) {
+    meeting.closest = closest_on_ways(person[1], person[0], vehicle[1], vehicle[0], approach.sizes);
+  } else if (room < -kTouch) {
+    meeting.closest.touch = 1.0;
   }
   if (reasons.order.vehicle_first || reasons.order.person_first) {
     meeting.passing = latest_passing(person, vehicle, approach.sizes, memory_, reasons.order);
@@ -228,12 +239,14 @@ void ConflictTracker::close(bool all, std::vector<Conflict>& over) {
   const std::size_t first = over.size();
   for (auto found = encounters_.begin(); found != encounters_.end();) {
     const auto& [pair, encounter] = *found;
-    const bool together = persons_.is_here(static_cast<std::uint32_t>(pair >> 32)) &&
-                          vehicles_.is_here(static_cast<std::uint32_t>(pair));
+    const auto person = static_cast<std::uint32_t>(pair >> 32);
+    const bool together =
+        persons_.is_here(person) && vehicles_.is_here(static_cast<std::uint32_t>(pair));
     if (!all && together && time_ - encounter.conflict.end <= memory_) {
       ++found;
       continue;
     }
+    --persons_.bodies[person].encounters;
     if (limits_.exceeded_by(encounter.conflict)) over.push_back(encounter.conflict);
     found = encounters_.erase(found);
   }

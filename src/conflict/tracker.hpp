@@ -69,10 +69,10 @@ class ConflictTracker {
   explicit ConflictTracker(const ConflictLimits& limits);
 
   /// Takes in a step at `time` [s], later than the one before. Who was in the step before and is in
-  /// this one has moved evenly in between; who has moved farther than its speeds explain (a
-  /// teleport) begins anew. Appends conflicts that are over to `over`, by begin, person, vehicle.
-  /// A sample with a number that is not finite is left out. A vehicle's first part comes before its
-  /// others.
+  /// this one has moved evenly in between, vehicles on an arc; who has moved farther than its
+  /// speeds explain (a teleport) begins anew. Appends conflicts that are over to `over`, by begin,
+  /// person, vehicle. A sample with a number that is not finite is left out. A vehicle's first part
+  /// comes before its others.
   void step(double time, std::span<const PersonSample> persons,
             std::span<const VehicleSample> vehicles, const AwareOf& aware,
             std::vector<Conflict>& over);
@@ -92,6 +92,7 @@ class ConflictTracker {
     Vec2 velocity = Vec2::Zero();
     double radius = 0.0;
     std::optional<bool> by_pedzone;
+    std::uint32_t encounters = 0;   ///< of it, that are not over
     std::uint64_t own_vehicle = 0;  ///< serial number of the one it rides or rode in; 0: none
     Trail<PersonPose> trail;
   };
@@ -108,6 +109,7 @@ class ConflictTracker {
   void board(Person& person, std::uint32_t place, std::string_view vehicle);
   void sort_persons();
   void meet_persons(std::uint32_t vehicle, const AwareOf& aware);
+  bool is_followed(const PersonRow& person, const Vehicle& vehicle) const;
   void meet(const PersonRow& person, std::uint32_t vehicle, const Search::Reasons& reasons,
             const AwareOf& aware);
   void measure(const Trail<PersonPose>& person, const Trail<VehiclePose>& vehicle,

@@ -147,11 +147,14 @@ TEST(ClosestOnWay, finds_what_lies_between_two_steps) {
   const Approach a = approach(0, 0, 0, 0, 0);
   // Through the rectangle from one side to the other: the rim (less kTouch) touches after
   // 5 - 1 - 0.24 of 10 m.
-  const Closest through = closest_on_way(a, {0, -5}, {0, 5});
+  const Closest through = closest_on_way(a.sizes, {0, -5}, {0, 5});
   EXPECT_THAT(through.touch, Optional(DoubleNear(3.76 / 10.0, kExact)));
-  EXPECT_LT(through.clearance, 0.0);
+  EXPECT_NEAR(through.clearance, -1.0 - 0.25, kExact);  // over the middle
+  // Along a side and 0.6 m deep, then out by the front: there it is deepest at 45° to the corner.
+  EXPECT_NEAR(closest_on_way(a.sizes, {0, 0.4}, {5, 0.4}).clearance, -0.6 - 0.25, kExact);
+  EXPECT_NEAR(closest_on_way(a.sizes, {0, 2}, {3, -1}).clearance, -0.5 - 0.25, kExact);
   // Past the corner (2, 1): the line x + y = 4 is 1/√2 from it.
-  const Closest past = closest_on_way(a, {4, 0}, {0, 4});
+  const Closest past = closest_on_way(a.sizes, {4, 0}, {0, 4});
   EXPECT_EQ(past.touch, std::nullopt);
   EXPECT_NEAR(past.clearance, std::sqrt(0.5) - 0.25, kExact);
 }

@@ -105,5 +105,39 @@ TEST(ClosestInTime, is_zero_where_both_are_there_at_once_between_the_poses) {
   EXPECT_GT(later->gap, 4.0);
 }
 
+/// On a circle of 8 m about the origin at 5 m/s, counter-clockwise from (8, 0).
+VehiclePose on_circle(double t) {
+  const double angle = 5.0 / 8.0 * t;
+  return {t, 8.0 * unit(angle), left_of(unit(angle)), 5.0 * t, 0.0F};
+}
+
+TEST(ClosestOnWays, of_a_vehicle_that_turns_are_on_its_arc) {
+  // It comes by 0.5 m away from its inner side, or from its outer corners, √(9² + 2²) m out: never
+  // nearer, whatever the steps.
+  for (const double out : {8.0 - 1.0 - 0.26 - 0.5, std::hypot(9.0, 2.0) + 0.26 + 0.5}) {
+    for (const double step : {2.0, 1.0, 0.5, 0.1}) {
+      Closest all{100.0, std::nullopt};
+      for (double t = 0.0; t < 6.0 - 1e-9; t += step) {
+        const PersonPose p0{out * unit(1.9), t}, p1{p0.at, t + step};
+        const Closest here = closest_on_ways(p0, p1, on_circle(t), on_circle(t + step), kSizes);
+        all.clearance = std::min(all.clearance, here.clearance);
+        if (here.touch) all.touch = here.touch;
+      }
+      EXPECT_EQ(all.touch, std::nullopt) << step << " s, " << out << " m";
+      EXPECT_NEAR(all.clearance, 0.5, 0.01) << step << " s, " << out << " m";
+    }
+  }
+}
+
+TEST(ClosestOnWays, tell_when_a_turning_vehicle_touches) {
+  // Its front reaches the line from the origin to the person, 7.5 m out, when it has 2 m to go
+  // along its axis: at the angle 1.9 - asin of that.
+  const double out = 7.5, angle = 1.9 - std::asin((2.0 + 0.25) / out), at = angle * 8.0 / 5.0;
+  const PersonPose p0{out * unit(1.9), 1.0}, p1{p0.at, 4.0};
+  const Closest found = closest_on_ways(p0, p1, on_circle(1.0), on_circle(4.0), kSizes);
+  ASSERT_TRUE(found.touch);
+  EXPECT_NEAR(1.0 + 3.0 * *found.touch, at, 0.02);
+}
+
 }  // namespace
 }  // namespace pedzone

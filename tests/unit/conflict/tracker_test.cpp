@@ -218,6 +218,61 @@ std::vector<Conflict> behind_parts(std::size_t parts, std::string_view rides_in 
   return over;
 }
 
+/// A vehicle on a circle of 8 m about the origin at 5 m/s, counter-clockwise from (8, 0).
+VehicleSample on_circle(double t) {
+  const double angle = 5.0 / 8.0 * t;
+  return {"v", 8.0 * unit(angle), angle + kPi / 2.0, 5.0 * left_of(unit(angle)), 4.0, 2.0};
+}
+
+/// The one conflict of somebody who walks from `at` with `velocity` and that vehicle.
+Conflict with_turning_vehicle(const Vec2& at, const Vec2& velocity, double step) {
+  ConflictTracker tracker({.ttc = 30.0, .pet = 5.0, .drac = 0.1});
+  std::vector<Conflict> over;
+  for (int i = 0; i * step <= 6.0; ++i) {
+    const double t = i * step;
+    const PersonSample p{"p", at + t * velocity, velocity, angle_of(velocity), 0.25, {}};
+    const VehicleSample v = on_circle(t);
+    tracker.step(t, {&p, 1}, {&v, 1}, {}, over);
+  }
+  tracker.finish(over);
+  EXPECT_EQ(over.size(), 1U);
+  return over.empty() ? Conflict{} : over.front();
+}
+
+TEST(Tracker, a_place_that_a_turning_vehicle_has_left_is_one_of_its_arc) {
+  // Walks in from outside to where the vehicle has been two seconds before.
+  const Vec2 at = 12.0 * unit(1.5), velocity = -unit(1.5);
+  const Conflict fine = with_turning_vehicle(at, velocity, 0.05);
+  const Conflict coarse = with_turning_vehicle(at, velocity, 1.0);
+  ASSERT_TRUE(fine.pet && coarse.pet);
+  EXPECT_NEAR(coarse.pet->value, fine.pet->value, 0.1);
+}
+
+TEST(Tracker, how_near_they_come_is_told_of_the_whole_encounter) {
+  // Crosses 30 m ahead, is followed since it could be run into, and is passed at 3.5 m.
+  ConflictTracker tracker({.ttc = 10.0});
+  std::vector<Conflict> over;
+  for (int i = 0; i <= 120; ++i) {
+    const double t = i * kStep, y = t < 3.0 ? -4.0 + t : -1.0 - 1.5 * (t - 3.0);
+    const PersonSample p{"p", {30.0, std::max(y, -4.75)}, {0.0, t < 3.0 ? 1.0 : 0.0}, 0.0, 0.25,
+                         {}};
+    const VehicleSample v{"v", {-30.0 + 8.0 * t, 0.0}, 0.0, {8.0, 0.0}, 4.0, 2.0};
+    tracker.step(t, {&p, 1}, {&v, 1}, {}, over);
+  }
+  tracker.finish(over);
+  ASSERT_EQ(over.size(), 1U);
+  ASSERT_TRUE(over[0].clearance);
+  EXPECT_NEAR(over[0].clearance->value, 4.75 - 1.0 - 0.25, 0.02);
+}
+
+TEST(Tracker, a_time_to_contact_that_is_to_be_told_is_looked_for) {
+  const auto person = evenly({0, 0}, {0, 0}), vehicle = evenly({-50, 0}, {2.5, 0});
+  EXPECT_EQ(encounter(person, vehicle, 2.0).size(), 0U);
+  const auto over = encounter(person, vehicle, 2.0, {}, {.ttc = 30.0});
+  ASSERT_EQ(over.size(), 1U);
+  EXPECT_NEAR(over[0].ttc->value, (50.0 - 2.25) / 2.5 - 2.0, 0.1);
+}
+
 TEST(Tracker, a_vehicle_of_parts_is_one) {
   const auto whole = behind_parts(2), first = behind_parts(1);
   ASSERT_EQ(whole.size(), 1U);
