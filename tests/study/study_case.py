@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
-from tiny_scenario import TinyScenario, sumo_environment  # noqa: E402
+from tiny_scenario import WALKS, TinyScenario, sumo_environment  # noqa: E402
 
 STUDY = """<study id="tiny" seeds="{seeds}" models="{models}" end="{end}" timeLimit="{limit}">
   <scenario file="tiny.sumocfg"/>{more}

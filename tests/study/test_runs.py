@@ -148,6 +148,49 @@ class StrangeNames(StudyCase):
         self.assertEqual(list(self.folder.rglob("oops")), [])
 
 
+class Everybody(StudyCase):
+    """Measures are of everybody, whomever the scenario has SUMO write."""
+
+    CARS = """<vType id="car" vClass="passenger"/>
+      <vehicle id="a" type="car" depart="3"><route edges="west shared east"/></vehicle>
+      <vehicle id="b" type="car" depart="5"><route edges="west shared east"/></vehicle></routes>"""
+
+    def routes(self, **replaced):
+        text = study_case.WALKS.replace("</routes>", self.CARS)
+        for old, new in replaced.values():
+            text = text.replace(old, new)
+        self.tiny.write("tiny.rou.xml", text)
+
+    def measures(self, where):
+        results = self.folder / where
+        self.make(self.study(seeds="1", end=40), results=results)
+        with open(results / "runs.csv", encoding="utf-8", newline="") as file:
+            return [{key: value for key, value in row.items() if key not in ("id", "wall")}
+                    for row in csv.DictReader(file)]
+
+    def test_who_is_listed_to_be_written(self):
+        self.routes()
+        self.tiny.write("some.txt", "west\n")
+        everybody = self.measures("all")
+        self.tiny.config(more="""<fcd_device><device.fcd.explicit value="b"/>
+            <person-device.fcd.explicit value="p0"/><device.fcd.probability value="0.5"/></fcd_device>
+            <tripinfo_device><device.tripinfo.explicit value="b"/></tripinfo_device>
+            <output><fcd-output.filter-edges.input-file value="some.txt"/></output>""")
+        self.assertEqual(self.measures("listed"), everybody)
+
+    def test_who_is_left_out_by_its_type(self):
+        for device, who in (("fcd", "2 of the vehicles, such as 'a'"), ("tripinfo", "2 of the vehicles, such as 'a'")):
+            with self.subTest(device):
+                self.routes(car=('vClass="passenger"/>', f'vClass="passenger">'
+                                 f'<param key="has.{device}.device" value="false"/></vType>'))
+                study = self.study(seeds="1", models="striping", end=40)
+                self.make(study, results=self.folder / device, code=4)
+                failure, = {record["failure"] for record in self.records(self.folder / device).values()
+                            if record["status"] == "failed"}
+                self.assertIn(who, failure)
+                self.assertIn(f"has.{device}.device", failure)
+
+
 class Misbehaving(StudyCase):
     def setUp(self):
         super().setUp()

@@ -7,6 +7,7 @@
 #include "results/complete_file.hpp"
 #include "results/conflict_writer.hpp"
 #include "results/density_grid.hpp"
+#include "study/measure/attendance.hpp"
 #include "study/measure/conflict_measures.hpp"
 #include "study/measure/crowding.hpp"
 #include "study/measure/demand_signature.hpp"
@@ -54,6 +55,7 @@ class Observer {
   void step(double time, std::span<const PersonSample> persons,
             std::span<const VehicleSample> vehicles) {
     step_ = {step_.number + 1, time, step_.number > 0 ? time - step_.time : 0.0};
+    attendance_.step(persons, vehicles);
     const std::span<const Pedestrian> pedestrians = pedestrians_.at(time, persons);
     series_.step(step_, vehicles);
     count_present(stays_.step(step_, pedestrians, closeness_meter_.of(step_.dt, pedestrians)));
@@ -66,6 +68,10 @@ class Observer {
   /// [s] The last step that SUMO writes is the last before the end.
   double end() const { return step_.time + step_.dt; }
   std::size_t stops() const { return stops_.count(); }
+  /// `trips`: not settled yet. Throws as Attendance::check().
+  void check(const Trips& trips, const std::string& scenario) const {
+    attendance_.check(trips, step_.dt, end(), scenario);
+  }
 
   void finish(std::map<std::string, double>& values) {
     count_present(stays_.finish());
@@ -125,6 +131,7 @@ class Observer {
   }
 
   std::string folder_;
+  Attendance attendance_;
   ZoneStays stays_;
   Pedestrians pedestrians_;
   ZoneWalks walks_;
@@ -156,6 +163,7 @@ RunMeasures measure_run(const RunOutputs& outputs, const Place& place) {
           outputs.folder + "/fcd.xml.gz",
           [&](double time, auto persons, auto vehicles) { observer.step(time, persons, vehicles); },
           {});
+  observer.check(trips, outputs.config);
   RunMeasures measures;
   observer.finish(measures.values);
   settle(trips, observer.end());

@@ -72,6 +72,7 @@ std::vector<Setting> known_settings(const Plan& plan, const PlannedRun& run);
 
 /// In a run's folder, where there are such.
 inline constexpr const char* kZoneFile = "zone.zone.xml";
+inline constexpr const char* kAllEdges = "all-edges.txt";     ///< where SUMO is to write some only
 inline constexpr const char* kPeopleFile = "people.rou.xml";  ///< of the panel, or set apart
 
 /// What is done for a run, in a folder of its own.

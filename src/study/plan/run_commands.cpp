@@ -110,14 +110,31 @@ class Commands {
       }
     };
     const SumoOptions given = options_;
+    std::vector<std::string> lists;
     const XmlFile config(config_);
     for (const auto& found : config.root().select_nodes(".//*[@value]")) {
       const auto name = known_sumo_option(found.node().name());
-      if (name && !given.find(*name)) take_over(*name, found.node().attribute("value").value());
+      if (!name || given.find(*name)) continue;
+      if (is_measuring_list(*name)) {
+        lists.push_back(*name);
+      } else {
+        take_over(*name, found.node().attribute("value").value());
+      }
     }
     for (std::size_t i = 0; i < given.words().size(); i += 2) {
       take_over(given.words()[i].substr(2), given.words()[i + 1]);
     }
+    for (const std::string& list : lists) list_everything(list);
+  }
+
+  /// SUMO takes an empty list for one that names nothing, and none can be taken back on the command
+  /// line: everything is named instead.
+  void list_everything(const std::string& list) {
+    if (const auto chance = chance_instead_of(list)) return options_.set(*chance, "1");
+    std::string edges;
+    for (const Edge& edge : read_scenario_network(read_).edges) edges += edge.id + "\n";
+    commands_.files.push_back({kAllEdges, std::move(edges)});
+    options_.set(list, in_folder(kAllEdges));
   }
 
   /// The same for what additional files have SUMO write. Nobody but the chosen moves in a

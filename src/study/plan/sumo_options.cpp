@@ -51,6 +51,7 @@ struct Reserved {
 };
 constexpr std::string_view kByAttributes = "attributes seeds, models and end of <study>";
 constexpr std::string_view kMeasured = "other options: this one is for the study's measures";
+constexpr std::string_view kExplicit = ".explicit";  // of devices: who has one
 constexpr std::string_view kByStudy = "other options: a study starts SUMO itself";
 constexpr Reserved kReserved[] = {
     {"seed", kByAttributes},
@@ -150,7 +151,19 @@ std::optional<std::string> known_sumo_option(std::string_view name) {
   return found == option_table().end() ? std::nullopt : std::optional(found->second.name);
 }
 
+bool is_measuring_list(std::string_view name) {
+  const Reserved* reserved = find_reserved(name);
+  if (!reserved || reserved->allowed != kMeasured) return false;
+  return name.ends_with(kExplicit) || name == "fcd-output.filter-edges.input-file";
+}
+
+std::optional<std::string> chance_instead_of(std::string_view list) {
+  if (!list.ends_with(kExplicit)) return std::nullopt;
+  return std::string(list.substr(0, list.size() - kExplicit.size())) + ".probability";
+}
+
 std::optional<std::string> neutral_sumo_value(std::string_view name) {
+  if (is_measuring_list(name)) return std::nullopt;
   const Reserved* reserved = find_reserved(name);
   if (name == "pedestrian.model") return kStriping;
   const bool neutral = reserved && (reserved->allowed == kMeasured || name == "random");
