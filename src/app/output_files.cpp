@@ -216,7 +216,6 @@ void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
   if (summary_) summary_->write(summary_json(totals));
   if (crossings_) crossings_->write(text_of(simulation.crossings()));
   if (picture_) picture_->write(paths_.picture(simulation));
-  if (animation_) animation_->write(simulation);
   if (tracker_) {
     tracker_->finish(over_);
     write_conflicts();
@@ -226,9 +225,11 @@ void OutputFiles::finish(Simulation& simulation, const RunSummary& totals) {
   if (edge_data_) edge_data_->finish();
   if (crossings_) crossings_->finish();
   if (picture_) picture_->finish();
-  if (animation_) animation_->finish();
   if (shapes_) shapes_->finish();
   if (summary_) summary_->finish();
+  if (!animation_) return;
+  animation_->write(simulation);  // reads what SUMO wrote: if that fails, the others are there
+  animation_->finish();
 }
 
 }  // namespace pedzone

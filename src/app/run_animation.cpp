@@ -11,6 +11,18 @@
 namespace pedzone {
 namespace {
 
+constexpr const char* kRecorded = "fcd.xml.gz";
+
+/// The file that SUMO has written, with an output-prefix of the user's before its name.
+std::string with_prefix(const std::string& file, const std::string& folder) {
+  namespace fs = std::filesystem;
+  if (fs::exists(file)) return file;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().ends_with(kRecorded)) return entry.path().string();
+  }
+  return file;
+}
+
 std::string trajectories_in(const std::string& folder) { return folder + "/walked.csv.gz"; }
 
 /// People that pedzone made itself are in no file of the scenario.
@@ -30,8 +42,8 @@ std::string write_people(const RunOptions& options, const Simulation& simulation
 
 std::string record_everybody(Scenario& scenario, const std::string& folder) {
   if (const auto said = fcd_output_of(scenario)) return *said;
-  std::string file = folder + "/fcd.xml.gz";
-  scenario.sumo_options.insert(scenario.sumo_options.end(), {"--fcd-output", file});
+  std::string file = folder + "/" + kRecorded;
+  write_everybody(scenario, file);
   return file;
 }
 
@@ -44,7 +56,7 @@ void RunAnimation::write(const Simulation& simulation) {
   trajectories_.finish();
   RecordingOptions source;
   source.source.file = trajectories_in(options_.scratch);
-  source.source.fcd = options_.recorded;
+  source.source.fcd = with_prefix(options_.recorded, options_.scratch);
   source.source.needs_person = false;
   source.scenario = options_.config;
   source.sumo_options = options_.sumo_options;

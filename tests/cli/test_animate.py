@@ -211,6 +211,19 @@ class Animate(RefusalChecks, unittest.TestCase):
             self.assertTrue((self.folder / name).exists(), name)
         self.assertEqual((self.folder / "one.html").read_bytes(), self.in_two_steps(config))
 
+    def test_run_animates_whatever_else_is_said_of_outputs(self):
+        config = TinyScenario(self.folder).config()
+        self.assertEqual(self.in_one_step(config).returncode, 0)
+        plain = (self.folder / "one.html").read_bytes()
+        for words in (("--fcd-output.geo",), ("--fcd-output.attributes", "x,y"),
+                      ("--device.fcd.probability", "0.1", "--person-device.fcd.explicit", "p0"),
+                      ("--output-prefix", "mine_"), ("--human-readable-time",)):
+            with self.subTest(words):
+                (self.folder / "one.html").unlink()
+                done = self.in_one_step(config, "--", *words)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual((self.folder / "one.html").read_bytes(), plain)
+
     def test_run_without_anybody(self):
         tiny = TinyScenario(self.folder)
         tiny.write("tiny.rou.xml", "<routes/>")
@@ -222,9 +235,12 @@ class Animate(RefusalChecks, unittest.TestCase):
     def test_run_refuses_floating_car_data_that_it_could_not_read(self):
         config = TinyScenario(self.folder).config()
         for words in (("--fcd-output", "stdout"), ("--fcd-output", "localhost:99"),
-                      ("--fcd-output", "a.xml", "--output-prefix", "b")):
+                      ("--fcd-output", "a.xml", "--output-prefix", "b"), ("--fcd-output", "NUL"),
+                      ("--fcd-output", "a.xml", "--fcd-output.geo"),
+                      ("--fcd-output", "a.xml", "--fcd-output.attributes", "x,y"),
+                      ("--fcd-output.filter-edges.input-file", "west.txt")):
             done = self.in_one_step(config, "--", *words)
-            self.check_refused(done, "fcd-output", words[1], "--animate")
+            self.check_refused(done, "fcd-output", "--animate")
             self.assertFalse((self.folder / "one.html").exists())
 
     def test_run_that_cannot_write_the_page(self):

@@ -12,4 +12,9 @@ namespace pedzone {
 /// be read afterwards.
 std::optional<std::string> fcd_output_of(const Scenario& scenario);
 
+/// Has SUMO write everybody to `file`, as can be read, whatever else the user says of such data. An
+/// output-prefix is put before its name. Throws InputError where the user lists edges: SUMO cannot
+/// be told of all again.
+void write_everybody(Scenario& scenario, const std::string& file);
+
 }  // namespace pedzone

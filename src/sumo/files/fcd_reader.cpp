@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "sumo/files/frames.hpp"
+#include "sumo/files/number_text.hpp"
 
 namespace pedzone {
 namespace {
@@ -53,7 +54,8 @@ void FcdReader::read(const std::string& file, const StepVisitor& visitor,
 
 void FcdReader::begin_step(const XmlElement& element, const StepVisitor& visitor) {
   end_step(visitor);
-  const double time = element.number("time", kTimes);
+  const auto clock = time_of(element.value("time"));  // human-readable-time, too
+  const double time = clock ? *clock : element.number("time", kTimes);
   if (step_ > 0 && time <= time_) {
     throw element.error("is not later than the step before", "time", *element.value("time"));
   }
