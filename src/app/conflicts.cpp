@@ -16,6 +16,7 @@
 #include "app/share_bar.hpp"
 #include "conflict/tracker.hpp"
 #include "core/error.hpp"
+#include "results/complete_file.hpp"
 #include "sumo/files/fcd_reader.hpp"
 #include "sumo/files/type_files.hpp"
 #include "sumo/files/walked_by_pedzone.hpp"
@@ -98,6 +99,13 @@ class ConflictOutputs {
 };
 
 void require_output(const ConflictsOptions& options) {
+  const ConflictWriter::Paths paths = options.conflicts.paths();
+  for (const auto& [option, path] :
+       {std::pair(paths.csv_option, paths.csv), std::pair(paths.xml_option, paths.xml)}) {
+    if (!options.json || !CompleteFile::is_standard_output(path)) continue;
+    throw InputError("is standard output, where --json prints",
+                     {.element = "option " + option, .value = path, .allowed = "a file"});
+  }
   if (options.conflicts.wanted() || options.json || !options.crossings.zone_file.empty()) return;
   throw InputError("is missing", {.element = "option --conflict-output, --conflict-csv or --json",
                                   .allowed = "one of them or more"});

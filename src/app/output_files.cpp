@@ -96,6 +96,15 @@ std::vector<std::string> outputs_of(const RunOptions& options) {
 }
 
 void keep_standard_output_clean(RunOptions& options) {
+  std::string taken;
+  for (const auto& [option, path] : named_outputs(options)) {
+    if (!CompleteFile::is_standard_output(path)) continue;
+    if (!taken.empty()) {
+      throw InputError("names the same file as " + taken,
+                       {"", 0, "option " + option, path, "a file for each output"});
+    }
+    taken = option;
+  }
   std::string clean;
   for (std::string* path :
        {&options.summary, &options.trajectories, &options.crossings, &options.edge_data,

@@ -21,7 +21,8 @@ namespace pedzone {
 std::vector<std::string> outputs_of(const RunOptions& options);
 
 /// Where an output goes to standard output, nothing else does from now on: what SUMO and pedzone
-/// tell goes to standard error. To be called in the process that runs.
+/// tell goes to standard error. To be called in the process that runs. Throws InputError for a
+/// second one.
 void keep_standard_output_clean(RunOptions& options);
 
 /// All finished together, or none.

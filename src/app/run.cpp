@@ -74,6 +74,10 @@ std::string picture_folder(const std::string& folder) {
 SimulationOptions prepare(const RunOptions& options) {
   SimulationOptions prepared;
   prepared.scenario = read_scenario(options.config, options.sumo_options);
+  if (options.end) {
+    require_later_end(prepared.scenario, *options.end,
+                      {.element = "option --end", .value = fmt::format("{:g}", *options.end)});
+  }
   ZoneFile file = read_zone_file(options.zone_file, options.panel);
   if (options.attach) {
     require_no_panel(options, file);
@@ -244,8 +248,10 @@ constexpr const char* kFooter =
 /// The parent makes the folder and removes it, however the child ends.
 int run_in_child(const RunOptions& options) {
   const auto work = [options = options]() mutable {
-    keep_standard_output_clean(options);
-    return guarded_code([&] { return simulate(options); });
+    return guarded_code([&] {
+      keep_standard_output_clean(options);
+      return simulate(options);
+    });
   };
   return supervise(work, outputs_of(options));
 }

@@ -15,6 +15,7 @@
 #include "core/xml.hpp"
 #include "results/complete_file.hpp"
 #include "validation/page.hpp"
+#include "validation/tuned_clips.hpp"
 
 namespace pedzone {
 namespace {
@@ -83,6 +84,11 @@ void validate(const ValidateOptions& options) {
   if (json) json->finish();
   if (html) html->finish();
   print_result(validation_table(result));
+  if (scored_clips(result.data).empty()) {
+    print_warning(
+        "in no recording does anybody come within 3 m of a vehicle that moves: nobody is scored. "
+        "Coordinates are in m, headings in rad, counter-clockwise from +x.");
+  }
 }
 
 struct CalibrateOptions {
@@ -123,8 +129,9 @@ void add_validate(CLI::App& app, int& code) {
       "  pedzone validate --data recordings/ --html validation.html\n"
       "  pedzone validate --data recordings/ --model heuristic --param discomfort=3\n\n"
       "--data has one CSV file for each clip, or one folder with such files for each site.\n"
-      "Columns: t,kind,id,x,y,heading,front,rear,half_width, at 10 Hz. tools/recordings.py makes\n"
-      "the files from the CITR and DUT data sets.\n"
+      "Columns: t,kind,id,x,y,heading,front,rear,half_width, at 10 Hz; in s, m and rad (headings,\n"
+      "counter-clockwise from +x). tools/recordings.py makes the files from the CITR and DUT data\n"
+      "sets; src/validation/README.md has more.\n"
       "People follow the recording for 1 s, then a model walks them; vehicles are as recorded.\n"
       "Reference rows: straight to the goal, constant velocity, plain (the paper's form).\n"
       "Exit codes: 0 done, 2 input at fault.");

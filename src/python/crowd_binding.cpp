@@ -246,7 +246,7 @@ void bind_crowd(py::module_& module) {
       "leaves\n"
       "its memory to it and goes on in a copy. Rows change places; handles stay.");
   bound
-      .def(py::init(&make_crowd), "zone"_a, "seed"_a = 1, "model"_a = py::none(),
+      .def(py::init(&make_crowd), "zone"_a.none(false), "seed"_a = 1, "model"_a = py::none(),
            "model: a name of MODELS, the path of a plug-in, an object of a class derived from\n"
            "WalkingModel, or None: the zone's. Raises InputError.")
       .def("step", &PythonCrowd::step, "dt"_a, "vehicles"_a = std::vector<PythonVehicle>(),

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "core/error.hpp"
@@ -75,7 +77,47 @@ void require_no_input(const std::string& path, const std::string& option) {
                    {"", 0, "option " + option, path, "another file, which may be a new one"});
 }
 
+/// The outputs that are being written, by where they lie till then, and the option of each.
+class Claims {
+ public:
+  void claim(const std::string& place, const std::string& path, const std::string& option) {
+    const std::scoped_lock lock(mutex_);
+    const auto [other, is_new] = options_.emplace(place, option);
+    if (is_new) return;
+    throw InputError("names the same file as " + other->second,
+                     {"", 0, "option " + option, path, "a file for each output"});
+  }
+  void release(const std::string& place) {
+    const std::scoped_lock lock(mutex_);
+    options_.erase(place);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::string> options_;
+};
+
+Claims& claims() {
+  static Claims all;
+  return all;
+}
+
+/// By whatever name it is called.
+std::string place_of(const std::string& path) {
+  const std::string partial = CompleteFile::partial(path);
+  if (!partial.empty()) return fs::weakly_canonical(fs::absolute(partial)).string();
+  return CompleteFile::is_standard_output(path) ? "-" : "";
+}
+
 }  // namespace
+
+Claim::Claim(const std::string& path, const std::string& option) : place_(place_of(path)) {
+  if (!place_.empty()) claims().claim(place_, path, option);
+}
+
+Claim::~Claim() {
+  if (!place_.empty()) claims().release(place_);
+}
 
 std::string CompleteFile::partial(const std::string& path) {
   if (descriptor_of(path) >= 0 || is_special(path)) return "";
@@ -87,7 +129,7 @@ bool CompleteFile::is_standard_output(const std::string& path) {
 }
 
 PendingFile::PendingFile(const std::string& path, const std::string& option)
-    : path_(path), option_(option), partial_(CompleteFile::partial(path)) {
+    : claim_(path, option), path_(path), option_(option), partial_(CompleteFile::partial(path)) {
   require_no_input(path, option);
   if (partial_.empty()) throw cannot_be_written(path, option, "it is no plain file");
   std::error_code ignored;  // a failure shows when the file is opened
@@ -115,6 +157,7 @@ CompleteFile::CompleteFile(const std::string& path, const std::string& option) :
   const char* mode = is_compressed(path) ? "wb" : "wbT";  // T: not compressed
   errno = 0;
   if (partial(path).empty()) {
+    claim_ = std::make_unique<Claim>(path, option);
     const int descriptor = open_special(path);
     if (descriptor >= 0) file_ = gzdopen(descriptor, mode);
   } else {

@@ -10,6 +10,19 @@
 
 namespace pedzone {
 
+/// That an output is being written, by one option only: a second one for the same file, or for
+/// standard output, is an InputError.
+class Claim {
+ public:
+  Claim(const std::string& path, const std::string& option);
+  ~Claim();
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+
+ private:
+  std::string place_;  ///< empty: a device, which may be shared
+};
+
 /// The place of a plain file that is being made, for libraries that write to a name. A symbolic
 /// link stays one: the file that it names is made.
 class PendingFile {
@@ -30,6 +43,7 @@ class PendingFile {
   void finish();
 
  private:
+  Claim claim_;
   std::string path_;  ///< as the user named it
   std::string option_;
   std::string partial_;  ///< empty: it is in its place
@@ -40,8 +54,8 @@ class PendingFile {
 /// is compressed.
 class CompleteFile {
  public:
-  /// Makes missing folders. Throws InputError when the place cannot be written.
-  /// `option`: what the user named it with, for the message.
+  /// Makes missing folders. Throws InputError when the place cannot be written, or is being written
+  /// by another option. `option`: what the user named it with, for the message.
   CompleteFile(const std::string& path, const std::string& option);
   /// Not finished: the partial file is removed.
   ~CompleteFile();
@@ -60,6 +74,7 @@ class CompleteFile {
  private:
   std::string path_;                      ///< as the user named it
   std::unique_ptr<PendingFile> pending_;  ///< null: it is written to at once
+  std::unique_ptr<Claim> claim_;          ///< of what is written to at once
   gzFile file_ = nullptr;
 };
 

@@ -13,6 +13,7 @@
 #include "core/statistics.hpp"
 #include "crowd/state/parallel.hpp"
 #include "validation/evaluation_log.hpp"
+#include "validation/tuned_clips.hpp"
 
 namespace pedzone {
 namespace {
@@ -342,6 +343,13 @@ CalibrationResult calibrate(const std::vector<Clip>& clips, const CalibrationOpt
   if (useful.size() < 2) {
     throw InputError("are too few clips with vehicles to cross-validate with",
                      {"", 0, "option --data", std::to_string(useful.size()), "two or more"});
+  }
+  if (const std::size_t scored = scored_clips(useful).size(); scored < 2) {
+    throw InputError(
+        "have too few clips in which somebody comes within 3 m of a vehicle that moves: there is "
+        "nothing to tune on",
+        {"", 0, "option --data", std::to_string(scored),
+         "two or more; coordinates in m, headings in rad, counter-clockwise from +x"});
   }
   return Search(useful, options, progressed).run();
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/input_files.hpp"
 #include "core/text.hpp"
 #include "core/xml.hpp"
 #include "validation/clip.hpp"
@@ -17,9 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kOnFrame = 0.02;          // [s] a time is taken to be that of the nearest frame
-constexpr NumberRange kPlaces{-1e6, 1e6};  // [m] of coordinates
-constexpr NumberRange kSizes{0.0, 50.0};   // [m] of a vehicle
+constexpr double kOnFrame = 0.02;            // [s] a time is taken to be that of the nearest frame
+constexpr NumberRange kPlaces{-1e6, 1e6};    // [m] of coordinates
+constexpr NumberRange kSizes{0.0, 50.0};     // [m] of a vehicle
+constexpr NumberRange kHeadings{-6.3, 6.3};  // [rad] once round, either way: no degrees
+constexpr double kFastest = 20.0;  // [m/s] numerical: nobody on foot, however roughly measured
 
 enum Column { kT, kKind, kId, kX, kY, kHeading, kFront, kRear, kHalfWidth, kColumns };
 constexpr std::array<std::string_view, kColumns> kColumnNames{
@@ -41,6 +44,7 @@ class ClipFile {
  public:
   explicit ClipFile(const fs::path& path) : name_(path.string()), stream_(path) {
     if (!stream_) throw InputError("cannot be read", {name_, 0, "", "", "a CSV file"});
+    note_input(name_);
   }
 
   Clip read();
@@ -131,7 +135,11 @@ Track& ClipFile::track(std::vector<Track>& tracks,
   }
   Track& known = tracks[found->second];
   const int expected = known.first + static_cast<int>(size_of(known));
-  if (row.frame != expected) {
+  if (row.frame < expected) {
+    fail("is not later than the row before of id " + std::string(row.id), kT, cells_[where_[kT]],
+         "rows of one track in the order of time, and an id of its own for each");
+  }
+  if (row.frame > expected) {
     fail("leaves a gap in time for id " + std::string(row.id), kT, cells_[where_[kT]],
          std::to_string(expected * kFrame) + " (the rows of one track, 0.1 s apart, in order)");
   }
@@ -141,6 +149,10 @@ Track& ClipFile::track(std::vector<Track>& tracks,
 void ClipFile::add_person(Clip& clip, const Row& row) {
   PersonTrack& person = track<PersonTrack>(clip.persons, persons_, row,
                                            [](const PersonTrack& t) { return t.places.size(); });
+  if (!person.places.empty() && (row.place - person.places.back()).norm() > kFastest * kFrame) {
+    fail("is farther from the row before than people get in 0.1 s", kX, cells_[where_[kX]],
+         "metres, as of one person");
+  }
   person.places.push_back(row.place);
 }
 
@@ -154,7 +166,7 @@ void ClipFile::add_vehicle(Clip& clip, const Row& row) {
     fail("is no size", kHalfWidth, cells_[where_[kHalfWidth]], "more than 0");
   }
   VehicleState state;
-  state.heading = number(kHeading, {-100.0, 100.0});
+  state.heading = number(kHeading, kHeadings);
   state.centre = row.place + 0.5 * (front - rear) * unit(state.heading);
   state.length = front + rear;
   state.width = 2.0 * half_width;

@@ -224,6 +224,19 @@ class Animate(RefusalChecks, unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertEqual((self.folder / "one.html").read_bytes(), plain)
 
+    def test_people_whom_only_sumo_walked(self):
+        tiny = TinyScenario(self.folder)
+        tiny.write("a.zone.xml", '<zones><zone id="a" edges="east"/></zones>')
+        tiny.write("tiny.rou.xml", '<routes><person id="p" depart="0"><walk edges="west"/></person>'
+                   '</routes>')
+        config = tiny.config()
+        done = self.call(PEDZONE, "run", config, "--zone", "a.zone.xml", "--trajectories", "t.csv", "--",
+                         "--fcd-output", self.folder / "f.xml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.call(PEDZONE, "animate", "t.csv", "--fcd", "f.xml", "--scenario", config, "--zone",
+                         "a.zone.xml", "--persons", "p", "--out", "a.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_run_without_anybody(self):
         tiny = TinyScenario(self.folder)
         tiny.write("tiny.rou.xml", "<routes/>")

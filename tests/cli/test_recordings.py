@@ -134,6 +134,31 @@ class Recordings(RefusalChecks, unittest.TestCase):
         self.write("here/front_01.csv", clip(), COLUMNS.replace(",half_width", ""))
         self.check_refused(self.validate(), "front_01.csv:1", "half_width", "missing")
 
+    def test_a_recording_is_not_written_over(self):
+        clip_file = self.folder / "data/here/front_01.csv"
+        before = clip_file.read_text()
+        done = self.pedzone("validate", "--data", "data", "--seeds", "1", "--json", clip_file)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("names a file that is read", done.stderr)
+        self.assertEqual(clip_file.read_text(), before)
+
+    def test_degrees_and_millimetres_are_refused(self):
+        self.bad_rows(lambda rows: rows.__setitem__(
+            2, rows[2].replace(",0.0,2.1,", ",90.0,2.1,")), "heading", "'90.0'", "out of range")
+        self.bad_rows(lambda rows: rows.__setitem__(
+            slice(None), [row.replace(",ped,1,10.", ",ped,1,10") for row in rows]), "farther", "metres")
+
+    def test_nothing_to_tune_on_is_told(self):
+        for name in ("here/front_01.csv", "here/back_02.csv", "there/intersection_01.csv"):
+            self.write(name, clip(500.0))
+        done = self.pedzone("calibrate", "--data", "data", "--out", "out", "--seeds", "1")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("nothing to tune on", done.stderr)
+        self.assertIn("rad", done.stderr)
+        done = self.pedzone("validate", "--data", "data", "--seeds", "1", "--resamples", "20")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("nobody is scored", done.stderr)
+
     def test_gap_in_time(self):
         self.bad_rows(lambda rows: rows.__delitem__(30), ":34", "gap", "id 1")
 

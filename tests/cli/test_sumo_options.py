@@ -113,6 +113,19 @@ class Configurations(OptionsCase):
 class WrongNumbers(OptionsCase):
     """Outputs of SUMO that miscount people whom it does not walk: a warning says so."""
 
+    def test_errors_in_spite_of_which_sumo_starts(self):
+        self.tiny.write("tiny.rou.xml", """<routes>
+          <vehicle id="v" depart="0"><route edges="west shared"/>
+            <stop lane="shared_0" startPos="50" endPos="10" duration="5"/></vehicle>
+          <person id="p" depart="0"><walk edges="west shared"/></person></routes>""")
+        plain = subprocess.run(["sumo", "-c", str(self.tiny.config()), "--no-step-log", "true"],
+                               cwd=self.folder, capture_output=True, text=True, check=True,
+                               env=sumo_environment())
+        error, = (line for line in plain.stderr.splitlines() if line.startswith("Error:"))
+        done = self.pedzone()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(error, done.stderr)
+
     def test_a_summary_of_persons(self):
         done = self.succeeds(self.after("--person-summary-output", "from-sumo.xml"))
         self.assertIn("person-summary-output 'walking' and 'riding' are wrong", done.stderr)

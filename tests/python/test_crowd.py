@@ -122,6 +122,10 @@ class Walking(unittest.TestCase):
         self.assertAlmostEqual(crowd.person(line).position[0], 5, delta=0.6)
         self.assertEqual(len(crowd), 2)  # who is only seen is no row
 
+    def test_a_crowd_needs_a_zone(self):
+        with self.assertRaises(TypeError):
+            pedzone.Crowd(None)
+
     def test_who_is_removed_is_not_there(self):
         crowd = busy_crowd(4)
         second = int(crowd.handles[1])

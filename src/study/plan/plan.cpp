@@ -110,17 +110,23 @@ class RunList {
 };
 
 /// Throws InputError for what only a whole condition shows: panels that make no people, files of
-/// options that are not there, nobody to walk.
+/// options that are not there, nobody to walk, an end before the begin.
 void check_conditions(const Plan& plan) {
   std::set<std::size_t> peopled;  // scenarios that have persons
   for (const Condition& condition : plan.conditions) {
     const StudyScenario& scenario = plan.study.scenarios[condition.scenario];
+    const Scenario read = scenario_of(plan.study, condition);
+    if (plan.study.end) {
+      require_later_end(read, *plan.study.end,
+                        {.file = plan.study.file,
+                         .element = "<study> attribute end",
+                         .value = fmt::format("{:g}", *plan.study.end)});
+    }
     const std::vector<Setting> settings = settings_of(plan.study, condition);
     const bool plain = std::ranges::none_of(settings, [](const Setting& setting) {
       return setting.kind == SettingKind::kPanel || names_input_files(setting.key);
     });
     if (plain && peopled.contains(condition.scenario)) continue;
-    const Scenario read = scenario_of(plan.study, condition);
     if (!zone_file_of(plan.study, scenario, settings).panels.empty()) continue;
     if (!names_person(read)) throw no_person(read);
     peopled.insert(condition.scenario);

@@ -55,7 +55,7 @@ std::optional<TimeWindow> busiest_window(const std::vector<std::string>& series)
   while (length > kWindow && too_much()) length /= 2.0;
   const double begin = busiest(persons, length);
   if (persons_from(persons, begin, length) <= 0.0) return std::nullopt;
-  return TimeWindow{begin, begin + length};
+  return TimeWindow{begin, std::min(begin + length, persons.rbegin()->first + kWindow)};
 } catch (const InputError&) {
   return std::nullopt;
 }

@@ -205,7 +205,7 @@ Sentence tally_sentence(std::span<const Comparison> comparisons) {
       {Finding::kNotShown, "no difference to speak of"},
       {Finding::kSame, "equal values in every pair"},
       {Finding::kInconclusive, "not to be told from so few seeds"},
-      {Finding::kTooFew, "not to be made, as runs are missing"}};
+      {Finding::kTooFew, "not to be made: fewer than three pairs of runs have the measure"}};
   std::vector<std::string> parts;
   for (const auto& [finding, words] : kWords) {
     if (counts[finding] > 0) parts.push_back(fmt::format("{} {}", counts[finding], words));

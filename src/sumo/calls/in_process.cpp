@@ -1,7 +1,9 @@
 #include <libsumo/libsumo.h>
 
 #include <iostream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "sumo/calls/both.hpp"
 #include "sumo/calls/sumo_messages.hpp"
@@ -22,11 +24,13 @@ std::unique_ptr<Session> start_in_process(const std::string& config,
   std::vector<std::string> command{"sumo", "-c", config};
   command.insert(command.end(), words.begin(), words.end());
   std::ostream before(std::cerr.rdbuf());
-  std::string errors;  // and all that follows: an error can take several lines
+  std::string errors;             // and all that follows: an error can take several lines
+  std::vector<std::string> held;  // the same, as SUMO says it: it may start all the same
   const StreamLines lines(std::cerr, [&](const std::string& line) {
     if (errors.empty() && !line.starts_with(kError)) {
       before << line << std::endl;
     } else {
+      held.push_back(line);
       errors += "\n" + (line.starts_with(kError) ? line.substr(kError.size()) : line);
     }
   });
@@ -44,6 +48,7 @@ std::unique_ptr<Session> start_in_process(const std::string& config,
   } catch (...) {
     throw SumoError("SUMO failed to start " + config + errors);
   }
+  for (const std::string& line : held) before << line << std::endl;
   return in_process::session_calls();
 }
 

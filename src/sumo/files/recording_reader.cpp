@@ -224,12 +224,12 @@ Recording read_recording(const RecordingSource& source, const RecordingCast& cas
     collector.read_trajectories(progress);
   }
   Recording recording = collector.take();
-  require_persons(recording, source);
   if (!source.fcd.empty()) {
     Collector others(source, cast);
     others.read_fcd(source.fcd, progress);
     take_others(recording, others.take());
   }
+  require_persons(recording, source);
   return recording;
 }
 

@@ -230,6 +230,14 @@ ScenarioNumbers read_numbers(const Scenario& scenario) {
           std::clamp(number_of(said, kDawdling, kSumoDawdling), 0.0, 1.0)};
 }
 
+void require_later_end(const Scenario& scenario, double end, const InputPlace& what) {
+  const double begin = read_numbers(scenario).begin;
+  if (end > begin) return;
+  InputPlace place = what;
+  place.allowed = "a time after the begin that " + scenario.config + " says";
+  throw InputError("is not later than the run's begin", place);
+}
+
 void add_additional_file(Scenario& scenario, const std::string& file) {
   auto& words = scenario.sumo_options;
   // SUMO takes an option once.

@@ -56,6 +56,10 @@ struct ScenarioNumbers {
 };
 ScenarioNumbers read_numbers(const Scenario& scenario);
 
+/// Throws InputError where a run that ends at `end` [s] would end before it begins. `what`: where
+/// the user says so.
+void require_later_end(const Scenario& scenario, double end, const InputPlace& what);
+
 /// Has SUMO read one more additional file.
 void add_additional_file(Scenario& scenario, const std::string& file);
 

@@ -44,6 +44,7 @@ TEST(busiest_window, of_a_short_run_begins_with_it) {
   const auto window = busiest_window({series("a", 5, [](int row) { return row; })});
   ASSERT_TRUE(window);
   EXPECT_EQ(window->begin, 0.0);
+  EXPECT_EQ(window->end, 50.0) << "and ends with it";
 }
 
 TEST(busiest_window, is_none_where_nobody_is_or_a_file_is_missing) {
