@@ -167,9 +167,8 @@ std::string page_of(const MapsOptions& options, const Recording& recording, cons
                               numbers.grids.end);
   page.numbers = table_of(numbers);
   page.note =
-      "Of everybody in the picture, also of those whom SUMO walks where --fcd has them. A minute "
-      "is "
-      "one of the run's, counted from its begin.";
+      "Of everybody in the picture, also of those whom SUMO walks where --fcd has them. A "
+      "minute is one of the run's, counted from its begin; the last one ends with it.";
   page.recording = &recording;
   page.place = place;
   page.box = box;

@@ -115,7 +115,7 @@ void write_density(const Recording& recording, GeoJsonFile& file) {
   for (const RecordedPerson& person : recording.persons) {
     for (const PersonMoment& moment : person.moments) grid.add(moment.position, step);
   }
-  const double duration = recording.times.back() - recording.times.front() + step;
+  const double duration = recording.end - recording.begin;
   constexpr double kSide = kDensityCell;
   for (const DensityRow& cell : grid.rows()) {
     const Vec2 corner(cell.x, cell.y);

@@ -47,6 +47,8 @@ struct RecordedVehicle {
 };
 
 struct Recording {
+  double begin = 0.0, end = 0.0;  ///< [s] what is shown of the file, be anybody there or not: from
+                                  ///< its first step to the end of its last
   std::vector<double> times;              ///< [s] ascending: all steps in which anybody was there
   std::vector<RecordedPerson> persons;    ///< in the order of their first appearance
   std::vector<RecordedVehicle> vehicles;  ///< likewise

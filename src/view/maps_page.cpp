@@ -137,7 +137,8 @@ Json grid_maps(const MapsPage& page) {
   };
   return Json::array(
       {map_of("mean", "Density of people",
-              "Persons per m²: mean over the time of the run. " + cells,
+              fmt::format("Persons per m²: mean from {:g} to {:g} s. ", grids.begin, grids.end) +
+                  cells,
               map(grids.mean, mean_bounds, "Density of people"), map_classes(mean_bounds)),
        map_of("service", "Level of service in the peak minute",
               fmt::format("Fruin's levels for walkways, persons per m²: mean from {:g} to {:g} s, "

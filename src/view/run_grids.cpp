@@ -8,7 +8,8 @@
 namespace pedzone {
 namespace {
 
-constexpr double kMinute = 60.0;  // [s]
+constexpr double kMinute = 60.0;    // [s]
+constexpr double kRounding = 1e-6;  // [s] of sums of times
 
 /// What a cell has seen.
 struct Visits {
@@ -34,11 +35,17 @@ class Collector {
  public:
   Collector(const Recording& recording, const Box& box, double cell)
       : recording_(recording), box_(box), steps_(durations(recording)), grids_(cell) {
-    grids_.begin = recording.times.front();
-    grids_.end = recording.times.back() + steps_.back();
-    const double minutes = std::floor((grids_.end - grids_.begin) / kMinute + 1e-9);
-    length_ = minutes < 1.0 ? grids_.end - grids_.begin : kMinute;
-    people_.resize(static_cast<std::size_t>(std::max(1.0, minutes)));
+    grids_.begin = recording.begin;
+    grids_.end = std::max(recording.end, recording.times.back() + steps_.back());
+    const double duration = grids_.end - grids_.begin;
+    length_ = std::min(duration, kMinute);
+    for (double since = 0.0; since + length_ <= duration + kRounding; since += length_) {
+      minutes_.push_back(grids_.begin + since);
+    }
+    if (duration - length_ > minutes_.back() - grids_.begin + kRounding) {
+      minutes_.push_back(grids_.end - length_);
+    }
+    people_.resize(minutes_.size());
   }
 
   RunGrids collect() {
@@ -48,7 +55,7 @@ class Collector {
       }
     }
     const auto peak = static_cast<std::size_t>(std::ranges::max_element(people_) - people_.begin());
-    grids_.minute_begin = minute_begin(peak);
+    grids_.minute_begin = minutes_[peak];
     grids_.minute_end = grids_.minute_begin + length_;
     for (const auto& [cell, visits] : visits_) finish(cell, visits, peak);
     if (!visits_.empty()) grids_.mean_where_people /= static_cast<double>(visits_.size());
@@ -56,21 +63,21 @@ class Collector {
   }
 
  private:
-  double minute_begin(std::size_t minute) const {
-    return grids_.begin + length_ * static_cast<double>(minute);
-  }
-
   void add(const PersonMoment& moment) {
     const double seconds = steps_[moment.step];
     Visits& visits = visits_[grids_.mean.cell_at(moment.position)];
     visits.all += seconds;
     visits.way += seconds * moment.speed;
-    const double since = recording_.times[moment.step] - grids_.begin;
-    const auto minute = static_cast<std::size_t>(since / length_ + 1e-9);
-    if (minute >= people_.size()) return;
-    people_[minute] += seconds;
     visits.seconds.resize(people_.size());
-    visits.seconds[minute] += seconds;
+    const double time = recording_.times[moment.step];
+    const auto in_turn = static_cast<std::size_t>((time - grids_.begin + kRounding) / length_);
+    for (std::size_t minute : {std::min(in_turn, minutes_.size() - 1), minutes_.size() - 1}) {
+      const double since = time - minutes_[minute];
+      if (since < -kRounding || since >= length_ - kRounding) continue;
+      people_[minute] += seconds;
+      visits.seconds[minute] += seconds;
+      if (minute + 1 == minutes_.size()) break;  // once
+    }
   }
 
   void finish(const ValueGrid::Cell& cell, const Visits& visits, std::size_t peak) {
@@ -87,16 +94,17 @@ class Collector {
       }
       if (then <= grids_.most) continue;
       grids_.most = then;
-      grids_.most_begin = minute_begin(minute);
+      grids_.most_begin = minutes_[minute];
       grids_.most_at = size * Vec2(cell.first + 0.5, cell.second + 0.5);
     }
   }
 
   const Recording& recording_;
   Box box_;
-  std::vector<double> steps_;   ///< [s]
-  double length_ = kMinute;     ///< [s] of a minute; less where the run is shorter
-  std::vector<double> people_;  ///< [s] of all people in the box, by minute
+  std::vector<double> steps_;    ///< [s]
+  double length_ = kMinute;      ///< [s] of a minute; less where the run is shorter
+  std::vector<double> minutes_;  ///< [s] when each begins: in turn, and one that ends with the run
+  std::vector<double> people_;   ///< [s] of all people in the box, by minute
   std::map<ValueGrid::Cell, Visits> visits_;
   RunGrids grids_;
 };

@@ -25,7 +25,7 @@ struct RunGrids {
 };
 
 /// `cell` [m]: side of a cell. People outside `box` do not count. A run shorter than a minute is
-/// one; the rest after its last whole minute is none.
+/// one; where a rest is left after its last whole minute, the last 60 s are one, too.
 RunGrids run_grids(const Recording& recording, const Box& box, double cell);
 
 }  // namespace pedzone

@@ -76,6 +76,27 @@ class Maps(RefusalChecks, unittest.TestCase):
         self.assertEqual(found["peak_minute"]["area_m2"]["D"], 4)
         self.assertEqual(found["peak_minute"]["area_m2"]["F"], 0)
 
+    def test_the_last_minute_counts_though_it_is_no_whole_one(self):
+        def rows(t):  # four on 4 m² for the last 30 of 100 s
+            return person("walker", -40 + t * 0.5, 20.5, 0.5) + "".join(
+                person(f"p{i}", 4.2 + 0.4 * i, 4.5, 0) for i in range(4) if t >= 70)
+        self.write("late.xml", fcd(rows, 100))
+        found = self.numbers(file="late.xml")
+        self.assertEqual((found["begin_s"], found["end_s"]), (0, 100))
+        self.assertEqual(found["peak_minute"]["begin_s"], 40)
+        self.assertAlmostEqual(found["peak"]["density_per_m2"], 0.5, delta=1e-6)
+
+    def test_densities_are_of_the_whole_run(self):
+        def rows(t):  # one stands there for 50 of 200 s
+            return person("p", 4.5, 4.5, 0) if 20 <= t < 70 else ""
+        self.write("few.xml", fcd(rows, 200))
+        found = self.numbers(file="few.xml")
+        self.assertEqual((found["begin_s"], found["end_s"]), (0, 200))
+        self.assertAlmostEqual(found["mean_density_per_m2"], 50 / 200 / 4, delta=1e-4)
+        found = self.numbers("--begin", 10, "--end", 109, file="few.xml")
+        self.assertEqual((found["begin_s"], found["end_s"]), (10, 110))
+        self.assertAlmostEqual(found["mean_density_per_m2"], 50 / 100 / 4, delta=1e-4)
+
     def test_percentiles_are_of_persons(self):
         found = self.numbers()
         self.assertEqual(found["time_in_picture_s"]["median"], 59)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -48,9 +49,20 @@ class Collector {
 
   void read_fcd(const std::string& file, const ReadProgress& progress);
   void read_trajectories(const ReadProgress& progress);
-  Recording take() { return std::move(recording_); }
+  Recording take() {
+    recording_.begin = first_;
+    recording_.end = last_ + (std::isfinite(step_) ? step_ : 0.0);
+    return std::move(recording_);
+  }
 
  private:
+  /// A step of the file that is shown.
+  void note(double time) {
+    if (time > last_) step_ = std::min(step_, time - last_);
+    first_ = std::min(first_, time);
+    last_ = std::max(last_, time);
+  }
+
   std::uint32_t step_at(double time) {
     if (recording_.times.empty() || recording_.times.back() < time) {
       recording_.times.push_back(time);
@@ -68,6 +80,8 @@ class Collector {
   const RecordingCast& cast_;
   std::unordered_set<std::string> wanted_;
   std::unordered_map<std::string, std::size_t> persons_, vehicles_;
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+  double first_ = kNever, last_ = -kNever, step_ = kNever;  ///< [s]
   Recording recording_;
 };
 
@@ -107,7 +121,9 @@ void Collector::read_fcd(const std::string& file, const ReadProgress& progress) 
       [&](double time, std::span<const PersonSample> persons,
           std::span<const VehicleSample> vehicles) {
         if (time > source_.end) throw AfterEnd();
-        if (!shown(time) || (persons.empty() && vehicles.empty())) return;
+        if (!shown(time)) return;
+        note(time);
+        if (persons.empty() && vehicles.empty()) return;
         const std::uint32_t step = step_at(time);
         for (const PersonSample& sample : persons) {
           if (!sample.rides_in.empty() || !wanted(sample.id)) continue;
@@ -133,7 +149,9 @@ void Collector::read_trajectories(const ReadProgress& progress) {
       [&](const TrajectoryRow& row, const CsvRow& fields) {
         if (row.time < last) throw fields.error("is earlier than the row before", kTime);
         last = row.time;
-        if (!shown(row.time) || !wanted(row.id)) return;
+        if (!shown(row.time)) return;
+        note(row.time);
+        if (!wanted(row.id)) return;
         auto& moments = person(row.id).moments;
         const std::uint32_t step = step_at(row.time);
         if (!moments.empty() && moments.back().step == step) {
@@ -203,6 +221,14 @@ void take_others(Recording& recording, Recording&& other) {
   take_persons(recording, std::move(other.persons));
   recording.vehicles = std::move(other.vehicles);
   recording.times = std::move(times);
+  recording.begin = std::min(recording.begin, other.begin);
+  recording.end = std::max(recording.end, other.end);
+}
+
+/// A table has no steps in which nobody was there: of what the user asks for, they count.
+void take_as_asked(Recording& recording, const RecordingSource& source) {
+  if (std::isfinite(source.begin)) recording.begin = source.begin;
+  if (std::isfinite(source.end)) recording.end = source.end;
 }
 
 }  // namespace
@@ -228,6 +254,8 @@ Recording read_recording(const RecordingSource& source, const RecordingCast& cas
     Collector others(source, cast);
     others.read_fcd(source.fcd, progress);
     take_others(recording, others.take());
+  } else if (kind == Kind::kTrajectories) {
+    take_as_asked(recording, source);
   }
   require_persons(recording, source);
   return recording;
