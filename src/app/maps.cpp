@@ -212,7 +212,13 @@ void make_maps(const MapsOptions& options) {
       return !box.contains(study::moment_of(one).position);
     });
   }
-  if (!measured.isEmpty()) numbers.measured = measure_area(recording, place.get(), measured);
+  if (!measured.isEmpty()) {
+    numbers.measured = measure_area(recording, place.get(), measured);
+    if (numbers.measured.empty()) {
+      throw InputError("has nobody in it", {.element = "option --measure-area",
+                                            .allowed = "an area in which somebody walks"});
+    }
+  }
   if (out) {
     out->write(page_of(options, recording, place.get(), box, numbers));
     out->finish();

@@ -99,6 +99,27 @@ std::vector<Wanted> wanted_pictures(const PlotOptions& options,
   return wanted;
 }
 
+void require_in_time(const std::vector<double>& moments, const Recording& recording) {
+  for (const double at : moments) {
+    if (at >= recording.begin && at <= recording.end) continue;
+    throw InputError("is not in the recording",
+                     {.element = "option --at",
+                      .value = fmt::format("{:g}", at),
+                      .allowed = fmt::format("{:g} to {:g} s", recording.begin, recording.end)});
+  }
+}
+
+void require_in_area(const Box& area, const Recording& recording) {
+  if (area.isEmpty()) return;
+  for (const RecordedPerson& person : recording.persons) {
+    for (const PersonMoment& moment : person.moments) {
+      if (area.contains(moment.position)) return;
+    }
+  }
+  throw InputError("shows nobody", {.element = "option --area",
+                                    .allowed = "an area in which somebody of the recording is"});
+}
+
 /// One picture, or several side by side, or, where they are wide, below each other: then one legend
 /// is enough.
 std::string draw_all(PlotOptions options) {
@@ -111,8 +132,10 @@ std::string draw_all(PlotOptions options) {
   for (const std::string& file : files) {
     options.recording.source.file = file;
     recordings.push_back(read_recording(options.recording));
+    require_in_time(options.at, recordings.back());
     options.recording.source.fcd.clear();  // of the first one alone
   }
+  if (map) require_in_area(box_of_sides(options.area, "--area"), recordings.front());
   const std::vector<Wanted> wanted = wanted_pictures(options, files);
   const auto drawn = [&](const Wanted& one, bool legend) {
     options.recording.source.file = files[one.recording];

@@ -7,6 +7,7 @@
 #include "app/command_line/terminal.hpp"
 #include "app/command_line/values.hpp"
 #include "app/share_bar.hpp"
+#include "core/error.hpp"
 #include "sumo/files/place_reader.hpp"
 #include "sumo/files/type_files.hpp"
 
@@ -74,6 +75,12 @@ void warn_of_guessed_sizes(const BodySizes& sizes) {
 }
 
 Recording read_recording(const RecordingOptions& options) {
+  if (options.source.begin > options.source.end) {
+    throw InputError("is later than --end",
+                     {.element = "option --begin",
+                      .value = fmt::format("{:g}", options.source.begin),
+                      .allowed = fmt::format("at most {:g}", options.source.end)});
+  }
   const auto cast =
       read_type_files<RecordingCast>(options.scenario, options.sumo_options, options.types);
   warn_of_guessed_sizes(cast.sizes);

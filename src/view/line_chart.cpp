@@ -18,8 +18,9 @@ namespace {
 constexpr double kWidth = 1000.0, kHeight = 520.0;
 constexpr double kLeft = 85.0, kRight = 790.0, kTop = 470.0, kBottom = 70.0;  // of the axes
 constexpr double kText = 17.0, kTitle = 19.0, kRow = 27.0;
-constexpr std::size_t kLetters = 19;  // of a name in the legend
-constexpr double kThinning = 0.3;     // corners of lines are left out so far
+constexpr std::size_t kLetters = 16;       // of a name in the legend
+constexpr std::size_t kTitleLetters = 75;  // of the title
+constexpr double kThinning = 0.3;          // corners of lines are left out so far
 
 AxesLayout layout() {
   return {.frame = Box(Vec2(kLeft, kBottom), Vec2(kRight, kTop)),
@@ -75,7 +76,8 @@ class Picture {
                       "stroke-width=\"4\" paint-order=\"stroke\"",
                       colours::kPaper));
     }
-    page_.text({kLeft, kTop + 20.0}, kTitle, chart_.title, "font-weight=\"bold\"");
+    page_.text({kLeft, kTop + 20.0}, kTitle, shortened(chart_.title, kTitleLetters),
+               "font-weight=\"bold\"");
   }
 
   void draw_line(const ChartLine& line) {

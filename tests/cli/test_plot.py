@@ -397,6 +397,10 @@ class SmallFiles(RefusalChecks, unittest.TestCase):
         self.check_refused(self.plot("fcd.xml", "--width", "1"), "--width")
         self.check_refused(self.plot("fcd.xml", "--area", "0", "0", "-5", "5"), "--area", "LEFT")
         self.check_refused(self.plot("fcd.xml", "--area", "0", "0", "5"), "--area")
+        self.check_refused(self.plot("fcd.xml", "--area", "5000", "5000", "5010", "5010"), "--area",
+                           "shows nobody")
+        self.check_refused(self.plot("fcd.xml", "--at", "0", "5000"), "--at", "'5000'", "0 to ")
+        self.check_refused(self.plot("fcd.xml", "--begin", "2", "--end", "1"), "--begin", "at most 1")
         self.check_refused(self.plot("fcd.xml", "--zone", "x.zone.xml"), "--scenario")
         self.check_refused(self.plot("fcd.xml", "--scenario", "gone.sumocfg"), "gone.sumocfg")
         self.check_refused(self.plot("fcd.xml", "--out", "out/plot.jpg"), "--out", "plot.jpg",
