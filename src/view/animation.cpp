@@ -37,21 +37,26 @@ std::int32_t centimetres(double metres) {
   return static_cast<std::int32_t>(std::lround(100.0 * metres));
 }
 
+Box where_anybody_is(const std::vector<AnimatedRun>& runs) {
+  Box box;
+  for (const AnimatedRun& run : runs) {
+    for (const RecordedPerson& person : run.recording->persons) {
+      for (const PersonMoment& moment : person.moments) box.extend(moment.position);
+    }
+    for (const RecordedVehicle& vehicle : run.recording->vehicles) {
+      for (const VehicleMoment& moment : vehicle.moments) box.extend(moment.centre);
+    }
+  }
+  return box;
+}
+
 Box extent(const std::vector<AnimatedRun>& runs, const Place* place) {
   Box box;
   if (place != nullptr) {
     for (const Zone& zone : place->zones) box.extend(box_of(zone.walkable));
   }
-  if (box.isEmpty()) {
-    for (const AnimatedRun& run : runs) {
-      for (const RecordedPerson& person : run.recording->persons) {
-        for (const PersonMoment& moment : person.moments) box.extend(moment.position);
-      }
-      for (const RecordedVehicle& vehicle : run.recording->vehicles) {
-        for (const VehicleMoment& moment : vehicle.moments) box.extend(moment.centre);
-      }
-    }
-  }
+  const Box anybody = where_anybody_is(runs);
+  if (!box.intersects(anybody)) box.extend(anybody);
   constexpr double kMargin = 3.0;  // [m] so that nobody is at the picture's edge
   return grown(box, kMargin);
 }
@@ -75,12 +80,14 @@ std::string levels() {
 std::string animation_page(const std::vector<AnimatedRun>& runs, const Place* place,
                            const AnimationOptions& options) {
   const Box box = options.area.isEmpty() ? animation::extent(runs, place) : options.area;
+  Box ground = box;
+  if (options.area.isEmpty()) ground.extend(animation::where_anybody_is(runs));
   std::string data = fmt::format(
       R"({{"title":{},"selected":{},"box":[{:.2f},{:.2f},{:.2f},{:.2f}],"step":{:.6g},)"
       R"("levels":{},"scenery":{},"runs":[)",
       json_string(options.title), json_string(options.selected), box.min().x(), box.min().y(),
       box.max().x(), box.max().y(), animation::least_step(runs, options.rate), levels(),
-      animation::scenery(place, box));
+      animation::scenery(place, ground));
   for (const AnimatedRun& run : runs) {
     if (&run != &runs.front()) data += ',';
     data += animation::run(run, options.rate);

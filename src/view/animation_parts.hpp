@@ -12,7 +12,11 @@ namespace pedzone::animation {
 /// [cm] as the page has lengths. Throws InputError where that is too far away.
 std::int32_t centimetres(double metres);
 
-/// What the page shows when everything is to be seen: the zones, else where everybody goes.
+/// Of all persons and vehicles, at any time; empty: nobody.
+Box where_anybody_is(const std::vector<AnimatedRun>& runs);
+
+/// What the page shows when everything is to be seen: the zones; where nobody goes near them, where
+/// everybody goes, too.
 Box extent(const std::vector<AnimatedRun>& runs, const Place* place);
 
 /// Roads, zones, obstacles and waypoints near `box`.

@@ -161,6 +161,21 @@ class Animate(RefusalChecks, unittest.TestCase):
         self.assertGreater(max(walkable[0][::2]) - min(walkable[0][::2]), 5000, "60 m of street")
         self.assertTrue(data["scenery"]["roads"])
 
+    def test_roads_are_drawn_where_anybody_is(self):
+        """Also far from the zones; where nobody goes near those, the picture has everybody, too."""
+        tiny = TinyScenario(self.folder)
+        tiny.write("a.zone.xml", '<zones><zone id="a" edges="east"/></zones>')
+        for edges, left in (("west", 0), ("west shared east", 115)):
+            tiny.write("tiny.rou.xml", f'<routes><person id="p" depart="0"><walk edges="{edges}"/>'
+                       '</person></routes>')
+            config = tiny.config()
+            done = self.call("sumo", "-c", config, "--fcd-output", "fcd.xml")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            data = self.data("--scenario", config, "--zone", "a.zone.xml")
+            self.assertLess(min(x for lane in data["scenery"]["roads"] + data["scenery"]["footways"]
+                                for x in lane["points"][::2]), 1000, "cm")
+            self.assertAlmostEqual(data["box"][0], left, delta=10)
+
     def test_names_of_streets(self):
         edges = EDGES.replace('id="shared"', 'id="shared" name="Long &lt;b&gt; Lane"')
         edges = edges.replace('id="west"', 'id="west" name="West Street"')
