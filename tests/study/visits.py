@@ -107,7 +107,7 @@ def visits(inside):
 def walk_measures(fcd, persons, inside, ways, free_share):
     """person.* of those who walk in the zone; `inside`: of each row; without `ways` no delay."""
     rows = fcd.persons
-    total = dict.fromkeys(("time", "waiting", "walked", "covered", "shortest", "delay"), 0.0)
+    total = dict.fromkeys(("time", "waiting", "walked", "covered", "jumped", "shortest", "delay"), 0.0)
     numbers = {name: number for number, name in enumerate(rows.names)}
     order = numpy.lexsort((rows.step, rows.who))
     bounds = numpy.searchsorted(rows.who[order], numpy.arange(len(rows.names) + 1))
@@ -131,6 +131,8 @@ def walk_measures(fcd, persons, inside, ways, free_share):
                 total["waiting"] += dt[speed[part][1:] < STANDING].sum()
                 total["walked"] += numpy.hypot(numpy.diff(x[part]), numpy.diff(y[part])).sum()
                 total["covered"] += (dt * speed[part][1:]).sum()
+                further = numpy.hypot(numpy.diff(x[part]), numpy.diff(y[part])) - dt * speed[part][1:]
+                total["jumped"] += further[further > 1.0].sum()
                 if ways is None:
                     continue
                 shortest = ways.length((x[first], y[first]), (x[last], y[last]))
@@ -139,6 +141,7 @@ def walk_measures(fcd, persons, inside, ways, free_share):
         visitors += came
     values = {"person.visitors": visitors, "person.waiting": total["waiting"] / visitors,
               "person.walked": total["walked"] / visitors,
+              "person.jumped": total["jumped"] / visitors,
               "person.speed": total["covered"] / total["time"]}
     if ways is not None:
         values["person.delay"] = total["delay"] / visitors

@@ -10,6 +10,8 @@
 namespace pedzone::study {
 namespace {
 
+constexpr double kJump = 1.0;  // [m] assumed: no rounding, nor who is pushed aside
+
 /// Length [m] of a shortest way, infinite where there is none. It ends with the part from the last
 /// place with room for the body, which the way finder leaves out.
 double shortest_way(const WayFinder& ways, const Vec2& from, const Vec2& to) {
@@ -34,6 +36,7 @@ void ZoneWalks::Amount::add(const Amount& other) {
   waiting += other.waiting;
   walked += other.walked;
   covered += other.covered;
+  jumped += other.jumped;
 }
 
 void ZoneWalks::add(const Presence& presence) {
@@ -53,8 +56,9 @@ void ZoneWalks::add(const Presence& presence) {
   }
   const double dt = presence.step.dt;
   const double walked = (pedestrian.at - person.visit->last.pedestrian.at).norm();
-  person.visit->amount.add(
-      {dt, pedestrian.speed < kHaltingSpeed ? dt : 0.0, walked, pedestrian.speed * dt});
+  const double covered = pedestrian.speed * dt, jumped = walked - covered;
+  person.visit->amount.add({dt, pedestrian.speed < kHaltingSpeed ? dt : 0.0, walked, covered,
+                            jumped > kJump ? jumped : 0.0});
   person.visit->last = presence;
 }
 
@@ -89,6 +93,7 @@ void ZoneWalks::finish(std::map<std::string, double>& values) {
   if (visitors > 0.0) {
     values["person.waiting"] = total.waiting / visitors;
     values["person.walked"] = total.walked / visitors;
+    values["person.jumped"] = total.jumped / visitors;
   }
   if (total.time > 0.0) values["person.speed"] = total.covered / total.time;
   if (!delays.empty()) values["person.delay"] = mean(delays);

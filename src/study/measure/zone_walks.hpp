@@ -33,6 +33,7 @@ class ZoneWalks {
     double waiting = 0.0;  ///< [s] standing
     double walked = 0.0;   ///< [m] between the places
     double covered = 0.0;  ///< [m] speed times time
+    double jumped = 0.0;   ///< [m] put on by more than that, in steps by kJump and more
     void add(const Amount& other);
   };
   struct Visit {

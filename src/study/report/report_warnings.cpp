@@ -82,6 +82,35 @@ Sentence teleport_sentence(std::span<const Comparison> comparisons, const std::s
           Sentence::Tone::kWarning};
 }
 
+/// [m] that the model's people jump in the zones, mean of the conditions; the reference's where
+/// that is asked for.
+double jumped(std::span<const Comparison> comparisons, const std::string& model, bool reference) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Comparison& one : comparisons) {
+    const auto& mean = reference ? one.reference.mean : one.sample.mean;
+    if (one.model != model || one.measure != "person.jumped" || !mean) continue;
+    sum += *mean;
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+/// Of the one of the two models whose people jump more; empty where they hardly do.
+Sentence jump_sentence(std::span<const Comparison> comparisons, const std::string& model,
+                       const Plan& plan) {
+  constexpr double kMuch = 1.0;  // [m] assumed: about a second
+  const double reference = jumped(comparisons, model, true),
+               own = jumped(comparisons, model, false);
+  if (std::max(reference, own) < kMuch) return {};
+  return {fmt::format("Warning: {} puts people on by {} m each without walking them",
+                      reference > own ? plan.study.reference : model,
+                      number_text(std::max(reference, own), 1)),
+          ", over junctions that have no walking areas (netconvert makes them with "
+          "--walkingareas): its times, ways and delays in the zone are too short by that.",
+          Sentence::Tone::kWarning};
+}
+
 }  // namespace
 
 bool nobody_walked(std::span<const Comparison> comparisons) {
@@ -107,8 +136,11 @@ std::vector<Sentence> warning_sentences(std::span<const Comparison> comparisons,
     }
     if (empty > 0) sentences.push_back(nobody_sentence(empty, plan));
     if (!cuts.empty()) sentences.push_back(cut_off_sentence(cuts, model, plan));
-    const Sentence teleports = teleport_sentence(comparisons, model, plan);
-    if (!teleports.head.empty()) sentences.push_back(teleports);
+    for (const auto& sentence :
+         {teleport_sentence(comparisons, model, plan), jump_sentence(comparisons, model, plan)}) {
+      const bool told = std::ranges::count(sentences, sentence.head, &Sentence::head) > 0;
+      if (!sentence.head.empty() && !told) sentences.push_back(sentence);
+    }
   }
   return sentences;
 }

@@ -295,6 +295,14 @@ TEST(Warning, where_nobody_walked_nothing_was_compared) {
   EXPECT_TRUE(warning_sentences(all, plan_of(2)).empty());
 }
 
+TEST(Warning, of_people_who_jump) {
+  std::vector<Comparison> all{comparison("person.jumped", 4.9, 0.0, -4.9, Finding::kDifferent)};
+  EXPECT_THAT(text(warning_sentences(all, plan_of(1)).at(0)),
+              HasSubstr("Warning: striping puts people on by 4.9 m each"));
+  all[0].reference.mean = 0.4;
+  EXPECT_TRUE(warning_sentences(all, plan_of(1)).empty());
+}
+
 TEST(Warning, of_teleports) {
   std::vector<Comparison> all{comparison("vehicle.teleports", 0.75, 0.25, 0.5, Finding::kNotShown)};
   EXPECT_EQ(

@@ -34,13 +34,15 @@ Trips one_walker(double max_speed) {
 /// Walks a person along some places, a step of kStep each, at the speeds that these give. The zone
 /// is where x >= 0.
 std::map<std::string, double> walk(const Trips& trips, const std::vector<Zone>& zones,
-                                   const std::vector<Vec2>& places, double free_share = 1.0) {
+                                   const std::vector<Vec2>& places, double free_share = 1.0,
+                                   double most_speed = 100.0) {
   Pedestrians pedestrians(trips);
   ZoneWalks walks(trips, zones, free_share);
   RunStep step;
   for (const Vec2& at : places) {
     PersonSample sample{.id = "p", .position = at};
     if (step.number > 0) sample.velocity = (at - places[step.number - 1]) / kStep;
+    if (sample.velocity.norm() > most_speed) sample.velocity *= most_speed / sample.velocity.norm();
     const Pedestrian pedestrian = pedestrians.at(step.time, std::span(&sample, 1)).front();
     if (at.x() >= 0.0) walks.add({step, pedestrian, 0, {}});
     step = {step.number + 1, step.time + kStep, kStep};
@@ -69,6 +71,14 @@ TEST(ZoneWalks, only_the_part_within_the_zone_counts) {
   EXPECT_EQ(values["person.delay95"], values["person.delay"]) << "of one";
   EXPECT_NEAR(walk(trips, zones, places, 0.9)["person.delay"], 11.0 - 8.0 / 1.8, 1e-6);
   EXPECT_NEAR(values["person.detour"], 1.0, 1e-6);
+}
+
+TEST(ZoneWalks, who_is_put_on_farther_than_it_walks_has_jumped) {
+  const auto zones = walled_zone();
+  const std::vector<Vec2> places{{0, 5}, {1, 5}, {6, 5}, {7, 5}};
+  auto values = walk(one_walker(2.0), zones, places, 1.0, 1.5);  // 5 m in a second, at 1.5 m/s
+  EXPECT_DOUBLE_EQ(values["person.jumped"], 3.5);
+  EXPECT_DOUBLE_EQ(walk(one_walker(2.0), zones, places)["person.jumped"], 0.0);
 }
 
 TEST(ZoneWalks, the_shortest_way_leads_round_walls) {
