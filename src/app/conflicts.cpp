@@ -85,9 +85,11 @@ class ConflictOutputs {
   /// `known`: whom pedzone walked.
   void finish(bool known) {
     writer_.finish();
-    const std::string crossed = crossings_ ? crossings_->finish() : "";
-    if (options_.json) return print_text(conflicts_json(printed_));
-    print_result(scope_text(writer_.written(), others_, known, options_.conflicts.of) + crossed);
+    std::optional<CrossingNumbers> crossed;
+    if (crossings_) crossed = crossings_->finish();
+    if (options_.json) return print_text(conflicts_json(printed_, crossed));
+    print_result(scope_text(writer_.written(), others_, known, options_.conflicts.of) +
+                 (crossed ? text_of(*crossed) : ""));
   }
 
  private:

@@ -14,7 +14,8 @@ nlohmann::ordered_json extreme_json(const Extreme& extreme) {
           {"type", name_of(extreme.type)},
           {"personSpeed", extreme.person_speed},
           {"vehicleSpeed", extreme.vehicle_speed},
-          {"relativeSpeed", extreme.relative_speed}};
+          {"relativeSpeed", extreme.relative_speed},
+          {"closingSpeed", extreme.closing_speed}};
 }
 
 nlohmann::ordered_json conflict_json(const Conflict& conflict) {
@@ -33,12 +34,30 @@ nlohmann::ordered_json conflict_json(const Conflict& conflict) {
   return json;
 }
 
+nlohmann::ordered_json crossings_json(const CrossingNumbers& numbers) {
+  nlohmann::ordered_json json = {{"all", numbers.all}, {"between", numbers.between}};
+  if (numbers.between == 0) return json;
+  json["waited_s"] = numbers.waited;
+  json["near_conflicts"] = numbers.near;
+  json["far_conflicts"] = numbers.far;
+  if (const auto& fit = numbers.gaps) {
+    json["gap"] = {{"median_s", fit->median},
+                   {"low_s", fit->low},
+                   {"high_s", fit->high},
+                   {"taken", fit->taken},
+                   {"rejected", fit->left}};
+  }
+  return json;
+}
+
 }  // namespace
 
-std::string conflicts_json(const std::vector<Conflict>& conflicts) {
+std::string conflicts_json(const std::vector<Conflict>& conflicts,
+                           const std::optional<CrossingNumbers>& crossings) {
   nlohmann::ordered_json json = {{"version", kJsonVersion},
                                  {"conflicts", nlohmann::ordered_json::array()}};
   for (const Conflict& conflict : conflicts) json["conflicts"].push_back(conflict_json(conflict));
+  if (crossings) json["crossings"] = crossings_json(*crossings);
   return json_text(json);
 }
 

@@ -43,35 +43,19 @@ std::string chart_of(std::span<const GapChoice> choices, const std::optional<Gap
   return line_chart(chart);
 }
 
-std::string told(std::span<const SeenCrossing> all, const std::optional<GapAcceptance>& fit) {
-  double waited = 0.0, near = 0.0, far = 0.0;
-  const auto between = std::ranges::count(all, true, &SeenCrossing::between);
+CrossingNumbers numbers_of(std::span<const SeenCrossing> all,
+                           const std::optional<GapAcceptance>& fit) {
+  CrossingNumbers numbers;
+  numbers.all = all.size();
+  numbers.gaps = fit;
   for (const SeenCrossing& one : all) {
-    waited += one.waited;
-    near += one.near_conflicts;
-    far += one.far_conflicts;
+    numbers.between += one.between ? 1 : 0;
+    numbers.waited += one.waited;
+    numbers.near += one.near_conflicts;
+    numbers.far += one.far_conflicts;
   }
-  std::string text = fmt::format("Streets were crossed {} times, {} of them between the junctions",
-                                 all.size(), between);
-  if (between > 0) {
-    text += fmt::format(" ({:.0f} %), after {:.1f} s at the kerb",
-                        100.0 * static_cast<double>(between) / static_cast<double>(all.size()),
-                        waited / static_cast<double>(between));
-  }
-  text += ".\n";
-  if (between > 0) {
-    text += fmt::format(
-        "Conflicts of these with moving vehicles: {:.0f} on the near half of the "
-        "carriageway, seen from the kerb that they come from, {:.0f} on the far one.\n",
-        near, far);
-  }
-  if (fit) {
-    text += fmt::format(
-        "Half of the people take a gap of {:.1f} s [{:.1f}, {:.1f}]: {} gaps were "
-        "taken, {} let pass.\n",
-        fit->median, fit->low, fit->high, fit->taken, fit->left);
-  }
-  return text;
+  if (numbers.between > 0) numbers.waited /= static_cast<double>(numbers.between);
+  return numbers;
 }
 
 std::unique_ptr<Place> place_with_streets(const std::string& scenario,
@@ -93,6 +77,31 @@ std::unique_ptr<Place> place_with_streets(const std::string& scenario,
 
 }  // namespace
 
+std::string text_of(const CrossingNumbers& numbers) {
+  std::string text = fmt::format("Streets were crossed {} times, {} of them between the junctions",
+                                 numbers.all, numbers.between);
+  if (numbers.between > 0) {
+    text +=
+        fmt::format(" ({:.0f} %), after {:.1f} s at the kerb",
+                    100.0 * static_cast<double>(numbers.between) / static_cast<double>(numbers.all),
+                    numbers.waited);
+  }
+  text += ".\n";
+  if (numbers.between > 0) {
+    text += fmt::format(
+        "Conflicts of these with moving vehicles: {:.0f} on the near half of the "
+        "carriageway, seen from the kerb that they come from, {:.0f} on the far one.\n",
+        numbers.near, numbers.far);
+  }
+  if (const auto& fit = numbers.gaps) {
+    text += fmt::format(
+        "Half of the people take a gap of {:.1f} s [{:.1f}, {:.1f}]: {} gaps were "
+        "taken, {} let pass.\n",
+        fit->median, fit->low, fit->high, fit->taken, fit->left);
+  }
+  return text;
+}
+
 SeenCrossings::SeenCrossings(const std::string& scenario, const SeenCrossingOptions& options)
     : place_(place_with_streets(scenario, options)), crossings_(place_->zones) {
   if (!options.csv.empty()) csv_ = std::make_unique<CompleteFile>(options.csv, "--crossing-csv");
@@ -106,7 +115,7 @@ void SeenCrossings::step(double time, std::span<const PersonSample> persons,
   time_ = time;
 }
 
-std::string SeenCrossings::finish() {
+CrossingNumbers SeenCrossings::finish() {
   crossings_.count_conflicts(conflicts_);
   const std::vector<SeenCrossing> all = crossings_.all();
   const std::vector<GapChoice> choices = study::gap_choices(all);
@@ -115,7 +124,7 @@ std::string SeenCrossings::finish() {
   if (svg_) svg_->write(chart_of(choices, fit));
   if (csv_) csv_->finish();
   if (svg_) svg_->finish();
-  return told(all, fit);
+  return numbers_of(all, fit);
 }
 
 }  // namespace pedzone

@@ -1,17 +1,32 @@
 // What an observer beside the streets counts: who crosses where, and which gaps people take.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "conflict/gap_acceptance.hpp"
 #include "conflict/tracker.hpp"
 #include "results/complete_file.hpp"
 #include "results/place.hpp"
 #include "study/measure/street_crossings.hpp"
 
 namespace pedzone {
+
+/// What an observer has counted.
+struct CrossingNumbers {
+  std::size_t all = 0, between = 0;   ///< crossings; of them between the junctions
+  double waited = 0.0;                ///< [s] at the kerb, mean of those; 0: none
+  double near = 0.0, far = 0.0;       ///< conflicts of those with moving vehicles, by the half of
+                                      ///< the carriageway, seen from the kerb they come from
+  std::optional<GapAcceptance> gaps;  ///< which gaps are taken; nothing: too few are known
+};
+
+/// A few sentences.
+std::string text_of(const CrossingNumbers& numbers);
 
 struct SeenCrossingOptions {
   std::string zone_file;  ///< whose streets are watched; empty: none
@@ -28,8 +43,8 @@ class SeenCrossings {
   /// Conflicts that are told by lane.
   void add(const Conflict& conflict) { conflicts_.push_back(conflict); }
 
-  /// Writes the files; what there is to tell.
-  std::string finish();
+  /// Writes the files.
+  CrossingNumbers finish();
 
  private:
   std::unique_ptr<Place> place_;

@@ -109,6 +109,13 @@ class Crossings(unittest.TestCase):
         self.assertNotEqual(near, far)  # else nobody would see them swapped
         self.assertIn(f"{near} on the near half", told)
         self.assertIn(f"{far} on the far one", told)
+        printed = subprocess.run([PEDZONE, "conflicts", "pedzone.fcd.xml", "--scenario", "s.sumocfg",
+                                  "--zone", "s.zone.xml", "--json"], cwd=self.folder, check=True,
+                                 env=self.street.ENV, text=True, capture_output=True).stdout
+        numbers = json.loads(printed)["crossings"]
+        self.assertEqual((numbers["near_conflicts"], numbers["far_conflicts"]), (near, far))
+        self.assertEqual(numbers["between"], len(crossings))
+        self.assertIn(f"{numbers['all']} times, {numbers['between']} of them", told)
 
     def test_plain_sumo_crosses_at_the_junctions(self):
         self.street.run_sumo(self.folder, 1)

@@ -112,6 +112,9 @@ class Printed(JsonCase):
                     self.assertAlmostEqual(one[measure]["value"], float(row[measure]), delta=0.0051)
                     self.assertAlmostEqual(one[measure]["time"], float(row[measure + "_time"]),
                                            delta=0.0051)
+                if measure in one and measure + "_closingSpeed" in row:
+                    self.assertAlmostEqual(one[measure]["closingSpeed"],
+                                           float(row[measure + "_closingSpeed"]), delta=0.0051)
 
     def test_study_status(self):
         (self.folder / "a.study.xml").write_text(

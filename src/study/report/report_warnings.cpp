@@ -107,7 +107,7 @@ Sentence jump_sentence(std::span<const Comparison> comparisons, const std::strin
                       reference > own ? plan.study.reference : model,
                       number_text(std::max(reference, own), 1)),
           ", over junctions that have no walking areas (netconvert makes them with "
-          "--walkingareas): its times, ways and delays in the zone are too short by that.",
+          "--walkingareas): its times and delays in the zone are too short by that.",
           Sentence::Tone::kWarning};
 }
 
