@@ -8,9 +8,9 @@
 namespace pedzone {
 namespace {
 
-constexpr std::size_t kLeast = 5;                // assumed: fewer of a kind tell nothing
-constexpr int kSteps = 100;                      // numerical: Newton's method takes less than ten
-constexpr double kConverged = 1e-10;             // numerical
+constexpr std::size_t kLeast = 5;     // assumed: fewer of a kind tell nothing
+constexpr int kSteps = 100;           // numerical: Newton's method takes less than ten
+constexpr double kConverged = 1e-10;  // numerical
 constexpr double kQuantile = 1.959963984540054;  // of the normal distribution, 97.5 %
 
 /// The log likelihood's gradient and (negative) second derivatives.

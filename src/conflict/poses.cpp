@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kPiece = kPi / 36.0;  // [rad] numerical: 5 m from the centre 5 mm off
 constexpr double kStraight = 1e-6;     // [rad] numerical
+constexpr double kSmall = 1e-3;        // [rad] numerical: its sine is it, but for 2e-10
 
 Vec2 turned(const Vec2& v, double angle) {
   return std::cos(angle) * v + std::sin(angle) * left_of(v);
@@ -15,7 +16,9 @@ Vec2 turned(const Vec2& v, double angle) {
 }  // namespace
 
 double turn_between(const VehiclePose& v0, const VehiclePose& v1) {
-  return std::atan2(cross(v0.axis, v1.axis), v0.axis.dot(v1.axis));
+  const double sine = cross(v0.axis, v1.axis), cosine = v0.axis.dot(v1.axis);
+  if (cosine > 0.0 && std::abs(sine) < kSmall) return sine;  // nearly always: quicker by much
+  return std::atan2(sine, cosine);
 }
 
 //   The chord of a share of an arc: 2 R sin(share φ/2) long. It leaves the whole arc's chord by the
@@ -37,6 +40,7 @@ VehiclePose pose_between(const VehiclePose& v0, const VehiclePose& v1, double sh
 
 double bulge_between(const VehiclePose& v0, const VehiclePose& v1, double body) {
   const double half = 0.5 * std::abs(turn_between(v0, v1));
+  if (half < kSmall) return 0.0;  // of 10 m less than 3 mm: the search has more to spare
   return 0.5 * (v1.centre - v0.centre).norm() * std::tan(0.5 * half) +
          body * (1.0 - std::cos(half));
 }

@@ -186,7 +186,8 @@ class Search {
       const ScoredRuns runs = score(clips_, model_of(parameters), options_.seeds);
       for (const Fold& fold : folds_) known.push_back(misfit(clips_, runs, fold.tuned));
       log_.append(values, known);
-    } else {
+      own_.insert(values);
+    } else if (!own_.contains(values)) {
       ++reused_;
     }
     progressed_(std::min(1.0, static_cast<double>(evaluations_) / total_));
@@ -327,6 +328,7 @@ class Search {
   const Progressed& progressed_;
   std::vector<Fold> folds_;
   EvaluationLog log_;
+  std::set<std::vector<double>> own_;  ///< scored now, and not known from before
   int evaluations_ = 0, reused_ = 0, total_ = 1;
 };
 

@@ -63,7 +63,7 @@ class Layers(unittest.TestCase):
         (cls.folder / "queue.xml").write_text(queue())
         call(PEDZONE, "animate", "queue.xml", "--out", "queue.html", folder=cls.folder)
         cls.town = SCENARIOS / "bad-hersfeld/centre.sumocfg"
-        (cls.folder / "town.xml").write_text(walker_in((600, 400, 900, 700)))
+        (cls.folder / "town.xml").write_text(walker_in((6400, 7600, 6900, 8000)))
         call(PEDZONE, "animate", "town.xml", "--scenario", cls.town, "--out", "town.html",
              folder=cls.folder)
         cls.browser = enter(cls, Browser())

@@ -107,12 +107,14 @@ class Recordings(RefusalChecks, unittest.TestCase):
         few = ("--first", "6", "--rounds", "1", "--points", "2", "--seeds", "1")
         first = self.pedzone("calibrate", "--data", "data", "--out", "out", *few)
         self.assertEqual(first.returncode, 0, first.stderr)
+        self.assertRegex(first.stdout, r"\b0 of them known from before")
         log = self.folder / "out/evaluations.csv"
         lines = log.read_text().splitlines()
         log.write_text("\n".join(lines[:6]) + "\n" + lines[6][:7])  # the last one cut off
         wanted = (self.folder / "out/calibration.json").read_text()
         again = self.pedzone("calibrate", "--data", "data", "--out", "out", *few)
         self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertRegex(again.stdout, r"\b4 of them known from before")
         self.assertEqual((self.folder / "out/calibration.json").read_text(), wanted)
         self.assertEqual(sorted(log.read_text().splitlines()), sorted(lines))
         folds = [fold["tuned_on"] for fold in json.loads(wanted)["folds"]]

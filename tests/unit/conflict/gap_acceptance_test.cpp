@@ -10,12 +10,12 @@ namespace {
 // Drawn from P = 1 / (1 + exp(5 - 0.9 g)). The expected numbers are scipy's, which minimised the
 // same likelihood.
 const std::vector<GapChoice> kChoices{
-    {3.6, false}, {7.0, true},  {5.1, false}, {7.6, true},  {7.9, true},  {1.7, false},
-    {1.1, false}, {10.2, true}, {3.9, false}, {3.6, false}, {12.0, true}, {6.2, false},
-    {10.2, true}, {6.2, false}, {8.0, true},  {2.7, false}, {8.0, true},  {10.5, true},
-    {6.8, false}, {9.2, true},  {8.4, true},  {1.7, false}, {9.3, true},  {7.5, true},
-    {4.3, false}, {1.3, false}, {10.5, true}, {6.2, false}, {8.9, true},  {10.7, true},
-    {8.9, true},  {11.1, true}, {5.3, true},  {9.8, true},  {5.9, false}, {11.3, true},
+    {3.6, false}, {7.0, true},  {5.1, false}, {7.6, true},   {7.9, true},   {1.7, false},
+    {1.1, false}, {10.2, true}, {3.9, false}, {3.6, false},  {12.0, true},  {6.2, false},
+    {10.2, true}, {6.2, false}, {8.0, true},  {2.7, false},  {8.0, true},   {10.5, true},
+    {6.8, false}, {9.2, true},  {8.4, true},  {1.7, false},  {9.3, true},   {7.5, true},
+    {4.3, false}, {1.3, false}, {10.5, true}, {6.2, false},  {8.9, true},   {10.7, true},
+    {8.9, true},  {11.1, true}, {5.3, true},  {9.8, true},   {5.9, false},  {11.3, true},
     {10.7, true}, {2.1, false}, {2.5, false}, {3.4, false}};
 
 TEST(GapAcceptance, is_the_logistic_regression_that_scipy_finds) {
