@@ -51,25 +51,6 @@ std::vector<NamedOutput> sumo_outputs(const std::vector<std::string>& words) {
   return outputs;
 }
 
-void require_different(const std::vector<NamedOutput>& outputs,
-                       const std::vector<NamedOutput>& of_sumo) {
-  std::map<std::string, std::string> option_of;
-  for (const auto& [option, path] : of_sumo) {
-    option_of.emplace(weakly_canonical(std::filesystem::absolute(path)).string() + ".partial",
-                      option);
-  }
-  for (const auto& [option, path] : outputs) {
-    const std::string file = CompleteFile::partial(path);
-    if (file.empty()) continue;
-    const auto [other, is_new] =
-        option_of.emplace(weakly_canonical(std::filesystem::absolute(file)).string(), option);
-    if (!is_new) {
-      throw InputError("names the same file as " + other->second,
-                       {"", 0, "option " + option, path, "a file for each output"});
-    }
-  }
-}
-
 /// Of people whom SUMO walks the table would have to make up what they are doing.
 bool wants_everybody(const RunOptions& options) {
   if (options.trajectories_of != "all") return false;
@@ -95,16 +76,25 @@ std::vector<std::string> outputs_of(const RunOptions& options) {
   return paths;
 }
 
-void keep_standard_output_clean(RunOptions& options) {
-  std::string taken;
-  for (const auto& [option, path] : named_outputs(options)) {
-    if (!CompleteFile::is_standard_output(path)) continue;
-    if (!taken.empty()) {
-      throw InputError("names the same file as " + taken,
-                       {"", 0, "option " + option, path, "a file for each output"});
-    }
-    taken = option;
+void require_different_outputs(const RunOptions& options) {
+  std::map<std::string, std::string> option_of;
+  const auto claim = [&](const NamedOutput& output) {
+    const auto [other, is_new] = option_of.emplace(CompleteFile::place(output.path), output.option);
+    return is_new ? "" : other->second;
+  };
+  for (const NamedOutput& output : sumo_outputs(options.sumo_options)) {
+    if (!CompleteFile::partial(output.path).empty()) claim(output);
   }
+  for (const NamedOutput& output : named_outputs(options)) {
+    if (CompleteFile::place(output.path).empty()) continue;
+    const std::string other = claim(output);
+    if (other.empty()) continue;
+    throw InputError("names the same file as " + other,
+                     {"", 0, "option " + output.option, output.path, "a file for each output"});
+  }
+}
+
+void keep_standard_output_clean(RunOptions& options) {
   std::string clean;
   for (std::string* path :
        {&options.summary, &options.trajectories, &options.crossings, &options.edge_data,
@@ -120,7 +110,6 @@ void keep_standard_output_clean(RunOptions& options) {
 }
 
 OutputFiles::OutputFiles(const RunOptions& options) {
-  require_different(named_outputs(options), sumo_outputs(options.sumo_options));
   if (!options.summary.empty()) {
     summary_ = std::make_unique<CompleteFile>(options.summary, "--summary");
   }

@@ -20,9 +20,12 @@ namespace pedzone {
 /// The files that were asked for, as the user named them.
 std::vector<std::string> outputs_of(const RunOptions& options);
 
+/// Throws InputError where two outputs, ours or SUMO's, name the same file, or two of ours standard
+/// output.
+void require_different_outputs(const RunOptions& options);
+
 /// Where an output goes to standard output, nothing else does from now on: what SUMO and pedzone
-/// tell goes to standard error. To be called in the process that runs. Throws InputError for a
-/// second one.
+/// tell goes to standard error. To be called in the process that runs.
 void keep_standard_output_clean(RunOptions& options);
 
 /// All finished together, or none.

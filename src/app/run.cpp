@@ -249,6 +249,7 @@ constexpr const char* kFooter =
 int run_in_child(const RunOptions& options) {
   const auto work = [options = options]() mutable {
     return guarded_code([&] {
+      require_different_outputs(options);
       keep_standard_output_clean(options);
       return simulate(options);
     });

@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/text_hash.hpp"
+
 namespace pedzone {
 
 /// What every body in a cast has.
@@ -72,10 +74,6 @@ class Cast {
   }
 
  private:
-  struct Hash : std::hash<std::string_view> {
-    using is_transparent = void;
-  };
-
   std::uint32_t search(std::string_view id) {
     const auto known = places_.find(id);
     if (known != places_.end()) return known->second;
@@ -93,7 +91,7 @@ class Cast {
   }
 
   std::vector<std::uint32_t> unused_;
-  std::unordered_map<std::string, std::uint32_t, Hash, std::equal_to<>> places_;
+  std::unordered_map<std::string, std::uint32_t, TextHash, std::equal_to<>> places_;
   std::uint64_t step_ = 0, serials_ = 0;
   std::uint32_t last_ = 0;  ///< place that was taken last
   std::size_t seen_ = 0;    ///< in this step

@@ -102,16 +102,10 @@ Claims& claims() {
   return all;
 }
 
-/// By whatever name it is called.
-std::string place_of(const std::string& path) {
-  const std::string partial = CompleteFile::partial(path);
-  if (!partial.empty()) return fs::weakly_canonical(fs::absolute(partial)).string();
-  return CompleteFile::is_standard_output(path) ? "-" : "";
-}
-
 }  // namespace
 
-Claim::Claim(const std::string& path, const std::string& option) : place_(place_of(path)) {
+Claim::Claim(const std::string& path, const std::string& option)
+    : place_(CompleteFile::place(path)) {
   if (!place_.empty()) claims().claim(place_, path, option);
 }
 
@@ -126,6 +120,12 @@ std::string CompleteFile::partial(const std::string& path) {
 
 bool CompleteFile::is_standard_output(const std::string& path) {
   return descriptor_of(path) == STDOUT_FILENO;
+}
+
+std::string CompleteFile::place(const std::string& path) {
+  if (is_standard_output(path)) return "-";
+  const std::string plain = partial(path);
+  return plain.empty() ? "" : fs::weakly_canonical(fs::absolute(plain)).string();
 }
 
 PendingFile::PendingFile(const std::string& path, const std::string& option)

@@ -70,6 +70,9 @@ class CompleteFile {
   /// The name under which an unfinished file lies; empty where there is none.
   static std::string partial(const std::string& path);
   static bool is_standard_output(const std::string& path);
+  /// What a path names, by whatever name: the same for two paths to one plain file, or to standard
+  /// output; empty for what may be shared.
+  static std::string place(const std::string& path);
 
  private:
   std::string path_;                      ///< as the user named it

@@ -70,14 +70,16 @@ class Collector {
     visits.way += seconds * moment.speed;
     visits.seconds.resize(people_.size());
     const double time = recording_.times[moment.step];
-    const auto in_turn = static_cast<std::size_t>((time - grids_.begin + kRounding) / length_);
-    for (std::size_t minute : {std::min(in_turn, minutes_.size() - 1), minutes_.size() - 1}) {
+    const auto count_in = [&](std::size_t minute) {
       const double since = time - minutes_[minute];
-      if (since < -kRounding || since >= length_ - kRounding) continue;
+      if (since < -kRounding || since >= length_ - kRounding) return;
       people_[minute] += seconds;
       visits.seconds[minute] += seconds;
-      if (minute + 1 == minutes_.size()) break;  // once
-    }
+    };
+    const std::size_t last = minutes_.size() - 1;
+    const auto in_turn = static_cast<std::size_t>((time - grids_.begin + kRounding) / length_);
+    if (in_turn < last) count_in(in_turn);
+    count_in(last);  // it may have begun before the one in turn is over
   }
 
   void finish(const ValueGrid::Cell& cell, const Visits& visits, std::size_t peak) {

@@ -14,8 +14,8 @@ void refuse(const std::vector<std::string>& missing, const char* what, const cha
             const char* device, const std::string& scenario) {
   if (missing.empty()) return;
   throw InputError(
-      fmt::format("SUMO's {} leaves out {} of the {}, such as '{}': a study measures everybody", output,
-                  missing.size(), what, *std::ranges::min_element(missing)),
+      fmt::format("SUMO's {} leaves out {} of the {}, such as '{}': a study measures everybody",
+                  output, missing.size(), what, *std::ranges::min_element(missing)),
       {.file = scenario,
        .allowed =
            fmt::format("no parameter has.{}.device that is false, of anybody or a vType", device)});

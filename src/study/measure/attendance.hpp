@@ -3,10 +3,10 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <unordered_set>
 
 #include "conflict/tracker.hpp"
+#include "core/text_hash.hpp"
 #include "study/measure/tripinfo_reader.hpp"
 
 namespace pedzone::study {
@@ -22,10 +22,7 @@ class Attendance {
   void check(const Trips& trips, double dt, double end, const std::string& scenario) const;
 
  private:
-  struct Hash : std::hash<std::string_view> {
-    using is_transparent = void;
-  };
-  using Ids = std::unordered_set<std::string, Hash, std::equal_to<>>;
+  using Ids = std::unordered_set<std::string, TextHash, std::equal_to<>>;
 
   Ids persons_, vehicles_;
 };

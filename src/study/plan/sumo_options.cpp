@@ -163,7 +163,6 @@ std::optional<std::string> chance_instead_of(std::string_view list) {
 }
 
 std::optional<std::string> neutral_sumo_value(std::string_view name) {
-  if (is_measuring_list(name)) return std::nullopt;
   const Reserved* reserved = find_reserved(name);
   if (name == "pedestrian.model") return kStriping;
   const bool neutral = reserved && (reserved->allowed == kMeasured || name == "random");

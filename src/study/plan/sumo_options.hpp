@@ -39,10 +39,11 @@ void ask_sumo_options();
 /// An option's first name, also where a study may not set it; nothing where SUMO has none.
 std::optional<std::string> known_sumo_option(std::string_view name);
 
-/// What an option has to be for the study's measures; nothing for others, and for such lists:
+/// What an option has to be for the study's measures; nothing for others.
 std::optional<std::string> neutral_sumo_value(std::string_view name);
 
-/// Whether the option lists what alone SUMO writes of what is measured.
+/// Whether the option lists what alone SUMO writes of what is measured. No value of such a list is
+/// neutral.
 bool is_measuring_list(std::string_view name);
 
 /// The option by whose value 1 everybody is written, whoever such a list names; nothing where there

@@ -60,52 +60,50 @@ Sentence nobody_sentence(std::size_t conditions, const Plan& plan) {
           Sentence::Tone::kWarning};
 }
 
+/// Of one measure of a model and of the reference, over all conditions that have it.
+struct Totals {
+  double reference = 0.0, own = 0.0;  ///< sums of the means
+  std::size_t all = 0, any = 0;       ///< conditions; of them those in which it is not 0 with both
+};
+
+Totals totals_of(std::span<const Comparison> comparisons, const std::string& model,
+                 std::string_view measure) {
+  Totals totals;
+  for (const Comparison& one : comparisons) {
+    if (one.model != model || one.measure != measure || !one.reference.mean) continue;
+    totals.reference += *one.reference.mean;
+    const double own = one.sample.mean.value_or(0.0);
+    totals.own += own;
+    ++totals.all;
+    totals.any += *one.reference.mean + own != 0.0 ? 1 : 0;
+  }
+  return totals;
+}
+
 /// SUMO's teleports, means over the runs of all conditions that have some with the model or the
 /// reference.
 Sentence teleport_sentence(std::span<const Comparison> comparisons, const std::string& model,
                            const Plan& plan) {
-  double reference = 0.0, own = 0.0;
-  std::size_t count = 0;
-  for (const Comparison& one : comparisons) {
-    if (one.model != model || one.measure != "vehicle.teleports" || !one.reference.mean) continue;
-    if (*one.reference.mean + *one.sample.mean == 0.0) continue;
-    reference += *one.reference.mean;
-    own += *one.sample.mean;
-    ++count;
-  }
-  if (count == 0) return {};
-  const double share = 1.0 / static_cast<double>(count);
-  return {"Warning: SUMO teleported vehicles" + in_conditions(count, plan),
+  const Totals teleports = totals_of(comparisons, model, "vehicle.teleports");
+  if (teleports.any == 0) return {};
+  const double share = 1.0 / static_cast<double>(teleports.any);
+  return {"Warning: SUMO teleported vehicles" + in_conditions(teleports.any, plan),
           fmt::format(", {} a run with {} and {} with {}: their trips are shorter by that.",
-                      number_text(share * reference, 1), plan.study.reference,
-                      number_text(share * own, 1), model),
+                      number_text(share * teleports.reference, 1), plan.study.reference,
+                      number_text(share * teleports.own, 1), model),
           Sentence::Tone::kWarning};
-}
-
-/// [m] that the model's people jump in the zones, mean of the conditions; the reference's where
-/// that is asked for.
-double jumped(std::span<const Comparison> comparisons, const std::string& model, bool reference) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const Comparison& one : comparisons) {
-    const auto& mean = reference ? one.reference.mean : one.sample.mean;
-    if (one.model != model || one.measure != "person.jumped" || !mean) continue;
-    sum += *mean;
-    ++count;
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
 /// Of the one of the two models whose people jump more; empty where they hardly do.
 Sentence jump_sentence(std::span<const Comparison> comparisons, const std::string& model,
                        const Plan& plan) {
   constexpr double kMuch = 1.0;  // [m] assumed: about a second
-  const double reference = jumped(comparisons, model, true),
-               own = jumped(comparisons, model, false);
-  if (std::max(reference, own) < kMuch) return {};
+  const Totals jumps = totals_of(comparisons, model, "person.jumped");
+  const double most = std::max(jumps.reference, jumps.own);
+  if (jumps.all == 0 || most < kMuch * static_cast<double>(jumps.all)) return {};
   return {fmt::format("Warning: {} puts people on by {} m each without walking them",
-                      reference > own ? plan.study.reference : model,
-                      number_text(std::max(reference, own), 1)),
+                      jumps.reference > jumps.own ? plan.study.reference : model,
+                      number_text(most / static_cast<double>(jumps.all), 1)),
           ", over junctions that have no walking areas (netconvert makes them with "
           "--walkingareas): its times and delays in the zone are too short by that.",
           Sentence::Tone::kWarning};

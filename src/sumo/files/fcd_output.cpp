@@ -59,13 +59,8 @@ void write_everybody(Scenario& scenario, const std::string& file) {
     throw said.error(kEdges, "leaves out what --animate has to show", *edges,
                      "no list of edges, or an fcd-output of your own");
   }
-  std::vector<std::string>& words = scenario.sumo_options;
   const auto set = [&](const SumoOption& option, const std::string& value) {
-    while (const auto found = find_option_words(words, option)) {
-      const auto first = words.begin() + static_cast<std::ptrdiff_t>(found->first);
-      words.erase(first, first + static_cast<std::ptrdiff_t>(found->count));
-    }
-    words.insert(words.end(), {"--" + option.names.front(), value});
+    set_option(scenario.sumo_options, option, value);
   };
   set(kFcd, file);
   for (const auto& [option, value] : kAsUsual) {

@@ -62,6 +62,15 @@ std::optional<OptionWords> find_option_words(const std::vector<std::string>& wor
   return std::nullopt;
 }
 
+void set_option(std::vector<std::string>& words, const SumoOption& option,
+                const std::string& value) {
+  while (const auto given = find_option_words(words, option)) {
+    const auto first = words.begin() + static_cast<std::ptrdiff_t>(given->first);
+    words.erase(first, first + static_cast<std::ptrdiff_t>(given->count));
+  }
+  words.insert(words.end(), {"--" + option.names.front(), value});
+}
+
 /// Sections nest an option's element one level deep.
 pugi::xml_node SaidOptions::in_configuration(const SumoOption& option) const {
   return config_.root().find_node([&](const pugi::xml_node& node) {

@@ -22,6 +22,10 @@ struct OptionWords {
 std::optional<OptionWords> find_option_words(const std::vector<std::string>& words,
                                              const SumoOption& option);
 
+/// Has the words say that option, once and with that value: SUMO takes an option but once.
+void set_option(std::vector<std::string>& words, const SumoOption& option,
+                const std::string& value);
+
 class SaidOptions {
  public:
   /// Throws InputError where the configuration is missing or malformed.

@@ -239,15 +239,9 @@ void require_later_end(const Scenario& scenario, double end, const InputPlace& w
 }
 
 void add_additional_file(Scenario& scenario, const std::string& file) {
-  auto& words = scenario.sumo_options;
-  // SUMO takes an option once.
-  while (const auto given = find_option_words(words, kAdditional)) {
-    const auto first = words.begin() + static_cast<std::ptrdiff_t>(given->first);
-    words.erase(first, first + static_cast<std::ptrdiff_t>(given->count));
-  }
   std::string files;
   for (const std::string& other : scenario.additional_files) files += other + ",";
-  words.insert(words.end(), {"--" + kAdditional.names.front(), files + file});
+  set_option(scenario.sumo_options, kAdditional, files + file);
 }
 
 }  // namespace pedzone
