@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/terminal_line.hpp"
-#include "sumo/calls/sumo_messages.hpp"
+#include "sumo/files/sumo_messages.hpp"
 
 namespace pedzone {
 

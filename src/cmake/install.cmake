@@ -10,6 +10,7 @@ install(TARGETS pedzone_flags ${layers} EXPORT pedzone
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 if(TARGET pedzone)
   install(TARGETS pedzone RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS pedzone_sumo_library LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/pedzone)
   # What the program prints of itself: the manual page, completion for shells.
   set(texts ${PROJECT_BINARY_DIR}/texts)
   file(MAKE_DIRECTORY ${texts})

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sumo/calls/both.hpp"
-#include "sumo/calls/sumo_messages.hpp"
+#include "sumo/files/sumo_messages.hpp"
 #include "sumo/files/sumo_home.hpp"
 
 namespace pedzone {

@@ -6,7 +6,7 @@
 
 #include "sumo/calls/both.hpp"
 #include "sumo/calls/remembered.hpp"
-#include "sumo/calls/sumo_messages.hpp"
+#include "sumo/files/sumo_messages.hpp"
 #include "sumo/calls/wire.hpp"
 
 namespace pedzone {

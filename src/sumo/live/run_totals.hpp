@@ -9,7 +9,7 @@
 #include <unordered_set>
 
 #include "sumo/calls/session.hpp"
-#include "sumo/calls/sumo_messages.hpp"
+#include "sumo/files/sumo_messages.hpp"
 #include "sumo/live/crossing_records.hpp"
 #include "sumo/live/push_records.hpp"
 #include "sumo/live/takeover.hpp"

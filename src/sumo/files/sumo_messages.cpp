@@ -1,4 +1,4 @@
-#include "sumo/calls/sumo_messages.hpp"
+#include "sumo/files/sumo_messages.hpp"
 
 #include <string_view>
 
