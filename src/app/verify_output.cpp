@@ -70,8 +70,9 @@ std::string heading(const Verification& verification) {
 
 std::string verification_table(const Verification& verification) {
   std::string text =
-      fmt::format("Medians of {} seeds; + kept, ! not kept\n\n", verification.seeds) +
-      heading(verification);
+      (verification.seeds == 1 ? "One seed"
+                               : fmt::format("Medians of {} seeds", verification.seeds)) +
+      "; + kept, ! not kept\n\n" + heading(verification);
   for (std::size_t t = 0; t < verification.tests.size(); ++t) {
     const StandardTest& test = verification.tests[t];
     text += fmt::format("{:<{}}", test.id, kLabel + 18);

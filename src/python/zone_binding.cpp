@@ -45,6 +45,7 @@ py::array_t<bool> inside(const PythonZone& zone, const Numbers& points) {
 }
 
 Doubles room(const PythonZone& zone, const Numbers& points, double limit) {
+  if (!(limit >= 0.0)) throw py::value_error("limit has to be 0 m or more");
   const std::vector<Vec2> places = points_of(points, "points");
   Doubles result(static_cast<py::ssize_t>(places.size()));
   std::ranges::transform(places, result.mutable_data(),
@@ -112,7 +113,8 @@ void bind_zone_class(py::module_& module) {
       .def("inside", inside, "points"_a,
            "Whether each point [m] of shape (n, 2) is on the ground: bools of shape (n,).")
       .def("room", room, "points"_a, "limit"_a = 10.0,
-           "[m] from each point of shape (n, 2) to the nearest wall, at most `limit`: shape (n,).")
+           "[m] from each point of shape (n, 2) to the nearest wall, at most `limit`: shape (n,).\n"
+           "Raises ValueError.")
       .def(
           "way", way, "start"_a, "goal"_a,
           "The shortest way [m] round corners from (x, y) to (x, y), both included: shape (n, 2).\n"

@@ -1,6 +1,7 @@
 #include "zone/zone_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <set>
 
@@ -28,12 +29,14 @@ std::vector<std::string> read_list(const XmlFile& file, const pugi::xml_node& no
   return words;
 }
 
+/// A plug-in lies beside the zone file, as what any of SUMO's files names.
 std::string read_model(const XmlFile& file, const pugi::xml_node& node) {
   const std::string name = file.required(node, "model");
   if (!may_be_model(name)) {
     throw file.error("is no walking model", node, "model", name, allowed_models());
   }
-  return name;
+  if (!names_plugin(name)) return name;
+  return (std::filesystem::path(file.file()).parent_path() / name).string();
 }
 
 std::string parameter_keys() { return comma_list(parameter_list(), &ParameterInfo::key); }
@@ -88,11 +91,10 @@ CrossingRule read_crossing(const XmlFile& file, const pugi::xml_node& node) {
 }
 
 ZoneSpec read_zone(const XmlFile& file, const pugi::xml_node& node) {
-  file.check_names(
-      node,
-      {"id", "edges", "edgeTypes", "lanes", "polygons", "openSpace", "crossing", "weather",
-       "model"},
-      {"param"});
+  file.check_names(node,
+                   {"id", "edges", "edgeTypes", "lanes", "polygons", "openSpace", "crossing",
+                    "weather", "model"},
+                   {"param"});
   ZoneSpec zone;
   zone.id = file.required(node, "id");
   zone.file = file.file();

@@ -186,13 +186,13 @@ class BadInput(RefusalChecks, TinyCase):
         done = self.run_scenario(self.tiny.config(), "--model", "./libnowhere.so")
         self.expect(done, 2, "option --model", "'./libnowhere.so' is missing")
         self.expect(self.zone('<zones>\n<zone id="a" model="libnowhere.so"/></zones>'), 2,
-                    "bad.zone.xml:2", "'libnowhere.so' is missing")
+                    "bad.zone.xml:2", "libnowhere.so' is missing")
 
     def test_inspect_misses_the_plugin_too(self):
         zone = self.tiny.write("bad.zone.xml",
                                '<zones>\n<zone id="a" model="libnowhere.so"/></zones>')
         done = self.pedzone("inspect", self.tiny.config(), "--zone", zone, "--svg", "zone.svg")
-        self.expect(done, 2, "bad.zone.xml:2", "'libnowhere.so' is missing")
+        self.expect(done, 2, "bad.zone.xml:2", "libnowhere.so' is missing")
         self.assertFalse((self.tiny.folder / "zone.svg").exists())
 
     def test_plugin_that_is_no_library(self):

@@ -35,3 +35,7 @@ refused(unknown "option --model: 'telepathy' is not known; allowed: heuristic, .
 file(WRITE ${WORK}/plugins/old.zone.xml
      "<zones>\n  <zone id=\"plaza\" model=\"./liboutdated.so\"/>\n</zones>\n")
 refused(zone "old.zone.xml:2: .*model: './liboutdated.so' was built for" --zone old.zone.xml)
+# A zone file names it by its path from there, wherever pedzone runs.
+file(WRITE ${WORK}/plugins/careful.zone.xml
+     "<zones>\n  <zone id=\"plaza\" model=\"libcareful.so\"/>\n</zones>\n")
+run(${pedzone} run ${SCENARIO} --end 60 --quiet --zone ${WORK}/plugins/careful.zone.xml)

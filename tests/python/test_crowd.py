@@ -41,6 +41,9 @@ class Walking(unittest.TestCase):
         self.assertAlmostEqual(zone.area, 40 * 20 - 100)
         self.assertEqual(zone.inside([(20, 10), (5, 5)]).tolist(), [False, True])
         self.assertEqual(zone.room([(10, 10)]).tolist(), [5.0])
+        for limit in (-1.0, math.nan):
+            with self.assertRaises(ValueError):
+                zone.room([(10, 10)], limit)
         self.assertGreater(len(zone.way((5, 10), (35, 10))), 2)
         crowd = pedzone.Crowd(zone)
         crowd.add((5, 10), (35, 10))

@@ -6,6 +6,7 @@
 #include "core/xml.hpp"
 #include "study/plan/plan.hpp"
 #include "study/plan/setting.hpp"
+#include "world/model_names.hpp"
 #include "zone/zone_file.hpp"
 
 namespace pedzone::study {
@@ -77,9 +78,12 @@ std::string text_of(const Study& study, const StudyScenario& scenario,
     const XmlFile file(path, {"zones"});
     root = document.append_copy(file.root());
     root.remove_attribute("xsi:noNamespaceSchemaLocation");  // is relative to the old place
-    for (pugi::xml_node node : root.children("vehiclePath")) {
-      const fs::path csv = node.attribute("file").value();
-      node.attribute("file").set_value((fs::path(path).parent_path() / csv).c_str());
+    const auto move = [&](pugi::xml_attribute attribute) {
+      attribute.set_value((fs::path(path).parent_path() / attribute.value()).c_str());
+    };
+    for (const pugi::xml_node& node : root.children("vehiclePath")) move(node.attribute("file"));
+    for (const pugi::xml_node& node : root.children("zone")) {
+      if (names_plugin(node.attribute("model").value())) move(node.attribute("model"));
     }
   }
   apply(root, settings);
