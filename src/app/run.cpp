@@ -162,6 +162,15 @@ void warn_of_counts(const Simulation& simulation, const Scenario& scenario) {
       detectors.front()));
 }
 
+/// SUMO does not tell what other clients have told a vehicle.
+void warn_of_drivers(const Simulation& simulation) {
+  if (!simulation.misses_drivers()) return;
+  print_warning(
+      "no vehicle near a zone was declared to be driven by another program. What a client that "
+      "comes before pedzone tells a vehicle (setSpeed, slowDown) pedzone overwrites near people. "
+      "If a client drives one, set pedzone.external=\"true\" on it or its vType.");
+}
+
 /// To its end, or until it is interrupted. What ended it early, if SUMO did.
 std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progress,
                  StepWatch& watch) {
@@ -192,6 +201,16 @@ std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progres
   return noted_interrupt() == 0 ? lost : "";
 }
 
+/// Ends SUMO. What went wrong with that: what was simulated is complete all the same.
+std::string close(Simulation& simulation) {
+  try {
+    simulation.close();
+  } catch (const SumoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 /// Its exit code: 0, or 128 + the signal that ended it early.
 int simulate(RunOptions& options) {
   const ThreadLimit limit(options.threads);
@@ -215,12 +234,14 @@ int simulate(RunOptions& options) {
   totals.interrupted_by = noted_interrupt();
   totals.sumo_gone = !lost.empty();
   const bool warns = !options.attach && !options.own_process() && simulation.warns();
-  simulation.close();
+  if (options.attach || options.own_process()) warn_of_drivers(simulation);
+  const std::string unclosed = close(simulation);
   if (warns) totals.sumo.warnings = progress.warnings();
   outputs.finish(simulation, totals);
   print_result(summary_table(totals));
   warn_of_stranded(simulation.stranded());
   if (totals.sumo_gone) throw SumoError(lost + " The outputs hold what was simulated until then.");
+  if (!unclosed.empty()) throw SumoError(unclosed + " pedzone's own outputs are complete.");
   if (totals.interrupted_by == 0) return 0;
   warn_of_interrupt(totals);
   return 128 + totals.interrupted_by;

@@ -101,7 +101,7 @@ std::string crossing_text(const CrossingTotals& crossings) {
   line("  without looking", std::to_string(crossings.without_looking));
   line("mean wait at the kerb", fmt::format("{:.1f} s", crossings.mean_wait_s));
   const auto& gaps = crossings.gaps;
-  line("gap that half of them take",
+  line("gap seen that half of them take",
        gaps ? fmt::format("{:.1f} s [{:.1f}, {:.1f}]", gaps->median, gaps->low, gaps->high)
             : "too few gaps to tell");
   return text;

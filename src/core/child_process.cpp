@@ -123,6 +123,10 @@ std::optional<Ending> Child::poll() {
   return ending_;
 }
 
+void Child::ask_to_end() {
+  if (!ending_) ::kill(-pid_, SIGTERM);
+}
+
 void Child::kill() {
   if (ending_) return;
   ::kill(-pid_, SIGKILL);

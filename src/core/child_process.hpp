@@ -51,6 +51,8 @@ class Child {
   pid_t id() const { return pid_; }
   /// How it ended; unset while it runs. Whatever it had started is killed then.
   std::optional<Ending> poll();
+  /// Asks it and its group to end (SIGTERM), and does not wait.
+  void ask_to_end();
   /// Kills it and its group, and waits until it is gone.
   void kill();
 

@@ -252,7 +252,7 @@ PersonView Crowd::view(Handle handle) const {
           i < state.proposals.size() && state.proposals.best(i).by == Behaviour::kClaim,
           state.children[handle].holds_hand,
           state.is_over(i),
-          zebra_used(state, i),
+          crosswalk_used(state, i),
           !state.zone.streets.empty() && state.crossings[handle].stays_outside,
           state.persons.present_radius[i]};
 }

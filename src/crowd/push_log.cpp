@@ -6,6 +6,7 @@ namespace pedzone {
 namespace {
 
 constexpr double kPause = 1.0;    // [s] assumed: after that, it is another push
+constexpr double kStep = 1.0;     // [m] assumed: who steps back before a vehicle goes no farther
 constexpr double kPushed = 0.01;  // [m] numerical: moved by less, nobody is pushed
 
 /// Whether what went on until `last` goes on in a step that begins at `begin` [s].
@@ -18,16 +19,18 @@ void PushLog::add(double time, double dt, std::span<const VehiclePush> pushes) {
   for (const VehiclePush& push : pushes) {
     const auto [at, is_new] = going_.try_emplace(push.person);
     Going& going = at->second;
-    if (is_new || !goes_on(going.last, time)) going.way = 0.0;
+    if (is_new || !goes_on(going.last, time)) going.way = going.carried = 0.0;
     going.way += push.way;
+    going.carried += push.carried;
     going.last = end;
-    if (going.way >= kPushed || push.run_into) {
+    const bool run_into = push.run_into || going.carried > kStep;
+    if (going.way >= kPushed || run_into) {
       PushedPerson& person = persons_[push.person];
       person.way = std::max(person.way, going.way);
       person.speed = std::max(person.speed, push.speed);
-      person.run_into = person.run_into || push.run_into;
+      person.run_into = person.run_into || run_into;
     }
-    if (!push.run_into) continue;
+    if (!run_into) continue;
     const auto [overlap, first] = overlap_.try_emplace({push.person, push.vehicle}, end);
     if (first || !goes_on(overlap->second, time)) {
       run_into_.push_back({time, push.person, push.vehicle, push.contact_speed, push.position});

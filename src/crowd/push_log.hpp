@@ -26,7 +26,8 @@ struct RunInto {
   Vec2 position = Vec2::Zero();           ///< [m] of the person
 };
 
-/// Takes the pushes of a crowd, or of several that have no person in common, step by step.
+/// Takes the pushes of a crowd, or of several that have no person in common, step by step. Whom a
+/// vehicle has moved along before its bumper by more than a step, it has run into.
 class PushLog {
  public:
   /// Those of the step of `dt` [s] that begins at `time` [s]. A push goes on, by whichever vehicle,
@@ -40,8 +41,9 @@ class PushLog {
 
  private:
   struct Going {
-    double way = 0.0;   ///< [m] so far
-    double last = 0.0;  ///< [s] end of its last step
+    double way = 0.0;      ///< [m] so far
+    double carried = 0.0;  ///< [m] of it as VehiclePush
+    double last = 0.0;     ///< [s] end of its last step
   };
 
   std::map<std::uint64_t, PushedPerson> persons_;

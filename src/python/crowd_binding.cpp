@@ -137,10 +137,12 @@ void bind_push(py::module_& module) {
       .def_readonly("vehicle", &VehiclePush::vehicle, "key_of() the vehicle's id.")
       .def_readonly("way", &VehiclePush::way,
                     "[m] by which it moved the person from where its own steps led.")
+      .def_readonly("carried", &VehiclePush::carried,
+                    "[m] of that the part along which the vehicle drives, before its bumper.")
       .def_readonly("speed", &VehiclePush::speed, "[m/s] of the fastest of those moves.")
       .def_readonly("run_into", &VehiclePush::run_into, "The bodies overlap.")
       .def_readonly("contact_speed", &VehiclePush::contact_speed,
-                    "[m/s] of the vehicle when that began; else 0.")
+                    "[m/s] of the vehicle when that began; else as it drove last.")
       .def_property_readonly(
           "position", [](const VehiclePush& push) { return tuple_of(push.position); },
           "(x, y) [m] of the person.");

@@ -83,6 +83,9 @@ class Simulation {
   /// Vehicles and persons that another program was found to move, in time.
   const std::vector<OutsideRecord>& outside_vehicles() const;
   const std::vector<OutsideRecord>& outside_persons() const;
+  /// Whether SUMO has other clients, and no vehicle near a zone was declared or found to be driven
+  /// by one of them so far. Not to be asked after close().
+  bool misses_drivers() const;
   /// What the guests are about to do, in their order; slow.
   std::vector<Insight> insights();
   /// Who has not moved for long, looked for every few seconds.

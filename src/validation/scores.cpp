@@ -77,7 +77,9 @@ const std::array<FigureInfo, kFigures>& figure_list() {
       {"push_way", "far", "m", "longest way that one is pushed", 1, 2, Kind::kGreatest},
       {"push_speed", "fast", "m/s", "greatest speed of it (3 at most)", 1, 2, Kind::kGreatest},
       {"run_into", "hit", "%",
-       "persons run into: they would have to be pushed faster, or cannot be", 100, 1},
+       "persons run into: pushed along by over 1 m, or they would have to be pushed faster, or "
+       "cannot be",
+       100, 1},
       {"clearance", "clear", "m", "smallest clearance of the centre to it, median", 1, 2},
       {"clearance_p5", "p5", "m", "the same, 5th percentile", 1, 2},
       {"clearance_ks", "K-S", "", "Kolmogorov-Smirnov distance of it to the recording", 1, 2},

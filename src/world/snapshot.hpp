@@ -51,25 +51,26 @@ inline constexpr double kGroundReach = 10.0;
 
 /// A vehicle, or one part of a vehicle that bends: its rectangle and how that moves.
 struct VehicleState {
-  Vec2 centre = Vec2::Zero();    ///< [m] of the rectangle
-  double heading = 0.0;          ///< [rad]
-  Vec2 velocity = Vec2::Zero();  ///< [m/s] of the centre; against the heading: reversing
-  double yaw_rate = 0.0;         ///< [rad/s]
-  double gain = 0.0;             ///< [m/s] ≥ 0 so much faster than `velocity` people expect it
-                                 ///< to drive in the next second, since it speeds up
-  double claim = 0.0;            ///< [m] [0, 50] a vehicle that people hold up asks for so
-                                 ///< much room ahead of its front bumper, along its way
-  double claimed = 0.0;          ///< [s] for how long it has asked: people mind who has
-                                 ///< asked for longest
-  std::span<const Vec2> way;     ///< [m] from where its rear was when the step began along its
-                                 ///< next lanes; empty where unknown. Read within the step only
-  bool forwards = false;         ///< it drives along its way, even where it turns round
-  bool leaves = false;           ///< where its way ends it leaves the network, or before
-  double gone = 0.0;             ///< [m] that its rear has gone along its way since
-  double lead = 0.0;             ///< [m] ≥ 0 it may get ahead of here until the step ends
-  double lag = 0.0;              ///< [m] ≥ 0 it may be behind here: braked since the step began
-  double slower = 0.0;           ///< [m/s] ≥ 0 at which that grows
-  double starts = 0.0;           ///< [m] ≥ 0 it stands, and may drive off so far in the step
+  Vec2 centre = Vec2::Zero();      ///< [m] of the rectangle
+  double heading = 0.0;            ///< [rad]
+  Vec2 velocity = Vec2::Zero();    ///< [m/s] of the centre; against the heading: reversing
+  double yaw_rate = 0.0;           ///< [rad/s]
+  double gain = 0.0;               ///< [m/s] ≥ 0 so much faster than `velocity` people expect it
+                                   ///< to drive in the next second, since it speeds up
+  double claim = 0.0;              ///< [m] [0, 50] a vehicle that people hold up asks for so
+                                   ///< much room ahead of its front bumper, along its way
+  double claimed = 0.0;            ///< [s] for how long it has asked: people mind who has
+                                   ///< asked for longest
+  std::span<const Vec2> way;       ///< [m] from where its rear was when the step began along its
+                                   ///< next lanes; empty where unknown. Read within the step only
+  std::span<const int> yields_at;  ///< numbers of the crossings at which it gives way to people
+  bool forwards = false;           ///< it drives along its way, even where it turns round
+  bool leaves = false;             ///< where its way ends it leaves the network, or before
+  double gone = 0.0;               ///< [m] that its rear has gone along its way since
+  double lead = 0.0;               ///< [m] ≥ 0 it may get ahead of here until the step ends
+  double lag = 0.0;                ///< [m] ≥ 0 it may be behind here: braked since the step began
+  double slower = 0.0;             ///< [m/s] ≥ 0 at which that grows
+  double starts = 0.0;             ///< [m] ≥ 0 it stands, and may drive off so far in the step
   double length = 5.0, width = 1.8;           ///< [m]
   std::uint64_t key = 0;                      ///< of its id, while it is the same vehicle: its
                                               ///< parts have the same

@@ -43,7 +43,8 @@ std::vector<Crosswalk> find_crosswalks(const Network& network, std::span<const i
     const Edge& edge = network.edges[lane.edge];
     if (edge.function != EdgeFunction::kCrossing || edge.signalled) continue;
     if (lane.shape.size() < 2 || !leads_over_carriageway(network, lane.edge)) continue;
-    crosswalks.push_back({lane.shape.front(), lane.shape.back(), lane.width, edge.priority});
+    crosswalks.push_back(
+        {lane.shape.front(), lane.shape.back(), lane.width, edge.priority, lane.edge});
   }
   return crosswalks;
 }
@@ -62,7 +63,7 @@ std::optional<CrosswalkAhead> Crosswalks::ahead(const Vec2& here, const Vec2& ai
                                                 double reach) const {
   for (const std::uint32_t k : middles_.within(here, around_)) {
     const Crosswalk& there = all_[k];
-    const Crosswalk back{there.end, there.begin, there.width, there.priority};
+    const Crosswalk back{there.end, there.begin, there.width, there.priority, there.edge};
     std::size_t kerb = std::size_t{2} * k;
     for (const Crosswalk& crosswalk : {there, back}) {
       const auto gone = gone_on(crosswalk, here, aim, std::min(reach, kMostReach));

@@ -17,6 +17,7 @@ struct Crosswalk {
   Vec2 begin = Vec2::Zero(), end = Vec2::Zero();  ///< [m] middle of the crossing at either kerb
   double width = 4.0;                             ///< [m]
   bool priority = true;  ///< vehicles give way to who looks across, too (a zebra crossing)
+  int edge = -1;         ///< index into Network::edges
 };
 
 /// Those of the lanes that are such crossings, in their order.

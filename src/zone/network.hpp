@@ -34,6 +34,8 @@ struct Lane {
   RoadClasses road_classes = kAllRoadClasses;  ///< if so, which of them
   int opposite = -1;  ///< index into Network::lanes: the lane beside it for the other direction,
                       ///< on which vehicles may overtake; -1: none
+  std::vector<int> yields_at;  ///< of one inside a junction: crossings (indices into
+                               ///< Network::edges) before which its vehicles give way to people
   bool persons_only_by_default = false;  ///< persons may use it only since nothing forbids them:
                                          ///< no `allow` in the file names them
   Polyline shape;                        ///< [m] centre line; the outline for a walking area
@@ -55,7 +57,8 @@ struct Edge {
   std::vector<int> lanes;            ///< indices into Network::lanes, rightmost first
   std::vector<std::string> crossed;  ///< crossings: ids of the edges they lead over
   bool signalled = false;            ///< crossings: under a traffic light
-  bool priority = false;             ///< crossings: vehicles give way to people, without a light
+  bool priority = false;             ///< crossings: all vehicles give way to people, without a
+                                     ///< light; else those do of whom Lane::yields_at says so
   int line = 0;                      ///< in the network file, for messages
 };
 

@@ -244,23 +244,49 @@ Region crossable_ground(const std::vector<Street>& streets) {
   return unite(runs);
 }
 
+namespace {
+
+/// [m] of the lane that people walk on, to the left of the street's axis.
+double side_of(const Network& network, const Street& street, int edge) {
+  const Polyline& shape = network.lanes[walking_lane(network, edge)].shape;
+  return project_on(street.axis, point_on(shape, 0.5 * length_of(shape)).point).lateral;
+}
+
+/// Of the edges those of the street, and footways beside it between the same junctions.
+std::vector<int> edges_along(const Network& network, const Street& street,
+                             const std::vector<int>& edges) {
+  const Edge& first = network.edges[street.edges.front()];
+  const auto is_footway = [&](int index) {
+    const Edge& edge = network.edges[index];
+    const bool same = (edge.from == first.from && edge.to == first.to) ||
+                      (edge.from == first.to && edge.to == first.from);
+    if (!same || has_carriageway(network, index) || walking_lane(network, index) < 0) return false;
+    const double side = side_of(network, street, index);
+    const double beside = kVerge + 0.5 * network.lanes[walking_lane(network, index)].width;
+    return side > street.low - beside && side < street.high + beside;
+  };
+  std::vector<int> along;
+  std::ranges::copy_if(edges, std::back_inserter(along), [&](int edge) {
+    return std::ranges::binary_search(street.edges, edge) || is_footway(edge);
+  });
+  return along;
+}
+
+}  // namespace
+
 std::vector<std::pair<int, int>> linked_across(const Network& network,
                                                const std::vector<Street>& streets,
                                                const std::vector<int>& edges) {
   std::vector<std::pair<int, int>> pairs;
   for (const Street& street : streets) {
-    const auto side = [&](int edge) {
-      const Polyline& shape = network.lanes[walking_lane(network, edge)].shape;
-      return project_on(street.axis, point_on(shape, 0.5 * length_of(shape)).point).lateral;
-    };
     const double middle = 0.5 * (street.low + street.high);
-    for (const int a : street.edges) {
-      for (const int b : street.edges) {
-        if (a >= b || !std::ranges::binary_search(edges, a) ||
-            !std::ranges::binary_search(edges, b)) {
-          continue;
-        }
-        if ((side(a) - middle) * (side(b) - middle) < 0.0) pairs.emplace_back(a, b);
+    const std::vector<int> along = edges_along(network, street, edges);
+    for (const int a : along) {
+      for (const int b : along) {
+        if (a >= b) continue;
+        const double sides =
+            (side_of(network, street, a) - middle) * (side_of(network, street, b) - middle);
+        if (sides < 0.0) pairs.emplace_back(a, b);
       }
     }
   }

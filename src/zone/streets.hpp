@@ -20,9 +20,9 @@ namespace pedzone {
 
 /// A lane of vehicles, as a band of its street.
 struct StreetLane {
-  int lane = -1;                ///< Network lane
-  double low = 0.0, high = 0.0; ///< [m] t of its borders
-  int direction = 1;            ///< 1: vehicles drive along the axis, -1: against it
+  int lane = -1;                 ///< Network lane
+  double low = 0.0, high = 0.0;  ///< [m] t of its borders
+  int direction = 1;             ///< 1: vehicles drive along the axis, -1: against it
 };
 
 /// Where a street may be crossed, at one place of its axis.
@@ -38,8 +38,8 @@ struct CrossingPlace {
 
 /// A point by a street's axis, which goes on straight beyond its ends.
 struct StreetPlace {
-  double s = 0.0, t = 0.0;              ///< [m]
-  Vec2 direction = Vec2::Zero();        ///< unit, of the axis there
+  double s = 0.0, t = 0.0;        ///< [m]
+  Vec2 direction = Vec2::Zero();  ///< unit, of the axis there
 };
 
 /// A carriageway between two junctions.
@@ -66,7 +66,8 @@ struct Street {
 /// [m] numerical: between two places of a street.
 constexpr double kStreetStep = 1.0;
 
-/// [m] assumed: on a narrower strip between lanes nobody waits (a person with a pram is 1.5 m long).
+/// [m] assumed: on a narrower strip between lanes nobody waits (a person with a pram is 1.5 m
+/// long).
 constexpr double kRefuge = 1.5;
 
 /// [m] Nobody crosses nearer to a signalled crossing, unless on an impulse.

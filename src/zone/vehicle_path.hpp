@@ -63,8 +63,8 @@ struct VehiclePathSpec {
   int line = 0;           ///< there
 };
 
-/// The <vehiclePath>s of a zone file, without their CSV files. Throws InputError, also for a vehicle
-/// with two paths.
+/// The <vehiclePath>s of a zone file, without their CSV files. Throws InputError, also for a
+/// vehicle with two paths.
 std::vector<VehiclePathSpec> read_vehicle_path_specs(const XmlFile& zone_file);
 
 /// Reads their CSV files: header t,x,y, then a row for each time. Throws InputError.

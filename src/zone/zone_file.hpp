@@ -31,7 +31,7 @@ struct ZoneSpec {
   std::vector<std::string> lanes;       ///< ids
   std::vector<std::string> polygons;    ///< ids of polygons that are walkable
   CrossingRule crossing = CrossingRule::kNodes;
-  std::optional<double> open_space;     ///< [m] [0, 50]; unset: 12 on highway.pedestrian edges
+  std::optional<double> open_space;  ///< [m] [0, 50]; unset: 12 on highway.pedestrian edges
   std::string model = "heuristic";
   const Weather* weather = &weather_list().front();
   Parameters parameters;  ///< defaults with the file's <param> applied

@@ -231,6 +231,33 @@ class Faults(AttachedCase):
         self.assertIn("another client broke off", errors)
         self.assertTrue(self.summary()["sumo_gone"])
 
+    def test_a_client_of_its_own_that_goes_on_after_the_end(self):
+        pedzone = self.start(
+            self.pedzone, "run", self.config, "--end", 20, "--summary", "s.json", "--client",
+            f"/usr/bin/python3 '{HERE}/client.py' --port {{port}}", "--", "--fcd-output",
+            "fcd.xml", "--tripinfo-output", "trips.xml", "--tripinfo-output.write-unfinished")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 0, errors)
+        self.assertIn("the client that was started went on", errors)
+        self.assertFalse(self.summary()["sumo_gone"])
+        steps = list(ElementTree.parse(self.folder / "fcd.xml").getroot())
+        self.assertLessEqual(float(steps[-1].get("time")), 20)
+        self.assertGreater(float(steps[-1].get("time")), 19)
+        ElementTree.parse(self.folder / "trips.xml")
+
+    def test_a_client_of_its_own_that_ends_badly_when_all_is_over(self):
+        pedzone = self.own(f"/usr/bin/python3 '{HERE}/client.py' --port {{port}} --steps 40; exit 5")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertIn("The client that was started ended with exit code 5", errors)
+        self.assertGreaterEqual(self.summary()["time"]["simulated_s"], 20)
+
+    def test_a_client_of_its_own_that_never_comes(self):
+        pedzone = self.own("true {port}")
+        _, errors = pedzone.communicate(timeout=60)
+        self.assertEqual(pedzone.returncode, 3)
+        self.assertIn("The client that was started ended before the run began", errors)
+
     def test_another_network(self):
         self.start("sumo", "-n", self.other_network(), "--remote-port", self.port)
         pedzone = self.attach("--order", 1)

@@ -36,6 +36,11 @@ bool is_kerb(const std::optional<CrosswalkAhead>& ahead) {
   return ahead && !ahead->crosswalk.priority && ahead->gone <= 0.0;
 }
 
+/// Whether vehicles that do not give way are coming.
+bool has_to_wait(const CrowdState& crowd, std::size_t i) {
+  return crowd.kerbs[crowd.handle(i)].room != std::numeric_limits<double>::infinity();
+}
+
 /// Straight across.
 CrossingWalk walk_over(const CrowdState& crowd, std::size_t i, const CrosswalkAhead& kerb,
                        double waited) {
@@ -67,10 +72,10 @@ bool comes_to_kerb(const CrowdState& crowd, std::size_t i, double way) {
   return !crowd.zone.crosswalks.empty() && is_kerb(crosswalk_ahead(crowd, i, kAsks + way));
 }
 
-std::optional<Crosswalk> zebra_used(const CrowdState& crowd, std::size_t i) {
+std::optional<Crosswalk> crosswalk_used(const CrowdState& crowd, std::size_t i) {
   if (crowd.zone.crosswalks.empty()) return std::nullopt;
   const auto ahead = crosswalk_ahead(crowd, i, kAsks);
-  if (!ahead || !ahead->crosswalk.priority) return std::nullopt;
+  if (!ahead || (is_kerb(ahead) && has_to_wait(crowd, i))) return std::nullopt;
   return ahead->crosswalk;
 }
 
@@ -100,8 +105,8 @@ void look_at_kerbs(const CrowdState& crowd, double dt, ByHandle<KerbMemory>& ker
 void restrain_at_kerbs(const CrowdState& crowd, Restraints& restraints) {
   if (crowd.zone.crosswalks.empty()) return;
   for (std::size_t i = 0; i < crowd.persons.walking; ++i) {
+    if (!has_to_wait(crowd, i)) continue;
     const double room = crowd.kerbs[crowd.handle(i)].room;
-    if (room == std::numeric_limits<double>::infinity()) continue;
     restraints.limit(i, room / kStops);
     if (room / kStops < kHaltingSpeed) restraints.wait(i);
   }

@@ -8,9 +8,9 @@ namespace pedzone {
 /// Whether row i comes to a kerb where it may have to wait, within the next `way` [m].
 bool comes_to_kerb(const CrowdState& crowd, std::size_t i, double way);
 
-/// The zebra crossing, from where row i comes, that it is on or looks across at the kerb. Nothing:
-/// none.
-std::optional<Crosswalk> zebra_used(const CrowdState& crowd, std::size_t i);
+/// The crosswalk, from where row i comes, that it is on or looks across at the kerb, without having
+/// to wait there. Nothing: none.
+std::optional<Crosswalk> crosswalk_used(const CrowdState& crowd, std::size_t i);
 
 /// Who has to wait, in a substep of `dt` [s].
 void look_at_kerbs(const CrowdState& crowd, double dt, ByHandle<KerbMemory>& kerbs);

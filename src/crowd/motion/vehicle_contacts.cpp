@@ -1,5 +1,6 @@
 // A body gives way to a vehicle no faster than a person could step. Whoever would have to is run
-// into: the bodies overlap, and come apart at that speed. Nobody is carried along by a bumper.
+// into: the bodies overlap, and come apart at that speed. Whom a slow vehicle moves along before
+// it, farther than a step, it has run into as well (push_log.cpp).
 #include "crowd/motion/vehicle_contacts.hpp"
 
 #include <algorithm>
@@ -129,8 +130,9 @@ void tell(const VehiclePush& push, std::vector<VehiclePush>& pushes) {
     return;
   }
   same->way += push.way;
+  same->carried += push.carried;
   same->speed = std::max(same->speed, push.speed);
-  if (same->run_into) return;
+  if (same->run_into) return;  // its speed is that with which it did
   same->run_into = push.run_into;
   same->contact_speed = push.contact_speed;
   same->position = push.position;
@@ -157,6 +159,13 @@ bool is_near_another(const CrowdState& crowd, std::span<const VehicleHit> hits,
   });
 }
 
+/// [m] by which a move leads the way that the vehicle drives, of who is before its bumper.
+double carried(const Rectangle& body, const Vec2& velocity, const Vec2& from, const Vec2& to) {
+  const double drives = velocity.dot(body.axis) < 0.0 ? -1.0 : 1.0;
+  if (drives * body.into_frame(from).x() <= body.half.x()) return 0.0;
+  return std::max(0.0, drives * (to - from).dot(body.axis));
+}
+
 /// Moves the person out of the way of where the vehicle gets to, by at most `longest`
 /// [m]; what came of it.
 VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, double longest,
@@ -181,9 +190,10 @@ VehiclePush push_out(const CrowdState& crowd, const VehicleHit& hit, double dt, 
   if (at != here && is_near_another(crowd, moves.hits, hit, here, at)) at = out(kGap);
   VehiclePush push{persons.key[hit.person], vehicle.key};
   push.way = put(hit.person, at, moves);
+  push.carried = carried(body, vehicle.velocity, here, at);
   push.speed = push.way / dt;
   push.run_into = body.distance(at) < least - kContact;
-  push.contact_speed = push.run_into ? vehicle.velocity.norm() : 0.0;
+  push.contact_speed = vehicle.velocity.norm();
   push.position = at;
   return push;
 }

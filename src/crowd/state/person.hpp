@@ -76,7 +76,7 @@ struct PersonView {
   bool makes_way;        ///< goes out of the room that a vehicle claims
   bool holds_hand;       ///< a child whom an adult leads by the hand
   bool crosses;          ///< a street, between the junctions
-  std::optional<Crosswalk> zebra;  ///< that it is on or about to enter, from where it comes
+  std::optional<Crosswalk> crosswalk;  ///< that it is on or about to enter, from where it comes
   bool stays_outside;  ///< would rather go by SUMO's junctions (NewPerson::by_junctions)
   double radius;       ///< [m] of the body as it holds its shoulders now
 };
@@ -94,10 +94,13 @@ struct VehiclePush {
   std::uint64_t person = 0, vehicle = 0;  ///< their keys
   double way = 0.0;                       ///< [m] by which it moved the person from where the
                                           ///< person's own moves led, summed over the substeps
+  double carried = 0.0;                   ///< [m] of those the part along which the vehicle drives,
+                                          ///< while the person was before its bumper
   double speed = 0.0;                     ///< [m/s] of the fastest of those
   bool run_into = false;                  ///< the bodies overlap: it would have had to move the
                                           ///< person faster than people step, or no room was left
-  double contact_speed = 0.0;             ///< [m/s] of the vehicle when that began; else 0
+  double contact_speed = 0.0;             ///< [m/s] of the vehicle when that began; else as it
+                                          ///< drove last
   Vec2 position = Vec2::Zero();           ///< [m] of the person then; else after the step
 };
 

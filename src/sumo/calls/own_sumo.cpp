@@ -1,12 +1,15 @@
 #include "sumo/calls/own_sumo.hpp"
 
+#include <fcntl.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <iostream>
 #include <thread>
 
 #include "core/child_process.hpp"
@@ -20,7 +23,8 @@ namespace {
 
 constexpr double kPatience = 3600.0;  // [s] numerical: a large network loads for long
 constexpr std::chrono::milliseconds kLook{20};
-constexpr std::chrono::seconds kToEnd{30};  // for SUMO to write its outputs
+constexpr std::chrono::seconds kToEnd{30};   // for SUMO to write its outputs
+constexpr std::chrono::seconds kToLeave{5};  // assumed: for a client to see that the run is over
 
 /// A port that is free now.
 int free_port() {
@@ -58,12 +62,13 @@ std::unique_ptr<Child> start(const std::vector<std::string>& command) {
   return std::make_unique<Child>([&] { return become(command); });
 }
 
-/// Until it has ended by itself, for a while.
-void wait_for(Child& process) {
-  const auto until = std::chrono::steady_clock::now() + kToEnd;
+/// Until it has ended by itself, for a while. Whether it has.
+bool wait_for(Child& process, std::chrono::seconds patience = kToEnd) {
+  const auto until = std::chrono::steady_clock::now() + patience;
   while (!process.poll() && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(kLook);
   }
+  return process.poll().has_value();
 }
 
 std::string with_port(std::string command, int port) {
@@ -74,12 +79,47 @@ std::string with_port(std::string command, int port) {
   return command;
 }
 
-/// SUMO waits for a client that does not come, and one that breaks off ends it anyhow.
-std::unique_ptr<Child> start_client(const std::string& command, const Child& sumo) {
+/// What another process can see: that the run has begun.
+class Begun {
+ public:
+  Begun() {
+    if (pipe2(ends_.data(), O_CLOEXEC | O_NONBLOCK) != 0) ends_ = {-1, -1};
+  }
+  ~Begun() {
+    for (const int end : ends_) close(end);
+  }
+  Begun(const Begun&) = delete;
+  Begun& operator=(const Begun&) = delete;
+
+  void tell() { tell_end(1); }
+  /// In the other process, before it asks.
+  void watch() { tell_end(1); }
+  /// Whether nobody holds the end any more that is closed then.
+  bool is_told() const {
+    char nothing = 0;
+    return read(ends_[0], &nothing, 1) == 0;
+  }
+
+ private:
+  void tell_end(std::size_t end) {
+    close(ends_[end]);
+    ends_[end] = -1;
+  }
+
+  std::array<int, 2> ends_{-1, -1};
+};
+
+volatile std::sig_atomic_t asked_to_end = 0;
+
+/// SUMO waits for a client that does not come; one that breaks off later ends it.
+std::unique_ptr<Child> start_client(const std::string& command, const Child& sumo, Begun& begun) {
   return std::make_unique<Child>([&] {
+    begun.watch();
+    std::signal(SIGTERM, [](int) { asked_to_end = 1; });  // the client's is as it was
     const int process = pidfd_open(sumo.id(), 0);
     const Ending ending = run_program({"sh", "-c", command}, ".");
-    if (!ending.good()) pidfd_send_signal(process, SIGKILL, nullptr, 0);
+    if (asked_to_end != 0) return 0;
+    if (!begun.is_told()) pidfd_send_signal(process, SIGKILL, nullptr, 0);
     return ending.exit_code();
   });
 }
@@ -88,6 +128,15 @@ std::unique_ptr<Child> start_client(const std::string& command, const Child& sum
 void require_good_end(Child& client) {
   const auto ending = client.poll();
   if (ending && !ending->good()) throw SumoError("The client that was started " + ending->text());
+}
+
+/// Ends with the run: SUMO would go on for it, without pedzone.
+void end_with_run(Child& client) {
+  if (wait_for(client, kToLeave)) return;
+  std::cerr << "Warning: the run is over, and the client that was started went on: it is ended."
+            << std::endl;
+  client.ask_to_end();
+  if (!wait_for(client, kToLeave)) client.kill();
 }
 
 /// What a joined SUMO does; and its process ends with it, and that of a client.
@@ -106,8 +155,8 @@ class OwnSession final : public Session {
   SumoView* view() override { return window_ ? joined_->view() : nullptr; }
   void step() override { joined_->step(); }
   void close() override {
+    if (client_) end_with_run(*client_);
     joined_->close();
-    if (client_) wait_for(*client_);
     wait_for(*process_);
     if (client_) require_good_end(*client_);
   }
@@ -146,10 +195,12 @@ std::unique_ptr<Session> start_own(const OwnSumo& own, const std::string& config
   address.port = port;
   address.order = own.all_clients() + 1;
   address.patience = kPatience;
+  Begun begun;
   std::unique_ptr<Child> client;
-  if (!own.client.empty()) client = start_client(with_port(own.client, port), *process);
+  if (!own.client.empty()) client = start_client(with_port(own.client, port), *process, begun);
   try {
     auto joined = join_over_traci(address, speeds, [&] { return !process->poll(); });
+    begun.tell();
     return std::make_unique<OwnSession>(std::move(process), std::move(client), std::move(joined),
                                         own.gui);
   } catch (const SumoError&) {
@@ -157,6 +208,7 @@ std::unique_ptr<Session> start_own(const OwnSumo& own, const std::string& config
     wait_for(*process);  // the client ends it
     wait_for(*client);
     require_good_end(*client);
+    if (client->poll()) throw SumoError("The client that was started ended before the run began.");
     throw;
   }
 }

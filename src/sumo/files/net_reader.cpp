@@ -101,6 +101,8 @@ class NetworkReader {
     for (const pugi::xml_node& node : root.children("junction")) read_junction(node);
     mark_street_ends();
     for (const pugi::xml_node& node : root.children("connection")) read_connection(node);
+    for (const pugi::xml_node& node : root.children("junction")) read_right_of_way(node);
+    for (const Connection& connection : network_.connections) share_right_of_way(connection);
   }
 
  private:
@@ -195,6 +197,37 @@ class NetworkReader {
       entered.priority = std::string_view(node.attribute("state").value()) == "M";
     }
     network_.connections.push_back(connection);
+  }
+
+  /// Which vehicles give way to people on a crossing: bit k of a link's response, counted from the
+  /// right, is set where it yields to link k.
+  void read_right_of_way(const pugi::xml_node& junction) {
+    std::vector<int> links;
+    for (const std::string& id : split_words(junction.attribute("intLanes").value())) {
+      const auto found = network_.lane_index.find(id);
+      links.push_back(found == network_.lane_index.end() ? -1 : found->second);
+    }
+    for (const pugi::xml_node& request : junction.children("request")) {
+      const std::size_t own = request.attribute("index").as_uint(~0U);
+      const std::string_view response = request.attribute("response").value();
+      if (own >= links.size() || links[own] < 0) continue;
+      for (std::size_t k = 0; k < std::min(links.size(), response.size()); ++k) {
+        if (response[response.size() - 1 - k] != '1' || links[k] < 0) continue;
+        const int edge = network_.lanes[links[k]].edge;
+        if (network_.edges[edge].function != EdgeFunction::kCrossing) continue;
+        network_.lanes[links[own]].yields_at.push_back(edge);
+      }
+    }
+  }
+
+  /// A link with a waiting place inside the junction has two lanes there.
+  void share_right_of_way(const Connection& connection) {
+    const EdgeFunction from = network_.edges[network_.lanes[connection.from].edge].function;
+    if (from != EdgeFunction::kInternal || connection.via < 0) return;
+    std::vector<int>& first = network_.lanes[connection.from].yields_at;
+    std::vector<int>& second = network_.lanes[connection.via].yields_at;
+    first.insert(first.end(), second.begin(), second.end());
+    second = first;
   }
 
   int lane_of(const pugi::xml_node& node, const char* edge_attribute,

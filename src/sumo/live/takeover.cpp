@@ -380,7 +380,7 @@ void Takeover::people(std::vector<PersonAhead>& out) {
   for (const Guest& guest : guests_) {
     const PersonView view = crowds_[guest.zone]->view(guest.handle);
     const bool leaves = guest.stretch.release == Release::kLeave && guest.stretch.forward;
-    out.push_back({view.position, view.velocity, guest.radius, view.zebra,
+    out.push_back({view.position, view.velocity, guest.radius, view.crosswalk,
                    std::max(0.0, guest.radius - view.radius), leaves ? guest.stretch.lane : -1,
                    view.crosses});
   }

@@ -113,6 +113,7 @@ VehicleState looks_of(const FleetVehicle& vehicle) {
   VehicleState state;
   state.width = vehicle.traits.width;
   state.way = vehicle.way;
+  state.yields_at = vehicle.yields_at;
   state.leaves = vehicle.leaves;
   state.key = person_key(vehicle.id);
   state.electric = vehicle.traits.electric;

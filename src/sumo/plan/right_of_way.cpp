@@ -16,36 +16,41 @@ struct Meeting {
   double across = 0.0;  ///< [m] along the crossing from its begin to the vehicle's way
 };
 
+bool gives_way_at(const FleetVehicle& vehicle, const Crosswalk& crosswalk) {
+  return crosswalk.priority ||
+         std::ranges::find(vehicle.yields_at, crosswalk.edge) != vehicle.yields_at.end();
+}
+
 /// Nothing: the way does not lead over it, or the front is on it already.
-std::optional<Meeting> meeting(const FleetVehicle& vehicle, const Crosswalk& zebra) {
-  const auto over = way_over(vehicle.way, zebra);
+std::optional<Meeting> meeting(const FleetVehicle& vehicle, const Crosswalk& crosswalk) {
+  const auto over = way_over(vehicle.way, crosswalk);
   if (!over) return std::nullopt;
   const double front = vehicle.traits.length;  // the way begins at the rear
-  const double way = over->way - front - 0.5 * zebra.width;
+  const double way = over->way - front - 0.5 * crosswalk.width;
   if (way < 0.0) return std::nullopt;
   return Meeting{way, over->across};
 }
 
 /// Whether the person comes to the vehicle's way before the vehicle is over the crossing.
 bool comes_first(const FleetVehicle& vehicle, const PersonAhead& person, const Meeting& at) {
-  const Crosswalk& zebra = *person.zebra;
-  const Vec2 along = (zebra.end - zebra.begin).normalized();
-  const double left = at.across - (person.position - zebra.begin).dot(along);
+  const Crosswalk& crosswalk = *person.crosswalk;
+  const Vec2 along = (crosswalk.end - crosswalk.begin).normalized();
+  const double left = at.across - (person.position - crosswalk.begin).dot(along);
   const double room = 0.5 * vehicle.traits.width + person.radius + kBeside;
   if (left < -room) return false;  // has come past
   const double over =
-      (at.way + zebra.width + vehicle.traits.length) / std::max(vehicle.speed, kSlowest);
+      (at.way + crosswalk.width + vehicle.traits.length) / std::max(vehicle.speed, kSlowest);
   return (left - room) / kFastWalk < over + kBefore;
 }
 
 }  // namespace
 
-std::optional<double> way_to_used_zebra(const FleetVehicle& vehicle,
-                                        std::span<const PersonAhead> people, double distance) {
+std::optional<double> way_to_used_crosswalk(const FleetVehicle& vehicle,
+                                            std::span<const PersonAhead> people, double distance) {
   std::optional<double> nearest;
   for (const PersonAhead& person : people) {
-    if (!person.zebra) continue;
-    const auto at = meeting(vehicle, *person.zebra);
+    if (!person.crosswalk || !gives_way_at(vehicle, *person.crosswalk)) continue;
+    const auto at = meeting(vehicle, *person.crosswalk);
     if (!at || at->way > distance || (nearest && at->way >= *nearest)) continue;
     if (comes_first(vehicle, person, *at)) nearest = at->way;
   }

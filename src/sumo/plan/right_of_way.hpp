@@ -1,4 +1,5 @@
-// Vehicles before zebra crossings: who is on one, or about to enter it, goes first.
+// Vehicles before crossings at which they give way: who is on one, or about to enter it, goes
+// first.
 #pragma once
 
 #include <optional>
@@ -8,10 +9,11 @@
 
 namespace pedzone {
 
-/// [m] from the front to the first zebra crossing that somebody uses, within `distance` [m] along
-/// the way. Nothing where there is none. Left out: people who have passed the vehicle's way, and
-/// crossings that the vehicle clears before the person arrives.
-std::optional<double> way_to_used_zebra(const FleetVehicle& vehicle,
-                                        std::span<const PersonAhead> people, double distance);
+/// [m] from the front to the first crossing that somebody uses and at which the vehicle gives way,
+/// within `distance` [m] along the way: zebra crossings, and others by where it turns. Nothing
+/// where there is none. Left out: people who have passed the vehicle's way, and crossings that the
+/// vehicle clears before the person arrives.
+std::optional<double> way_to_used_crosswalk(const FleetVehicle& vehicle,
+                                            std::span<const PersonAhead> people, double distance);
 
 }  // namespace pedzone

@@ -80,6 +80,7 @@ struct FleetVehicle : VehicleSeen {
   Polyline way;                  ///< [m] from its rear along its own last and next lanes
   bool leaves = false;           ///< where its way ends its trip does, or
                                  ///< before; or it goes on above or below the zones
+  std::vector<int> yields_at;    ///< crossings on its way, as of Lane::yields_at
   JunctionAhead junction;
   double tight_end =
       std::numeric_limits<double>::infinity();  ///< [m] from the front to the end of

@@ -231,10 +231,15 @@ void WayAhead::look(FleetVehicle& vehicle, double distance) const {
   junction = {};
   const double came_in = way_inside(vehicle, offset);
   const double lateral = append_drift(vehicle, offset, left, way);
+  const bool yields = vehicle.traits.yields && !vehicle.traits.external;
   bool passed = false;
   while (lane >= 0 && left > 0.0 && !is_apart(lane)) {
     const bool inside = is_internal(lane);
     const double begin = distance - left;
+    const std::vector<int>& crossings = network_.lanes[lane].yields_at;
+    if (yields) {
+      vehicle.yields_at.insert(vehicle.yields_at.end(), crossings.begin(), crossings.end());
+    }
     // One that overtakes on the opposite lane is back on its own at the junction.
     const bool is_back = vehicle.overtakes && lane != vehicle.lane;
     append_from(network_.lanes[lane].shape, offset, is_back ? 0.0 : lateral, left, way);

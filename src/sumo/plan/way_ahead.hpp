@@ -20,11 +20,12 @@ class WayAhead {
   /// Sets by which lanes a vehicle came to its present one, from what was known a step before.
   void remember(const FleetVehicle& before, FleetVehicle& vehicle) const;
 
-  /// Sets the vehicle's way, whether its trip ends there, its first junction and its zone. The way
-  /// begins at the rear and follows the lanes that it came by; if these do not fit its heading, it
-  /// is straight. The way ends `distance` [m] beyond the front, with the route, or where it comes
-  /// to a lane over or below the zones. If the vehicle is on no lane, the way goes straight on. The
-  /// zone is the first one on the way; if there is none, the first of all.
+  /// Sets the vehicle's way, whether its trip ends there, at which crossings it gives way to
+  /// people, its first junction and its zone. The way begins at the rear and follows the lanes that
+  /// it came by; if these do not fit its heading, it is straight. The way ends `distance` [m]
+  /// beyond the front, with the route, or where it comes to a lane over or below the zones. If the
+  /// vehicle is on no lane, the way goes straight on. The zone is the first one on the way; if
+  /// there is none, the first of all.
   void look(FleetVehicle& vehicle, double distance) const;
 
   /// The ways that it would take from the lanes beside it, if it changed to one of them within the

@@ -127,8 +127,9 @@ std::optional<YieldOrder> let_go(FleetVehicle& vehicle, double dt) {
   return comfortable_order(vehicle, vehicle.allowed_speed, dt);
 }
 
-/// Before a zebra crossing that people use: it waits, and claims nothing, where it can in comfort.
-/// Behind a junction that others use, too, it waits before that, in nobody's way.
+/// Before a crossing that people use, and at which it gives way: it waits, and claims nothing,
+/// where it can in comfort. Behind a junction that others use, too, it waits before that, in
+/// nobody's way.
 std::optional<YieldOrder> give_way(FleetVehicle& vehicle, double way, const SafeSpeeds& safe_speeds,
                                    double dt) {
   const double needs = stopping_distance(vehicle, dt), begin = vehicle.junction.begin;
@@ -251,9 +252,9 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
   const double distance = look_ahead(vehicle, parameters);
   const auto ahead = first_in_way(
       vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin, distance);
-  const auto zebra = way_to_used_zebra(vehicle, people, distance);
-  if (zebra && (!ahead || *zebra <= ahead->distance)) {
-    if (const auto order = give_way(vehicle, *zebra, safe_speeds, dt)) return order;
+  const auto crosswalk = way_to_used_crosswalk(vehicle, people, distance);
+  if (crosswalk && (!ahead || *crosswalk <= ahead->distance)) {
+    if (const auto order = give_way(vehicle, *crosswalk, safe_speeds, dt)) return order;
   }
   const double most = is_squeezed_past(vehicle, people) ? kSqueezeSpeed : vehicle.allowed_speed;
   if (!ahead) {

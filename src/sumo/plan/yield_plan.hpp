@@ -16,7 +16,8 @@ namespace pedzone {
 struct PersonAhead {
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
   double radius = 0.24;
-  std::optional<Crosswalk> zebra = {};  ///< that it is on or about to enter, from where it comes
+  std::optional<Crosswalk> crosswalk =
+      {};                 ///< that it is on or about to enter, from where it comes
   double narrower = 0.0;  ///< [m] that the shoulders take off the radius as it holds them
   int exit_lane = -1;     ///< from the end of which SUMO walks it on; -1: of none
   bool crosses = false;   ///< a street, between the junctions

@@ -62,7 +62,7 @@ SCENES = {
              [("1", "2", 'speed="10" sidewalkWidth="2"'),
               ("1", "4", 'speed="10" sidewalkWidth="2" numLanes="2"'),
               ("1", "9", PATH), ("1", "9", PATH + ' shape="0,0 20,50 60,60"')], "",
-             flow("v", "21", "14", 4) + flow("w", "41", "12", 4)
+             flow("v", "21", "14", 12) + flow("w", "41", "12", 4)
              + people("p", "12 19", 60) + people("q", "19 12", 50, 60)),
     "far": ("s 0 0 light, u 500 0, a -100 0, b 0 100, c 600 0, d 500 100",
             [("s", "u", STREET), ("s", "a", STREET), ("s", "b", STREET), ("u", "c", STREET),

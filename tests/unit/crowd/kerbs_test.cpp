@@ -91,7 +91,7 @@ TEST_F(Kerbs, hold_who_has_no_gap_until_the_vehicle_is_past) {
   EXPECT_LT(most_, kKerb);
   EXPECT_GT(most_, kKerb - 1.0) << "at the kerb";
   EXPECT_EQ(person().motion, Motion::kWaiting);
-  EXPECT_FALSE(person().zebra) << "no vehicle gives way to who waits";
+  EXPECT_FALSE(person().crosswalk) << "no vehicle gives way to who waits";
   run(6.0);
   EXPECT_GT(most_, 6.0);
 }
@@ -100,7 +100,8 @@ TEST_F(Kerbs, do_not_hold_who_gets_over_before_the_vehicle_comes) {
   drive(120.0, 10.0);
   run(4.0);
   EXPECT_GT(most_, kKerb + 0.5);
-  EXPECT_FALSE(person().zebra) << "has no priority";
+  ASSERT_TRUE(person().crosswalk) << "some vehicles may give way there";
+  EXPECT_FALSE(person().crosswalk->priority);
 }
 
 TEST_F(Kerbs, do_not_hold_who_has_priority) {
@@ -114,9 +115,29 @@ TEST_F(Kerbs, do_not_hold_who_has_priority) {
     ways_ = {{{0.0, 4.75}, {150.0, 4.75}}};
     most_ = 0.0;
     run(scene, 1.0);
-    EXPECT_EQ(scene.people[0].view.zebra.has_value(), zone == &zebra);
+    EXPECT_EQ(scene.people[0].view.crosswalk.has_value(), zone == &zebra);
     run(scene, 3.0);
     EXPECT_EQ(most_ > kKerb, zone == &zebra);
+  }
+}
+
+TEST_F(Kerbs, do_not_hold_who_has_priority_over_those_who_come) {
+  constexpr int kHere = 7;
+  Zone zone = street(false);
+  zone.crosswalks = Crosswalks({{{50, 3}, {50, 10}, 4.0, false, kHere}});
+  for (const int at : {kHere + 1, kHere}) {
+    const std::vector<int> yields_at{at};
+    Scene scene(zone, 1, blind_model());
+    scene.crowd.let_vehicles_through();
+    come(scene);
+    scene.vehicles = {vehicle_at({2.5, 4.75}, 0.0, 10.0)};
+    scene.vehicles.front().yields_at = yields_at;
+    ways_ = {{{0.0, 4.75}, {150.0, 4.75}}};
+    most_ = 0.0;
+    run(scene, 1.0);
+    EXPECT_EQ(scene.people[0].view.crosswalk.has_value(), at == kHere);
+    run(scene, 3.0);
+    EXPECT_EQ(most_ > kKerb, at == kHere);
   }
 }
 

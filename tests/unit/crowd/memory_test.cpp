@@ -57,7 +57,8 @@ NewPerson somebody(std::uint64_t k, double size) {
 
 TEST(Memory, a_step_allocates_nothing_after_the_first_ones) {
 #ifdef __SANITIZE_THREAD__
-  GTEST_SKIP() << "the thread sanitizer's stand-in for oneTBB (crowd/state/parallel.hpp) makes threads";
+  GTEST_SKIP()
+      << "the thread sanitizer's stand-in for oneTBB (crowd/state/parallel.hpp) makes threads";
 #endif
   // One thread: oneTBB's own task memory is not the crowd's.
   const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);

@@ -58,8 +58,10 @@ TEST_F(Push, is_as_long_as_the_vehicle_drives_on_and_as_fast) {
   EXPECT_EQ(key, scene.people[0].given.key);
   EXPECT_NEAR(person.way, pushes.way, 1e-9);
   EXPECT_NEAR(person.speed, 1.0, 1e-9);
-  EXPECT_FALSE(person.run_into);
-  EXPECT_TRUE(pushes.log.run_into().empty());
+  // Before its bumper, and farther than a step: not without a contact.
+  EXPECT_TRUE(person.run_into);
+  ASSERT_EQ(pushes.log.run_into().size(), 1u);
+  EXPECT_NEAR(pushes.log.run_into().front().speed, 1.0, 1e-9);
 }
 
 TEST_F(Push, by_the_side_of_a_vehicle_that_turns_is_for_room_only_where_its_way_is_not_known) {
@@ -336,6 +338,25 @@ TEST(PushLog, joins_what_is_less_than_a_second_apart) {
   }
   EXPECT_DOUBLE_EQ(log.persons().at(1).way, 0.3);
   EXPECT_DOUBLE_EQ(log.persons().at(1).speed, 1.0);
+}
+
+TEST(PushLog, takes_whom_a_vehicle_moves_along_before_it_for_run_into) {
+  PushLog log;
+  VehiclePush push = push_of(0.3);
+  push.contact_speed = 3.0;
+  for (double time = 0.0; time < 0.35; time += 0.1) {
+    push.carried = 0.0;  // aside
+    log.add(time, 0.1, std::vector{push});
+  }
+  EXPECT_TRUE(log.run_into().empty());
+  for (double time = 2.0; time < 2.65; time += 0.1) {
+    push.carried = 0.3;
+    log.add(time, 0.1, std::vector{push});
+  }
+  ASSERT_EQ(log.run_into().size(), 1u);
+  EXPECT_NEAR(log.run_into().front().time, 2.3, 1e-9);
+  EXPECT_DOUBLE_EQ(log.run_into().front().speed, 3.0);
+  EXPECT_TRUE(log.persons().at(1).run_into);
 }
 
 TEST(PushLog, leaves_out_who_is_hardly_moved) {

@@ -77,6 +77,18 @@ TEST_F(Streets, link_the_edges_on_their_two_sides) {
   EXPECT_THAT(linked_across(town_, zone_.streets, {town_.edge_index.at("eastward")}), IsEmpty());
 }
 
+TEST_F(Streets, link_to_a_footway_that_is_an_edge_of_its_own) {
+  constexpr double kLaneWidth = 3.5;
+  Network one_way = town_;
+  Edge& back = one_way.edges[one_way.edge_index.at("westward")];
+  std::erase_if(back.lanes, [&](int lane) { return !one_way.lanes[lane].persons; });
+  for (Vec2& point : one_way.lanes[back.lanes.front()].shape) point.y() -= kLaneWidth;
+  const Zone zone_there = zone(one_way, {"eastward", "westward"});
+  ASSERT_THAT(zone_there.streets, SizeIs(1));
+  EXPECT_TRUE(
+      linked(zone_there, one_way.edge_index.at("eastward"), one_way.edge_index.at("westward")));
+}
+
 TEST_F(Streets, are_none_unless_asked_for) {
   const Zone plain = zone(town_, {"eastward", "westward"}, CrossingRule::kNodes);
   EXPECT_THAT(plain.streets, IsEmpty());

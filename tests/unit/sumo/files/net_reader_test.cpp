@@ -48,6 +48,38 @@ class NetReader : public ::testing::Test {
 
 constexpr const char* kGoodLane = "speed=\"5\" length=\"10\" shape=\"0,0 10,0\" ";
 
+/// A street over a junction with a waiting place inside and a crossing behind it. `response`: of
+/// the street's link.
+std::string with_crossing(const std::string& response) {
+  const auto edge = [](const std::string& id, const std::string& attributes) {
+    return "<edge id=\"" + id + "\" " + attributes + "><lane id=\"" + id + "_0\" index=\"0\" " +
+           kGoodLane + "/></edge>";
+  };
+  return "<net>" + edge("in", "from=\"a\" to=\"j\"") + edge("out", "from=\"j\" to=\"b\"") +
+         edge(":j_0", "function=\"internal\"") + edge(":j_1", "function=\"internal\"") +
+         edge(":j_c0", "function=\"crossing\" crossingEdges=\"out\"") +
+         "<junction id=\"j\" type=\"priority\" intLanes=\":j_1_0 :j_c0_0\" shape=\"0,0 1,0 1,1\">"
+         "<request index=\"0\" response=\"" +
+         response +
+         "\"/>"
+         "<request index=\"1\" response=\"00\"/></junction>"
+         "<connection from=\"in\" to=\"out\" fromLane=\"0\" toLane=\"0\" via=\":j_0_0\"/>"
+         "<connection from=\":j_0\" to=\"out\" fromLane=\"0\" toLane=\"0\" via=\":j_1_0\"/>"
+         "<connection from=\":j_1\" to=\"out\" fromLane=\"0\" toLane=\"0\"/></net>";
+}
+
+TEST_F(NetReader, reads_which_vehicles_give_way_on_a_crossing) {
+  for (const auto& [response, yields] : {std::pair("10", true), std::pair("01", false)}) {
+    const Network network = read(with_crossing(response));
+    for (const char* lane : {":j_0_0", ":j_1_0"}) {
+      const std::vector<int>& at = network.lanes[network.lane_index.at(lane)].yields_at;
+      EXPECT_EQ(at.size(), yields ? 1u : 0u) << lane;
+      for (const int edge : at) EXPECT_EQ(network.edges[edge].id, ":j_c0");
+    }
+    EXPECT_THAT(network.lanes[network.lane_index.at("in_0")].yields_at, IsEmpty());
+  }
+}
+
 TEST_F(NetReader, reads_edges_lanes_junctions_and_connections) {
   const Network town = read_network(data_file("town.net.xml"));
   const Edge& edge = town.edges[town.edge_index.at("main1")];

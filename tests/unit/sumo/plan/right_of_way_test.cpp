@@ -30,7 +30,7 @@ PersonAhead southward(double y) {
 }
 
 std::optional<double> way_to(const PersonAhead& person, double speed = 10.0) {
-  return way_to_used_zebra(car(speed), std::vector{person}, kLook);
+  return way_to_used_crosswalk(car(speed), std::vector{person}, kLook);
 }
 
 TEST(RightOfWay, is_before_the_crossing_of_who_waits_at_the_kerb) {
@@ -39,9 +39,21 @@ TEST(RightOfWay, is_before_the_crossing_of_who_waits_at_the_kerb) {
   EXPECT_NEAR(*way, 28.0, 1e-9);
 }
 
+TEST(RightOfWay, is_where_the_vehicle_turns_without_it) {
+  constexpr int kHere = 7;
+  PersonAhead person = northward(-2.2);
+  person.crosswalk->priority = false;
+  person.crosswalk->edge = kHere;
+  FleetVehicle vehicle = car(10.0);
+  vehicle.yields_at = {kHere + 1};
+  EXPECT_FALSE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook));
+  vehicle.yields_at.push_back(kHere);
+  EXPECT_TRUE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook));
+}
+
 TEST(RightOfWay, is_not_of_who_uses_none) {
   PersonAhead person = northward(-2.2);
-  person.zebra.reset();
+  person.crosswalk.reset();
   EXPECT_FALSE(way_to(person));
 }
 
@@ -54,7 +66,7 @@ TEST(RightOfWay, ends_once_the_person_has_come_past) {
 
 TEST(RightOfWay, leaves_the_vehicle_through_that_is_over_before) {
   PersonAhead far = southward(5.5);
-  far.zebra->begin.y() = 25.0;  // a wide street
+  far.crosswalk->begin.y() = 25.0;  // a wide street
   far.position.y() = 25.0;
   EXPECT_FALSE(way_to(far, 10.0));
   EXPECT_TRUE(way_to(far, 3.0));
@@ -63,11 +75,11 @@ TEST(RightOfWay, leaves_the_vehicle_through_that_is_over_before) {
 TEST(RightOfWay, is_not_on_a_crossing_that_the_way_does_not_meet_or_the_front_has_reached) {
   FleetVehicle turns = car(10.0);
   turns.way = {{-5.0, 0.0}, {0.0, 0.0}, {20.0, 0.0}, {20.0, -50.0}};
-  EXPECT_FALSE(way_to_used_zebra(turns, std::vector{northward(-2.2)}, kLook));
+  EXPECT_FALSE(way_to_used_crosswalk(turns, std::vector{northward(-2.2)}, kLook));
   FleetVehicle on = car(5.0);
   on.way = {{24.0, 0.0}, {29.0, 0.0}, {100.0, 0.0}};
-  EXPECT_FALSE(way_to_used_zebra(on, std::vector{northward(-2.2)}, kLook));
-  EXPECT_FALSE(way_to_used_zebra(car(10.0), std::vector{northward(-2.2)}, 20.0));
+  EXPECT_FALSE(way_to_used_crosswalk(on, std::vector{northward(-2.2)}, kLook));
+  EXPECT_FALSE(way_to_used_crosswalk(car(10.0), std::vector{northward(-2.2)}, 20.0));
 }
 
 /// The speed from which it stops within the gap, a second from now on.
@@ -87,8 +99,8 @@ TEST(RightOfWay, makes_a_vehicle_wait_that_can_in_comfort_and_claims_nothing) {
   for (int step = 0; step < 200; ++step) {
     PersonAhead person = northward(-2.2);
     person.position.x() -= way;
-    person.zebra->begin.x() -= way;
-    person.zebra->end.x() -= way;
+    person.crosswalk->begin.x() -= way;
+    person.crosswalk->end.x() -= way;
     const auto order =
         plan_yield(vehicle, std::vector{person}, Parameters(), braking_evenly(), 0.1);
     if (order) {  // from where it looks for people on
@@ -107,7 +119,7 @@ TEST(RightOfWay, makes_a_vehicle_wait_that_can_in_comfort_and_claims_nothing) {
 TEST(RightOfWay, is_not_given_by_one_that_would_have_to_brake_too_hard) {
   FleetVehicle vehicle = car(13.0);
   PersonAhead person = northward(-2.2);
-  person.position.x() = person.zebra->begin.x() = person.zebra->end.x() = 12.0;
+  person.position.x() = person.crosswalk->begin.x() = person.crosswalk->end.x() = 12.0;
   EXPECT_FALSE(plan_yield(vehicle, std::vector{person}, Parameters(), braking_evenly(), 0.1));
 }
 
