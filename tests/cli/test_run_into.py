@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Who is run into by a vehicle is told, and carried along by none: real SUMO, read from its outputs.
+"""Who is run into by a vehicle is told, and moved no faster than people step: real SUMO, read from its
+outputs.
 
 Cars that mind nobody meet people who mind no car (constant-velocity). How far anybody moves in a step,
 how fast the car is and whether bodies overlap is taken from what SUMO wrote (fcd-output); shares
@@ -179,12 +180,13 @@ class RunInto(unittest.TestCase):
         vehicles = told(self.folder)["vehicles"]
         self.assertEqual([vehicles["contacts"], vehicles["standing_contacts"]], [1, 0])
 
-    def test_a_slow_one_pushes_and_runs_into_nobody(self):
+    def test_a_slow_one_has_run_into_whom_it_pushes_along(self):
         (self.folder / "av.csv").write_text("t,x,y\n5,62,-4.2\n45,102,-4.2\n")
         printed = self.run_street("8", path=PATH)
         self.check_nobody_is_carried_along()
         summary = told(self.folder)
-        self.assertEqual(summary["run_into"], [])
+        self.assertEqual([(event["person"], event["speed_mps"]) for event in summary["run_into"]],
+                         [("p0", 1.0)])
         self.assertIn("persons pushed                    1 (longest", printed)
         pushes = summary["pushes"]
         self.assertEqual(pushes["persons"], 1)

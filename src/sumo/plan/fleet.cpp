@@ -36,6 +36,7 @@ bool comes_into(const Box& box, const Vec2& from, const Vec2& to) {
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.seen_for = old.seen_for + dt;
   vehicle.blocked_time = old.blocked_time;
+  vehicle.gave_way = old.gave_way;
   vehicle.creeping = old.creeping;
   vehicle.slowed = old.slowed;
   vehicle.commanded = old.commanded;

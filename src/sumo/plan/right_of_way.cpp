@@ -6,10 +6,11 @@
 namespace pedzone {
 namespace {
 
-constexpr double kFastWalk = 2.0;  // [m/s] assumed: nobody comes over a crossing faster
-constexpr double kSlowest = 3.0;   // [m/s] assumed: a vehicle that is let through speeds up to it
-constexpr double kBefore = 1.0;    // [s] assumed: left between the vehicle's rear and the person
-constexpr double kBeside = 0.5;    // [m] assumed: between the body and who has come past it
+constexpr double kFastWalk = 2.0;   // [m/s] assumed: nobody comes over a crossing faster
+constexpr double kSlowest = 3.0;    // [m/s] assumed: a vehicle that is let through speeds up to it
+constexpr double kBefore = 1.0;     // [s] assumed: left between the vehicle's rear and the person
+constexpr double kPatience = 10.0;  // [s] assumed: drivers who have waited longer push in
+constexpr double kBeside = 0.5;     // [m] assumed: between the body and who has come past it
 
 struct Meeting {
   double way = 0.0;     ///< [m] of the front to the crossing
@@ -17,7 +18,8 @@ struct Meeting {
 };
 
 bool gives_way_at(const FleetVehicle& vehicle, const Crosswalk& crosswalk) {
-  return crosswalk.priority ||
+  if (crosswalk.priority) return true;
+  return vehicle.gave_way < kPatience &&
          std::ranges::find(vehicle.yields_at, crosswalk.edge) != vehicle.yields_at.end();
 }
 

@@ -95,6 +95,7 @@ struct FleetVehicle : VehicleSeen {
   double blocked_time = 0.0;  ///< [s] ≥ 0 for which people have made it stand
   double slowed = 0.0;        ///< [s] people have made it slower without a break
   double claim = 0.0;         ///< [m] see VehicleState
+  double gave_way = 0.0;      ///< [s] it has stood for people on a crossing since it drove last
   bool creeping = false;
   bool reverses = false;  ///< its front went backwards along its way
   bool lets_go = false;   ///< it is told to stand, so that people beside it go first

@@ -249,12 +249,16 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
                                      const Parameters& parameters, const SafeSpeeds& safe_speeds,
                                      double dt) {
   vehicle.claim = 0.0;
+  if (vehicle.speed > kCleared) vehicle.gave_way = 0.0;
   const double distance = look_ahead(vehicle, parameters);
   const auto ahead = first_in_way(
       vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin, distance);
   const auto crosswalk = way_to_used_crosswalk(vehicle, people, distance);
   if (crosswalk && (!ahead || *crosswalk <= ahead->distance)) {
-    if (const auto order = give_way(vehicle, *crosswalk, safe_speeds, dt)) return order;
+    if (const auto order = give_way(vehicle, *crosswalk, safe_speeds, dt)) {
+      if (vehicle.speed < kHaltingSpeed) vehicle.gave_way += dt;
+      return order;
+    }
   }
   const double most = is_squeezed_past(vehicle, people) ? kSqueezeSpeed : vehicle.allowed_speed;
   if (!ahead) {

@@ -49,6 +49,10 @@ TEST(RightOfWay, is_where_the_vehicle_turns_without_it) {
   EXPECT_FALSE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook));
   vehicle.yields_at.push_back(kHere);
   EXPECT_TRUE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook));
+  vehicle.gave_way = 10.0;
+  EXPECT_FALSE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook)) << "it has waited long";
+  person.crosswalk->priority = true;
+  EXPECT_TRUE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook)) << "a zebra crossing";
 }
 
 TEST(RightOfWay, is_not_of_who_uses_none) {
