@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sumo/calls/both.hpp"
-#include "sumo/files/sumo_messages.hpp"
 #include "sumo/files/sumo_home.hpp"
+#include "sumo/files/sumo_messages.hpp"
 
 namespace pedzone {
 namespace {

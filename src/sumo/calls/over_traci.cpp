@@ -6,8 +6,8 @@
 
 #include "sumo/calls/both.hpp"
 #include "sumo/calls/remembered.hpp"
-#include "sumo/files/sumo_messages.hpp"
 #include "sumo/calls/wire.hpp"
+#include "sumo/files/sumo_messages.hpp"
 
 namespace pedzone {
 namespace {
