@@ -234,7 +234,7 @@ int simulate(RunOptions& options) {
   totals.interrupted_by = noted_interrupt();
   totals.sumo_gone = !lost.empty();
   const bool warns = !options.attach && !options.own_process() && simulation.warns();
-  if (options.attach || options.own_process()) warn_of_drivers(simulation);
+  warn_of_drivers(simulation);
   const std::string unclosed = close(simulation);
   if (warns) totals.sumo.warnings = progress.warnings();
   outputs.finish(simulation, totals);

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -73,6 +74,10 @@ int XmlFile::line_at(std::ptrdiff_t offset) const {
   const auto position = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
   return 1 + static_cast<int>(std::lower_bound(newlines_.begin(), newlines_.end(), position) -
                               newlines_.begin());
+}
+
+std::string XmlFile::beside(const std::string& name) const {
+  return (std::filesystem::path(file_).parent_path() / name).string();  // absolute ones stay
 }
 
 int XmlFile::line(const pugi::xml_node& node) const { return line_at(node.offset_debug()); }

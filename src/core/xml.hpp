@@ -26,6 +26,8 @@ class XmlFile {
 
   pugi::xml_node root() const { return document_.document_element(); }
   const std::string& file() const { return file_; }
+  /// Path of a file that this one names: from its own folder on, as in SUMO's files.
+  std::string beside(const std::string& name) const;
 
   /// Line of a node's opening tag, 1-based.
   int line(const pugi::xml_node& node) const;

@@ -56,12 +56,6 @@ std::unique_ptr<Session> open_session(const SimulationOptions& options, const Sc
   return start_in_process(scenario.config, words_for_sumo(scenario, options.seed, options.end));
 }
 
-void require_later(double before, double now) {
-  if (now >= before) return;
-  throw SumoError("SUMO's time went back from " + time_text(before) + " to " + time_text(now) +
-                  ": another client has loaded something. pedzone cannot go on from there.");
-}
-
 Stuck stuck_of(const Standstills& found) { return {found.all(), found.most(), found.most_at()}; }
 
 }  // namespace
@@ -161,9 +155,8 @@ struct Simulation::Parts {
   GuiView gui;
   ObservationReader reader{fleet, takeover, crowds, session->persons()};
   std::function<void(const Observation&)> observer;
-  bool stepped = false;       ///< SUMO has done a step
-  bool lost = false;          ///< it is there no more
-  bool any_external = false;  ///< another program drives some vehicle
+  bool stepped = false;  ///< SUMO has done a step
+  bool lost = false;     ///< it is there no more
   std::vector<std::string> stranded;
   std::vector<PersonAhead> people, outside;
   std::vector<VehicleState> states;
@@ -208,8 +201,6 @@ void Simulation::Parts::read(double dt) {
   for (const std::string& id : session->vehicles().new_or_gone()) forget(id);
   std::vector<VehicleSeen> seen = vehicles.read(fleet, told, session->time());
   if (!alone) drivers.mark(seen, steering.steered(), session->time(), dt);
-  const auto is_external = [](const VehicleSeen& vehicle) { return vehicle.traits.external; };
-  any_external = any_external || std::ranges::any_of(seen, is_external);
   fleet.update(std::move(seen), dt);
   steering.foresee(fleet, session->time(), dt);
   takeover.read(session->time(), fleet);
@@ -290,9 +281,7 @@ void Simulation::step() {
   parts_->with_time_of_errors([this] {
     parts_->walk_and_yield(parts_->session->step_length());
     const Clock::time_point before = Clock::now();
-    const double time = parts_->session->time();
     parts_->session->step();
-    require_later(time, parts_->session->time());
     parts_->stepped = true;
     parts_->sumo_seconds += seconds_since(before);
     parts_->totals.count_persons(parts_->session->departed_persons(),
@@ -335,7 +324,7 @@ const std::vector<OutsideRecord>& Simulation::outside_persons() const {
   return parts_->takeover.outsiders();
 }
 bool Simulation::misses_drivers() const {
-  if (parts_->lost || parts_->any_external) return false;
+  if (parts_->alone || parts_->lost || parts_->drivers.any()) return false;
   return number_option(*parts_->session, "num-clients") > 1.0;
 }
 const std::vector<StreetCrossed>& Simulation::crossings() const { return parts_->crossings.all(); }

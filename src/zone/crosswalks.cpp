@@ -36,6 +36,10 @@ std::optional<double> gone_on(const Crosswalk& crosswalk, const Vec2& here, cons
 
 }  // namespace
 
+bool is_among(const Crosswalk& crosswalk, std::span<const int> crossings) {
+  return std::ranges::find(crossings, crosswalk.edge) != crossings.end();
+}
+
 std::vector<Crosswalk> find_crosswalks(const Network& network, std::span<const int> lanes) {
   std::vector<Crosswalk> crosswalks;
   for (const int index : lanes) {

@@ -20,6 +20,9 @@ struct Crosswalk {
   int edge = -1;         ///< index into Network::edges
 };
 
+/// Whether it is one of those crossings (Lane::yields_at).
+bool is_among(const Crosswalk& crosswalk, std::span<const int> crossings);
+
 /// Those of the lanes that are such crossings, in their order.
 std::vector<Crosswalk> find_crosswalks(const Network& network, std::span<const int> lanes);
 

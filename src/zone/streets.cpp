@@ -197,6 +197,32 @@ Ring ring_of(const Street& street, std::size_t first, std::size_t last) {
   return ring;
 }
 
+/// [m] of the lane that people walk on, to the left of the street's axis.
+double side_of(const Network& network, const Street& street, int edge) {
+  const Polyline& shape = network.lanes[walking_lane(network, edge)].shape;
+  return project_on(street.axis, point_on(shape, 0.5 * length_of(shape)).point).lateral;
+}
+
+/// Of the edges those of the street, and footways beside it between the same junctions.
+std::vector<int> edges_along(const Network& network, const Street& street,
+                             const std::vector<int>& edges) {
+  const Edge& first = network.edges[street.edges.front()];
+  const auto is_footway = [&](int index) {
+    const Edge& edge = network.edges[index];
+    const bool same = (edge.from == first.from && edge.to == first.to) ||
+                      (edge.from == first.to && edge.to == first.from);
+    if (!same || has_carriageway(network, index) || walking_lane(network, index) < 0) return false;
+    const double side = side_of(network, street, index);
+    const double beside = kVerge + 0.5 * network.lanes[walking_lane(network, index)].width;
+    return side > street.low - beside && side < street.high + beside;
+  };
+  std::vector<int> along;
+  std::ranges::copy_if(edges, std::back_inserter(along), [&](int edge) {
+    return std::ranges::binary_search(street.edges, edge) || is_footway(edge);
+  });
+  return along;
+}
+
 }  // namespace
 
 double Street::divide() const {
@@ -243,36 +269,6 @@ Region crossable_ground(const std::vector<Street>& streets) {
   }
   return unite(runs);
 }
-
-namespace {
-
-/// [m] of the lane that people walk on, to the left of the street's axis.
-double side_of(const Network& network, const Street& street, int edge) {
-  const Polyline& shape = network.lanes[walking_lane(network, edge)].shape;
-  return project_on(street.axis, point_on(shape, 0.5 * length_of(shape)).point).lateral;
-}
-
-/// Of the edges those of the street, and footways beside it between the same junctions.
-std::vector<int> edges_along(const Network& network, const Street& street,
-                             const std::vector<int>& edges) {
-  const Edge& first = network.edges[street.edges.front()];
-  const auto is_footway = [&](int index) {
-    const Edge& edge = network.edges[index];
-    const bool same = (edge.from == first.from && edge.to == first.to) ||
-                      (edge.from == first.to && edge.to == first.from);
-    if (!same || has_carriageway(network, index) || walking_lane(network, index) < 0) return false;
-    const double side = side_of(network, street, index);
-    const double beside = kVerge + 0.5 * network.lanes[walking_lane(network, index)].width;
-    return side > street.low - beside && side < street.high + beside;
-  };
-  std::vector<int> along;
-  std::ranges::copy_if(edges, std::back_inserter(along), [&](int edge) {
-    return std::ranges::binary_search(street.edges, edge) || is_footway(edge);
-  });
-  return along;
-}
-
-}  // namespace
 
 std::vector<std::pair<int, int>> linked_across(const Network& network,
                                                const std::vector<Street>& streets,

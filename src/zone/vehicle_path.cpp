@@ -33,9 +33,7 @@ std::vector<VehiclePath::Row> read_rows(const std::string& name) {
 VehiclePathSpec read_spec(const XmlFile& file, const pugi::xml_node& node) {
   file.check_names(node, {"vehicle", "file"}, {});
   const std::string vehicle = file.required(node, "vehicle"), given = file.required(node, "file");
-  const std::filesystem::path name =
-      std::filesystem::path(file.file()).parent_path() / given;  // an absolute one stays as it is
-  return {vehicle, name.string(), given, file.file(), file.line(node)};
+  return {vehicle, file.beside(given), given, file.file(), file.line(node)};
 }
 
 VehiclePath read_path_of(const VehiclePathSpec& spec) {

@@ -1,7 +1,6 @@
 #include "zone/zone_file.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <set>
 
@@ -29,14 +28,12 @@ std::vector<std::string> read_list(const XmlFile& file, const pugi::xml_node& no
   return words;
 }
 
-/// A plug-in lies beside the zone file, as what any of SUMO's files names.
 std::string read_model(const XmlFile& file, const pugi::xml_node& node) {
   const std::string name = file.required(node, "model");
   if (!may_be_model(name)) {
     throw file.error("is no walking model", node, "model", name, allowed_models());
   }
-  if (!names_plugin(name)) return name;
-  return (std::filesystem::path(file.file()).parent_path() / name).string();
+  return names_plugin(name) ? file.beside(name) : name;
 }
 
 std::string parameter_keys() { return comma_list(parameter_list(), &ParameterInfo::key); }

@@ -6,13 +6,14 @@
 
 #include "app/sumo_library/entry.hpp"
 #include "core/error.hpp"
+#include "study/run/versions.hpp"
 
 namespace pedzone {
 namespace {
 
 /// Lies beside the program, wherever both were installed to.
 std::string library_file() {
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  const std::filesystem::path program = study::this_program();
   return (program.parent_path() / PEDZONE_SUMO_LIBRARY).lexically_normal().string();
 }
 
@@ -21,11 +22,10 @@ StartInProcess* load() {
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const entry = library == nullptr ? nullptr : dlsym(library, kStartInProcess);
   if (entry == nullptr) {
-    throw SumoError(
-        fmt::format("SUMO cannot be started: {}. pedzone is installed together with this library, "
-                    "and that needs "
-                    "SUMO's (Debian: package sumo)",
-                    dlerror()));
+    throw SumoError(fmt::format(
+        "SUMO cannot be started: {}. pedzone is installed together with this library, and that "
+        "needs SUMO's (Debian: package sumo)",
+        dlerror()));
   }
   return *static_cast<StartInProcess* const*>(entry);
 }

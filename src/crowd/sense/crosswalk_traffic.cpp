@@ -35,7 +35,7 @@ std::vector<StreetVehicle> coming_over(const Crosswalk& crosswalk,
   const double reach = kUpstream + line.norm();
   for (std::uint32_t v = 0; v < vehicles.size(); ++v) {
     const VehicleState& vehicle = vehicles[v];
-    if (std::ranges::find(vehicle.yields_at, crosswalk.edge) != vehicle.yields_at.end()) continue;
+    if (is_among(crosswalk, vehicle.yields_at)) continue;
     if ((vehicle.centre - middle).squaredNorm() > reach * reach) continue;
     const auto over = from_rear(crosswalk, vehicle);
     if (!over) continue;

@@ -1,5 +1,4 @@
 // The zone file of a condition.
-#include <filesystem>
 #include <functional>
 #include <pugixml.hpp>
 
@@ -11,8 +10,6 @@
 
 namespace pedzone::study {
 namespace {
-
-namespace fs = std::filesystem;
 
 void set_attribute(pugi::xml_node node, const Setting& setting) {
   pugi::xml_attribute attribute = node.attribute(setting.key.c_str());
@@ -74,12 +71,11 @@ std::string text_of(const Study& study, const StudyScenario& scenario,
   if (scenario.zone_file.empty()) {
     root = document.append_child("zones");
   } else {
-    const std::string path = study.resolve(scenario.zone_file);
-    const XmlFile file(path, {"zones"});
+    const XmlFile file(study.resolve(scenario.zone_file), {"zones"});
     root = document.append_copy(file.root());
     root.remove_attribute("xsi:noNamespaceSchemaLocation");  // is relative to the old place
     const auto move = [&](pugi::xml_attribute attribute) {
-      attribute.set_value((fs::path(path).parent_path() / attribute.value()).c_str());
+      attribute.set_value(file.beside(attribute.value()).c_str());
     };
     for (const pugi::xml_node& node : root.children("vehiclePath")) move(node.attribute("file"));
     for (const pugi::xml_node& node : root.children("zone")) {

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <iostream>
 #include <thread>
+#include <utility>
 
 #include "core/child_process.hpp"
 extern "C" {  // glibc 2.36 does not say so itself
@@ -79,7 +80,8 @@ std::string with_port(std::string command, int port) {
   return command;
 }
 
-/// What another process can see: that the run has begun.
+/// That the run has begun, as another process can see it too: a pipe that nobody can write to any
+/// more.
 class Begun {
  public:
   Begun() {
@@ -91,21 +93,14 @@ class Begun {
   Begun(const Begun&) = delete;
   Begun& operator=(const Begun&) = delete;
 
-  void tell() { tell_end(1); }
-  /// In the other process, before it asks.
-  void watch() { tell_end(1); }
-  /// Whether nobody holds the end any more that is closed then.
-  bool is_told() const {
+  /// To be called by each process that has it: by the one when the run begins, by the other first.
+  void let_go() { close(std::exchange(ends_[1], -1)); }
+  bool is_true() const {
     char nothing = 0;
     return read(ends_[0], &nothing, 1) == 0;
   }
 
  private:
-  void tell_end(std::size_t end) {
-    close(ends_[end]);
-    ends_[end] = -1;
-  }
-
   std::array<int, 2> ends_{-1, -1};
 };
 
@@ -114,12 +109,12 @@ volatile std::sig_atomic_t asked_to_end = 0;
 /// SUMO waits for a client that does not come; one that breaks off later ends it.
 std::unique_ptr<Child> start_client(const std::string& command, const Child& sumo, Begun& begun) {
   return std::make_unique<Child>([&] {
-    begun.watch();
+    begun.let_go();
     std::signal(SIGTERM, [](int) { asked_to_end = 1; });  // the client's is as it was
     const int process = pidfd_open(sumo.id(), 0);
     const Ending ending = run_program({"sh", "-c", command}, ".");
     if (asked_to_end != 0) return 0;
-    if (!begun.is_told()) pidfd_send_signal(process, SIGKILL, nullptr, 0);
+    if (!begun.is_true()) pidfd_send_signal(process, SIGKILL, nullptr, 0);
     return ending.exit_code();
   });
 }
@@ -200,7 +195,7 @@ std::unique_ptr<Session> start_own(const OwnSumo& own, const std::string& config
   if (!own.client.empty()) client = start_client(with_port(own.client, port), *process, begun);
   try {
     auto joined = join_over_traci(address, speeds, [&] { return !process->poll(); });
-    begun.tell();
+    begun.let_go();
     return std::make_unique<OwnSession>(std::move(process), std::move(client), std::move(joined),
                                         own.gui);
   } catch (const SumoError&) {

@@ -22,8 +22,13 @@ class SessionCalls final : public Session {
   SumoView* view() override { return view_.get(); }
 
   void step() override {
-    const std::string doing = "in the step after " + std::to_string(SessionCalls::time()) + " s";
-    translated(doing, [] { Simulation::step(); });
+    const double before = SessionCalls::time();
+    translated("in the step after " + std::to_string(before) + " s", [] { Simulation::step(); });
+    const double now = SessionCalls::time();
+    if (now >= before) return;
+    throw SumoError("SUMO's time went back from " + std::to_string(before) + " s to " +
+                    std::to_string(now) +
+                    " s: another client has loaded something. pedzone cannot go on from there.");
   }
 
   void close() override {

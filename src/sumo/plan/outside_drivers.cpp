@@ -37,6 +37,7 @@ bool OutsideDrivers::is_odd(const VehicleSeen& vehicle, const Suspect& suspect, 
 void OutsideDrivers::mark(std::vector<VehicleSeen>& seen,
                           const std::unordered_set<std::string>& steered, double time, double dt) {
   for (VehicleSeen& vehicle : seen) {
+    any_ = any_ || vehicle.traits.external;
     if (vehicle.traits.external || steered.contains(vehicle.id)) continue;
     Suspect& suspect = suspects_[vehicle.id];
     const bool odd = !vehicle.stopped && is_odd(vehicle, suspect, dt);
@@ -47,6 +48,7 @@ void OutsideDrivers::mark(std::vector<VehicleSeen>& seen,
     if (suspect.odd_steps >= kSure) suspect.driven = true;
     if (suspect.as_sumo >= kLetGo) suspect.driven = false;
     vehicle.traits.external = suspect.driven;
+    any_ = any_ || suspect.driven;
     if (!suspect.driven || suspect.told_of) continue;
     suspect.told_of = true;
     found_.push_back({time, vehicle.id});

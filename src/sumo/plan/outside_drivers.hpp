@@ -34,6 +34,8 @@ class OutsideDrivers {
   /// That id stands for another vehicle from now on, or for none.
   void forget(const std::string& vehicle) { suspects_.erase(vehicle); }
 
+  /// Whether another program drives any of those seen so far, declared or found.
+  bool any() const { return any_; }
   /// Whoever was found, each once, in time.
   const std::vector<OutsideRecord>& found() const { return found_; }
 
@@ -49,6 +51,7 @@ class OutsideDrivers {
   const Told& told_;
   std::unordered_map<std::string, Suspect> suspects_;
   std::vector<OutsideRecord> found_;
+  bool any_ = false;
 };
 
 }  // namespace pedzone

@@ -19,8 +19,7 @@ struct Meeting {
 
 bool gives_way_at(const FleetVehicle& vehicle, const Crosswalk& crosswalk) {
   if (crosswalk.priority) return true;
-  return vehicle.gave_way < kPatience &&
-         std::ranges::find(vehicle.yields_at, crosswalk.edge) != vehicle.yields_at.end();
+  return vehicle.gave_way < kPatience && is_among(crosswalk, vehicle.yields_at);
 }
 
 /// Nothing: the way does not lead over it, or the front is on it already.

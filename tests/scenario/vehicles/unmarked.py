@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Crossings as netconvert guesses them, without a zebra: who turns gives way to people there.
 
-usage: unmarked.py PEDZONE [--seeds N,N] [--step S] [--keep FOLDER] [--model M]
+usage: unmarked.py PEDZONE [--seeds N,N] [--steps S,S] [--keep FOLDER] [--model M]
 
 A street with sidewalks, and one that joins it. A car turns into that every 4 s, over its crossing;
 20 people walk along the street, over the same one. SUMO's junction table says that the cars give way
@@ -12,12 +12,13 @@ When people waited there for a gap they took 180 s instead of 151 with steps of 
 instead of 153 with steps of 1 s. It is a check of who waits, and vehicles give way to any model's
 people: --model constant-velocity passes.
 """
+import itertools
 import statistics
 import sys
-import tempfile
+from functools import partial
 from pathlib import Path
 
-from junction import arguments, call, contacts, run_both
+from junction import arguments, call, contacts, judge, run_both
 
 NODES = {"west": (-120, 0), "middle": (0, 0), "east": (120, 0), "south": (0, -120)}
 CARS = 100
@@ -55,8 +56,13 @@ def make_scene(folder, seed, step):
         '<collision.check-junctions value="true"/></configuration>')
 
 
-def compare(plain, ours, touched):
-    wrong = [f"{sum(touched)} people are touched"] if sum(touched) else []
+def compare(pedzone, options, folder, seed, step):
+    """What is wrong."""
+    make_scene(folder, seed, step)
+    plain, ours = run_both(pedzone, folder, *options)
+    touched = sum(contacts(folder))
+    print(f"seed {seed}, steps of {step} s:", flush=True)
+    wrong = [f"{touched} people are touched"] if touched else []
     wrong += [f"{name}: {getattr(ours, name)}" for name in ("brakings", "teleports", "collisions")
               if getattr(ours, name)]
     for what, before, now in (("drive", plain.driven, ours.driven),
@@ -70,22 +76,13 @@ def compare(plain, ours, touched):
 
 def main():
     parser = arguments(__doc__, "1")
-    parser.add_argument("--step", type=float, nargs="+", default=[0.2, 1.0], help="[s]")
+    parser.add_argument("--steps", default="0.2,1")
     parser.add_argument("--model", help="walking model")
     asked = parser.parse_args()
-    failed = False
-    with tempfile.TemporaryDirectory() as work:
-        for seed in asked.seeds.split(","):
-            for step in asked.step:
-                folder = Path(asked.keep or work) / f"{seed}-{step}"
-                make_scene(folder, int(seed), step)
-                plain, ours = run_both(asked.pedzone, folder,
-                                       *(["--model", asked.model] if asked.model else []))
-                print(f"seed {seed}, steps of {step} s:", flush=True)
-                for line in compare(plain, ours, contacts(folder)):
-                    failed = True
-                    print(f"  WRONG: {line}")
-    return 1 if failed else 0
+    cases = {f"{seed}-{step}": (int(seed), float(step))
+             for seed, step in itertools.product(asked.seeds.split(","), asked.steps.split(","))}
+    options = ["--model", asked.model] if asked.model else []
+    return judge(cases, asked.keep, partial(compare, Path(asked.pedzone).resolve(), options))
 
 
 if __name__ == "__main__":

@@ -9,7 +9,8 @@ namespace pedzone {
 namespace {
 
 WalkSpeeds speeds_of(const std::string& routes) {
-  const std::string file = testing::TempDir() + "walk_speeds.rou.xml";
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();  // run side by side
+  const std::string file = testing::TempDir() + "walk_speeds_" + test->name() + ".rou.xml";
   std::ofstream(file) << "<routes>" << routes << "</routes>";
   WalkSpeeds speeds;
   speeds.read(file);
