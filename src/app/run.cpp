@@ -201,6 +201,17 @@ std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progres
   return noted_interrupt() == 0 ? lost : "";
 }
 
+/// What SUMO tells of the whole run. `lost`: if it goes only now, that it did.
+RunSummary sum_up(Simulation& simulation, std::string& lost) {
+  try {
+    warn_of_drivers(simulation);
+    return simulation.summary();
+  } catch (const ConnectionLost& error) {
+    lost = error.what();
+  }
+  return simulation.summary();
+}
+
 /// Ends SUMO. What went wrong with that: what was simulated is complete all the same.
 std::string close(Simulation& simulation) {
   try {
@@ -229,12 +240,11 @@ int simulate(RunOptions& options) {
   warn_of_far_places(simulation.network());
   warn_of_shapes(simulation);
   warn_of_counts(simulation, prepared.scenario);
-  const std::string lost = walk(simulation, outputs, progress, watch);
-  RunSummary totals = simulation.summary();
+  std::string lost = walk(simulation, outputs, progress, watch);
+  RunSummary totals = sum_up(simulation, lost);
   totals.interrupted_by = noted_interrupt();
   totals.sumo_gone = !lost.empty();
   const bool warns = !options.attach && !options.own_process() && simulation.warns();
-  warn_of_drivers(simulation);
   const std::string unclosed = close(simulation);
   if (warns) totals.sumo.warnings = progress.warnings();
   outputs.finish(simulation, totals);

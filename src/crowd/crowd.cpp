@@ -231,7 +231,10 @@ void Crowd::step(double dt, std::span<const VehicleState> vehicles) {
   }
   walk(*state_, dt);
   // What stays is where they are; their ways belong to the caller.
-  for (VehicleState& vehicle : present) vehicle.way = {};
+  for (VehicleState& vehicle : present) {
+    vehicle.way = {};
+    vehicle.yields_at = {};
+  }
 }
 
 PersonView Crowd::view(Handle handle) const {

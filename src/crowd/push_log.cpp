@@ -17,16 +17,18 @@ bool goes_on(double last, double begin) { return begin - last <= kPause; }
 void PushLog::add(double time, double dt, std::span<const VehiclePush> pushes) {
   const double end = time + dt;
   for (const VehiclePush& push : pushes) {
-    const auto [at, is_new] = going_.try_emplace(push.person);
-    Going& going = at->second;
-    if (is_new || !goes_on(going.last, time)) going.way = going.carried = 0.0;
-    going.way += push.way;
-    going.carried += push.carried;
-    going.last = end;
-    const bool run_into = push.run_into || going.carried > kStep;
-    if (going.way >= kPushed || run_into) {
+    const auto add_to = [&](Going& going, double way) {
+      if (!goes_on(going.last, time)) going.way = 0.0;
+      going.way += way;
+      going.last = end;
+      return going.way;
+    };
+    const double way = add_to(going_[push.person], push.way);
+    const double carried = add_to(carried_[{push.person, push.vehicle}], push.carried);
+    const bool run_into = push.run_into || (push.carried > 0.0 && carried > kStep);
+    if (way >= kPushed || run_into) {
       PushedPerson& person = persons_[push.person];
-      person.way = std::max(person.way, going.way);
+      person.way = std::max(person.way, way);
       person.speed = std::max(person.speed, push.speed);
       person.run_into = person.run_into || run_into;
     }

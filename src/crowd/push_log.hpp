@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
 #include <utility>
@@ -27,7 +28,8 @@ struct RunInto {
 };
 
 /// Takes the pushes of a crowd, or of several that have no person in common, step by step. Whom a
-/// vehicle has moved along before its bumper by more than a step, it has run into.
+/// vehicle has moved along before its bumper by more than a step, it has run into when it next
+/// moves it.
 class PushLog {
  public:
   /// Those of the step of `dt` [s] that begins at `time` [s]. A push goes on, by whichever vehicle,
@@ -41,13 +43,14 @@ class PushLog {
 
  private:
   struct Going {
-    double way = 0.0;      ///< [m] so far
-    double carried = 0.0;  ///< [m] of it as VehiclePush
-    double last = 0.0;     ///< [s] end of its last step
+    double way = 0.0;                                        ///< [m] so far
+    double last = -std::numeric_limits<double>::infinity();  ///< [s] end of its last step
   };
 
   std::map<std::uint64_t, PushedPerson> persons_;
-  std::map<std::uint64_t, Going> going_;                               ///< of each person
+  std::map<std::uint64_t, Going> going_;  ///< of each person
+  /// Of each pair: as VehiclePush::carried.
+  std::map<std::pair<std::uint64_t, std::uint64_t>, Going> carried_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, double> overlap_;  ///< [s] last, of each pair
   std::vector<RunInto> run_into_;
 };

@@ -324,8 +324,11 @@ const std::vector<OutsideRecord>& Simulation::outside_persons() const {
   return parts_->takeover.outsiders();
 }
 bool Simulation::misses_drivers() const {
-  if (parts_->alone || parts_->lost || parts_->drivers.any()) return false;
-  return number_option(*parts_->session, "num-clients") > 1.0;
+  bool others = false;
+  if (parts_->alone || parts_->lost || parts_->drivers.any()) return others;
+  parts_->with_time_of_errors(
+      [&] { others = number_option(*parts_->session, "num-clients") > 1.0; });
+  return others;
 }
 const std::vector<StreetCrossed>& Simulation::crossings() const { return parts_->crossings.all(); }
 const std::vector<RunIntoRecord>& Simulation::run_into() const { return parts_->pushes.run_into(); }
@@ -386,9 +389,13 @@ std::vector<Insight> Simulation::insights() {
 }
 
 RunSummary Simulation::summary() const {
-  RunSummary summary = parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding,
-                                              parts_->people_in_sumo());
-  if (!parts_->lost) parts_->stuck.look(time());
+  std::size_t in_sumo = 0;
+  parts_->with_time_of_errors([&] {
+    in_sumo = parts_->people_in_sumo();
+    if (!parts_->lost) parts_->stuck.look(time());
+  });
+  RunSummary summary =
+      parts_->totals.summary(parts_->takeover, parts_->pushes, parts_->yielding, in_sumo);
   if (std::ranges::any_of(zones(), [](const Zone& zone) { return !zone.streets.empty(); })) {
     summary.crossings = totals_of(crossings());
   }

@@ -184,16 +184,23 @@ class Finder {
   std::vector<Polyline> signalled_;
 };
 
-/// The run of open places from `first` on, as a ring.
+/// The run of open places from `first` on, as a ring. At both ends it holds the bodies of those who
+/// cross as far out as Street::at takes for the last place, too.
 Ring ring_of(const Street& street, std::size_t first, std::size_t last) {
+  constexpr double kBeyond = 0.5 * kStreetStep + kRoom;
   Ring ring;
-  const auto s = [](std::size_t k) { return static_cast<double>(k) * kStreetStep; };
-  for (std::size_t k = first; k < last; ++k) {
-    ring.push_back(street.point(s(k), street.places[k].low - kOverlap));
-  }
-  for (std::size_t k = last; k > first; --k) {
-    ring.push_back(street.point(s(k - 1), street.places[k - 1].high + kOverlap));
-  }
+  const auto add = [&](std::size_t k, double t, double beyond) {
+    const double s = static_cast<double>(k) * kStreetStep;
+    ring.push_back(street.point(s, t) + beyond * point_on(street.axis, s).direction);
+  };
+  const auto low = [&](std::size_t k) { return street.places[k].low - kOverlap; };
+  const auto high = [&](std::size_t k) { return street.places[k].high + kOverlap; };
+  add(first, low(first), -kBeyond);
+  for (std::size_t k = first; k < last; ++k) add(k, low(k), 0.0);
+  add(last - 1, low(last - 1), kBeyond);
+  add(last - 1, high(last - 1), kBeyond);
+  for (std::size_t k = last; k > first; --k) add(k - 1, high(k - 1), 0.0);
+  add(first, high(first), -kBeyond);
   return ring;
 }
 
@@ -263,7 +270,7 @@ Region crossable_ground(const std::vector<Street>& streets) {
       if (!street.places[k].open) continue;
       std::size_t last = k;
       while (last < street.places.size() && street.places[last].open) ++last;
-      if (last - k > 1) runs.push_back(repair(ring_of(street, k, last)));
+      runs.push_back(repair(ring_of(street, k, last)));
       k = last;
     }
   }

@@ -218,22 +218,24 @@ def check_difference(check, sentence, reference, model):
 
 def check_geometry(check, sentence, reference, model, alone):
     common = sorted(set(alone[0]) & set(alone[1]))
-    for part in re.finditer(rf"Of the ({NUMBER}) % by which people's (trips|ways) are (\w+), "
-                            rf"({NUMBER}) % are there without others, too; interaction makes "
-                            rf"({NUMBER}) % \[({NUMBER}), ({NUMBER})\]", sentence):
-        column, key = (1, "person.travelTime") if part[2] == "trips" else (0, "person.detour")
-        ratio = numpy.array([alone[1][name][column] / alone[0][name][column] - 1 for name in common])
+    for part in re.finditer(rf"Of the ({NUMBER}) % by which people's trips are (\w+), "
+                            rf"({NUMBER}) percentage points are there without others, too; "
+                            rf"interaction makes ({NUMBER}) \[({NUMBER}), ({NUMBER})\]", sentence):
+        key = "person.travelTime"
+        theirs, own = (numpy.array([alone[k][name][1] for name in common]) for k in (0, 1))
+        share_alone = own.sum() / theirs.sum() - 1
+        ratio = (own - (1 + share_alone) * theirs) / theirs.mean()
         a, b = paired(reference, model, key)
-        sign = -100.0 if part[3] == "shorter" else 100.0
+        sign = -100.0 if part[2] == "shorter" else 100.0
         share, spread = (b - a).mean() / a.mean(), (b - a).std(ddof=1) / a.mean()
         u, v = spread ** 2 / len(a), ratio.var(ddof=1) / len(common)
         freedom = (u + v) ** 2 / (u ** 2 / (len(a) - 1) + v ** 2 / (len(common) - 1))
         half = student(freedom) * math.sqrt(u + v)
-        left = share - ratio.mean()
+        left = share - share_alone
         ends = sorted((sign * (left - half), sign * (left + half)))
         loose = 100.0 * LOOSE.get(key, 0.0)
-        for said, found in zip((part[1], part[4], part[5], part[6], part[7]),
-                               (sign * share, sign * ratio.mean(), sign * left, *ends)):
+        for said, found in zip((part[1], part[3], part[4], part[5], part[6]),
+                               (sign * share, sign * share_alone, sign * left, *ends)):
             check.near(f"geometry of {key}", said, found, loose)
 
 

@@ -194,11 +194,10 @@ void plan_crossing(const CrowdState& crowd, std::size_t i, const Destination& de
   Route& route = ways.walkers[i].route;
   const Vec2 here = crowd.position(i), to = 0.5 * (route.aim_a + route.aim_b);
   const double by_nodes = route.found ? way_left(route, here) : memory.by_junctions;
+  // Who can get there neither inside the zone nor over a street would stand in it for ever.
+  memory.stays_outside = !route.found && std::isfinite(by_nodes);
   if (by_nodes - (to - here).norm() < kWorthWhile) return;
-  if (goes_alone_as_child(crowd, i) && std::isfinite(by_nodes)) {
-    memory.stays_outside = !route.found;
-    return;
-  }
+  if (goes_alone_as_child(crowd, i) && std::isfinite(by_nodes)) return;
   double length = by_nodes;
   memory.now = best_crossing(crowd, i, to, length);
   if (memory.now == nullptr) return;

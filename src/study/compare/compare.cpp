@@ -158,7 +158,13 @@ std::vector<Comparison> compare(const Plan& plan, const Records& records) {
   }
   correct_family(comparisons, true);
   correct_family(comparisons, false);
-  for (Comparison& comparison : comparisons) comparison.finding = finding_of(comparison);
+  for (Comparison& comparison : comparisons) {
+    comparison.finding = finding_of(comparison);
+    const bool no_difference =
+        comparison.finding == Finding::kSame || comparison.finding == Finding::kNotShown;
+    // What is cut off would have gone on to differ.
+    if (no_difference && comparison.bound == Bound::kAtLeast) comparison.bound = Bound::kUnknown;
+  }
   return comparisons;
 }
 

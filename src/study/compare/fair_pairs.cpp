@@ -24,11 +24,27 @@ std::vector<std::pair<double, double>> both(const RunRecord& reference, const Ru
   return all;
 }
 
-/// Ratios less `less`.
-SampleSummary ratios(const RunRecord& reference, const RunRecord& model, std::string_view what,
-                     double less = 0.0) {
+SampleSummary ratios(const RunRecord& reference, const RunRecord& model, std::string_view what) {
   std::vector<double> all;
-  for (const auto& [own, other] : both(reference, model, what)) all.push_back(own / other - less);
+  for (const auto& [own, other] : both(reference, model, what)) all.push_back(own / other);
+  return summarize(all);
+}
+
+/// By which the sum is larger than the reference's, as a share of that. The standard deviation is
+/// that of the ratio of two sums, linearized (Cochran, Sampling Techniques, 1977, eq. 2.45).
+SampleSummary excess(const RunRecord& reference, const RunRecord& model, std::string_view what) {
+  const auto pairs = both(reference, model, what);
+  double sum = 0.0, reference_sum = 0.0;
+  for (const auto& [own, other] : pairs) {
+    sum += own;
+    reference_sum += other;
+  }
+  const double ratio = sum / reference_sum;
+  const double mean = reference_sum / static_cast<double>(pairs.size());
+  std::vector<double> all;
+  for (const auto& [own, other] : pairs) {
+    all.push_back(ratio - 1.0 + (own - ratio * other) / mean);
+  }
   return summarize(all);
 }
 
@@ -50,8 +66,8 @@ FreeSpeed free_speed(const Plan& plan, const Records& records, std::size_t condi
   speed.lowest = *summary.min;
   speed.highest = *summary.max;
   speed.agrees = std::abs(speed.ratio - 1.0) <= kAgreement;
-  speed.way = ratios(*reference_record, *model_record, "way:", 1.0);
-  speed.time = ratios(*reference_record, *model_record, "time:", 1.0);
+  speed.way = excess(*reference_record, *model_record, "way:");
+  speed.time = excess(*reference_record, *model_record, "time:");
   return speed;
 }
 

@@ -90,8 +90,8 @@ struct FreeSpeed {
   double ratio = 1.0;                  ///< of speeds, mean
   double lowest = 1.0, highest = 1.0;  ///< of a single person
   bool agrees = false;                 ///< the mean within 2 %
-  SampleSummary way = {};              ///< of ratios of ways less 1
-  SampleSummary time = {};             ///< of ratios of trips' times less 1
+  SampleSummary way = {};              ///< of all ways over the reference's, less 1
+  SampleSummary time = {};             ///< of all trips' times over the reference's, less 1
 };
 
 /// What is left of a difference when that between people who walk alone is taken off. All in shares
@@ -102,7 +102,7 @@ struct Interaction {
   double interaction = 0.0;          ///< the rest
   std::optional<Interval> interval;  ///< 95 % of the rest, where it varies (Welch)
 };
-/// `alone`: FreeSpeed::way or ::time. Unset where either is not known.
+/// `alone`: FreeSpeed::time, of trips' times. Unset where either is not known.
 std::optional<Interaction> interaction_of(const Comparison& comparison, const SampleSummary& alone);
 
 std::vector<FreeSpeed> free_speeds(const Plan& plan, const Records& records);

@@ -37,7 +37,7 @@ constexpr Measure kMeasures[] = {
      "Mean distance walked in the zone, from place to place; a jump counts, too.", "People", false},
     {"person.jumped", "Jumped in the zone", "m",
      "Mean distance by which they were put on there without walking it: by SUMO's striping over "
-     "junctions that have no walking areas.",
+     "junctions that have no walking areas, by its nonInteracting over all.",
      "People", false},
     {"person.jams", "Jams", "",
      "Times that somebody stuck among people was let through: by striping after jamtime, by "

@@ -120,8 +120,8 @@ std::string parts_text(const Interaction& parts, const char* what) {
   const int decimals = decimals_for(kPercent * half);
   const auto percent = [&](double share) { return number_text(sign * share, decimals); };
   std::string text = fmt::format(
-      "Of the {} % by which {}, {} % are there without others, too; interaction makes "
-      "{} %",
+      "Of the {} % by which {}, {} percentage points are there without others, too; interaction "
+      "makes {}",
       percent(parts.all), what, percent(parts.geometry), percent(parts.interaction));
   if (parts.interval) {
     const auto [low, high] = std::minmax({sign * parts.interval->low, sign * parts.interval->high});
@@ -145,18 +145,14 @@ void add_sentences(std::span<const FreeSpeed> speeds, const Plan& plan,
 }  // namespace
 
 Sentence interaction_sentence(std::span<const Comparison> comparisons, const FreeSpeed& free) {
-  std::vector<std::string> parts;
-  const auto add = [&](std::string_view measure, const SampleSummary& alone, const char* shorter,
-                       const char* longer) {
-    const auto one = std::ranges::find(comparisons, measure, &Comparison::measure);
-    if (one == comparisons.end() || !is_told(*one)) return;
-    const auto found = interaction_of(*one, alone);
-    if (found) parts.push_back(parts_text(*found, found->all < 0.0 ? shorter : longer));
-  };
-  add("person.travelTime", free.time, "people's trips are shorter", "people's trips are longer");
-  add("person.detour", free.way, "people's ways are shorter", "people's ways are longer");
-  if (parts.empty()) return {};
-  return {"Geometry and interaction.", fmt::format(" {}.", fmt::join(parts, ". "))};
+  const auto time = std::ranges::find(comparisons, "person.travelTime", &Comparison::measure);
+  // What a difference is at least cannot be split.
+  if (time == comparisons.end() || !is_told(*time) || time->bound == Bound::kAtLeast) return {};
+  const auto found = interaction_of(*time, free.time);
+  if (!found) return {};
+  const char* const what =
+      found->all < 0.0 ? "people's trips are shorter" : "people's trips are longer";
+  return {"Geometry and interaction.", fmt::format(" {}.", parts_text(*found, what))};
 }
 
 std::vector<Sentence> free_speed_sentences(std::span<const FreeSpeed> speeds, const Plan& plan) {

@@ -101,11 +101,15 @@ Sentence jump_sentence(std::span<const Comparison> comparisons, const std::strin
   const Totals jumps = totals_of(comparisons, model, "person.jumped");
   const double most = std::max(jumps.reference, jumps.own);
   if (jumps.all == 0 || most < kMuch * static_cast<double>(jumps.all)) return {};
-  return {fmt::format("Warning: {} puts people on by {} m each without walking them",
-                      jumps.reference > jumps.own ? plan.study.reference : model,
+  const std::string& jumps_most = jumps.reference > jumps.own ? plan.study.reference : model;
+  const char* const where =
+      jumps_most == "nonInteracting"
+          ? ", from edge to edge over junctions, as it always does"
+          : ", over junctions that have no walking areas (netconvert makes them with "
+            "--walkingareas)";
+  return {fmt::format("Warning: {} puts people on by {} m each without walking them", jumps_most,
                       number_text(most / static_cast<double>(jumps.all), 1)),
-          ", over junctions that have no walking areas (netconvert makes them with "
-          "--walkingareas): its times and delays in the zone are too short by that.",
+          fmt::format("{}: its times and delays in the zone are too short by that.", where),
           Sentence::Tone::kWarning};
 }
 

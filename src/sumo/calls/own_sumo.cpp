@@ -2,11 +2,14 @@
 
 #include <fcntl.h>
 #include <netinet/in.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <iostream>
@@ -24,8 +27,9 @@ namespace {
 
 constexpr double kPatience = 3600.0;  // [s] numerical: a large network loads for long
 constexpr std::chrono::milliseconds kLook{20};
-constexpr std::chrono::seconds kToEnd{30};   // for SUMO to write its outputs
-constexpr std::chrono::seconds kToLeave{5};  // assumed: for a client to see that the run is over
+constexpr std::chrono::seconds kToEnd{30};    // for SUMO to write its outputs
+constexpr std::chrono::seconds kToLeave{20};  // assumed: for a client to write what it found
+constexpr std::chrono::seconds kToObey{5};    // assumed: for one that is asked to end
 
 /// A port that is free now.
 int free_port() {
@@ -112,26 +116,31 @@ std::unique_ptr<Child> start_client(const std::string& command, const Child& sum
     begun.let_go();
     std::signal(SIGTERM, [](int) { asked_to_end = 1; });  // the client's is as it was
     const int process = pidfd_open(sumo.id(), 0);
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // the shell may end before what it has started
     const Ending ending = run_program({"sh", "-c", command}, ".");
-    if (asked_to_end != 0) return 0;
+    if (asked_to_end != 0) {
+      while (wait(nullptr) > 0 || errno == EINTR) continue;
+      return 0;
+    }
     if (!begun.is_true()) pidfd_send_signal(process, SIGKILL, nullptr, 0);
     return ending.exit_code();
   });
 }
 
-/// Throws where it has ended by itself, and not well.
+/// Throws where it has not ended well.
 void require_good_end(Child& client) {
   const auto ending = client.poll();
   if (ending && !ending->good()) throw SumoError("The client that was started " + ending->text());
 }
 
-/// Ends with the run: SUMO would go on for it, without pedzone.
-void end_with_run(Child& client) {
-  if (wait_for(client, kToLeave)) return;
+/// Ends with the run: SUMO would go on for it, without pedzone. Whether it did so by itself.
+bool end_with_run(Child& client) {
+  if (wait_for(client, kToLeave)) return true;
   std::cerr << "Warning: the run is over, and the client that was started went on: it is ended."
             << std::endl;
   client.ask_to_end();
-  if (!wait_for(client, kToLeave)) client.kill();
+  if (!wait_for(client, kToObey)) client.kill();
+  return false;
 }
 
 /// What a joined SUMO does; and its process ends with it, and that of a client.
@@ -150,10 +159,10 @@ class OwnSession final : public Session {
   SumoView* view() override { return window_ ? joined_->view() : nullptr; }
   void step() override { joined_->step(); }
   void close() override {
-    if (client_) end_with_run(*client_);
+    const bool by_itself = client_ && end_with_run(*client_);
     joined_->close();
     wait_for(*process_);
-    if (client_) require_good_end(*client_);
+    if (by_itself) require_good_end(*client_);
   }
   double time() const override { return joined_->time(); }
   double step_length() const override { return joined_->step_length(); }

@@ -9,7 +9,9 @@ namespace {
 constexpr double kFastWalk = 2.0;   // [m/s] assumed: nobody comes over a crossing faster
 constexpr double kSlowest = 3.0;    // [m/s] assumed: a vehicle that is let through speeds up to it
 constexpr double kBefore = 1.0;     // [s] assumed: left between the vehicle's rear and the person
-constexpr double kPatience = 10.0;  // [s] assumed: drivers who have waited longer push in
+constexpr double kPatience = 10.0;  // [s] assumed: drivers who have waited longer push in. Where
+                                    // people wait for these, too, junctions lock (spider.py: 2.3
+                                    // times plain SUMO's vehicle time instead of 1.7)
 constexpr double kBeside = 0.5;     // [m] assumed: between the body and who has come past it
 
 struct Meeting {
@@ -32,11 +34,13 @@ std::optional<Meeting> meeting(const FleetVehicle& vehicle, const Crosswalk& cro
   return Meeting{way, over->across};
 }
 
-/// Whether the person comes to the vehicle's way before the vehicle is over the crossing.
+/// Whether the person comes to the vehicle's way before the vehicle is over the crossing. Only on a
+/// zebra crossing this holds for somebody who is about to enter it, too, as in SUMO.
 bool comes_first(const FleetVehicle& vehicle, const PersonAhead& person, const Meeting& at) {
   const Crosswalk& crosswalk = *person.crosswalk;
   const Vec2 along = (crosswalk.end - crosswalk.begin).normalized();
-  const double left = at.across - (person.position - crosswalk.begin).dot(along);
+  const double gone = (person.position - crosswalk.begin).dot(along), left = at.across - gone;
+  if (gone < 0.0 && !crosswalk.priority) return false;
   const double room = 0.5 * vehicle.traits.width + person.radius + kBeside;
   if (left < -room) return false;  // has come past
   const double over =

@@ -6,7 +6,7 @@
 namespace pedzone {
 namespace {
 
-constexpr double kStep = 0.5;  // [m] assumed: who stays within half a step has not moved
+constexpr double kNowhere = 1.5;  // [m] assumed: who is stuck still wanders by two steps
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void Standstills::update(double time, const std::vector<Present>& all,
     Place& place = entry->second;
     place.round = round_;
     if (is_new) continue;
-    if ((one.position - place.anchor).norm() > kStep || rests(one.id)) {
+    if ((one.position - place.anchor).norm() > kNowhere || rests(one.id)) {
       place.anchor = one.position;
       place.since = time;
     } else if (time - place.since >= kLong) {

@@ -107,10 +107,13 @@ bool is_held_by_traffic(const FleetVehicle& vehicle) {
   return vehicle.commanded >= 0.0 && vehicle.commanded > vehicle.speed + kObeyed;
 }
 
+bool has_driven_off(const FleetVehicle& vehicle) {
+  return vehicle.speed >= std::min(kCleared, kHasDrivenOff * vehicle.allowed_speed);
+}
+
 /// Whether it has claimed room, and has not yet driven off into it.
 bool drives_off(const FleetVehicle& vehicle) {
-  const double off = std::min(kCleared, kHasDrivenOff * vehicle.allowed_speed);
-  return vehicle.slowed > kClaimAfter && vehicle.speed < off && !is_held_by_traffic(vehicle);
+  return vehicle.slowed > kClaimAfter && !has_driven_off(vehicle) && !is_held_by_traffic(vehicle);
 }
 
 /// After people have held it: it is let go step by step. Until it has driven off it claims the room
@@ -249,7 +252,7 @@ std::optional<YieldOrder> plan_yield(FleetVehicle& vehicle, std::span<const Pers
                                      const Parameters& parameters, const SafeSpeeds& safe_speeds,
                                      double dt) {
   vehicle.claim = 0.0;
-  if (vehicle.speed > kCleared) vehicle.gave_way = 0.0;
+  if (has_driven_off(vehicle)) vehicle.gave_way = 0.0;
   const double distance = look_ahead(vehicle, parameters);
   const auto ahead = first_in_way(
       vehicle, people, vehicle.creeping ? kCreepMargin : parameters.yield_margin, distance);

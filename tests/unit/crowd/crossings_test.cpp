@@ -137,6 +137,23 @@ TEST_F(Crossing, is_no_childs_own_business) {
   EXPECT_GT(scene.people[child].walked, 40.0);
 }
 
+TEST_F(Crossing, is_left_to_sumo_where_nobody_gets_across) {
+  Zone zone =
+      zone_of(unite(repair(box(0.0, -5.5, 200.0, -3.5)), repair(box(0.0, 3.5, 200.0, 5.5))));
+  zone.streets = zone_.streets;
+  zone.street_walls = zone_.street_walls;
+  NewPerson person = across(100.0, 100.0);
+  for (const bool open : {true, false}) {
+    for (CrossingPlace& place : zone.streets.front().places) place.open = open;
+    for (const double by_junctions : {12.0, 60.0}) {  // hardly longer than straight across, much
+      person.by_junctions = by_junctions;
+      Scene scene(zone);
+      const std::size_t i = scene.add(person);
+      EXPECT_EQ(scene.people[i].view.stays_outside, !open || by_junctions < 20.0);
+    }
+  }
+}
+
 TEST_F(Crossing, is_together_for_a_group_or_not_at_all) {
   Scene scene(zone_);
   for (const double x : {99.0, 100.0, 101.0}) {

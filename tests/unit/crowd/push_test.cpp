@@ -359,6 +359,23 @@ TEST(PushLog, takes_whom_a_vehicle_moves_along_before_it_for_run_into) {
   EXPECT_TRUE(log.persons().at(1).run_into);
 }
 
+TEST(PushLog, does_not_take_another_vehicle_for_the_one_that_moved_somebody_along) {
+  PushLog log;
+  VehiclePush push = push_of(0.3);
+  push.carried = 0.3;
+  for (const double time : {0.0, 0.1, 0.2, 0.3}) log.add(time, 0.1, std::vector{push});
+  ASSERT_EQ(log.run_into().size(), 1u);
+  VehiclePush other = push_of(0.05, false, 8);
+  for (const double carried : {0.0, 0.05}) {
+    other.carried = carried;
+    log.add(1.0 + carried, 0.1, std::vector{other});
+  }
+  EXPECT_EQ(log.run_into().size(), 1u);
+  push.carried = 0.0;
+  log.add(2.5, 0.1, std::vector{push});
+  EXPECT_EQ(log.run_into().size(), 1u) << "it only brushes past";
+}
+
 TEST(PushLog, leaves_out_who_is_hardly_moved) {
   PushLog log;
   log.add(0.0, 0.1, std::vector{push_of(0.004)});

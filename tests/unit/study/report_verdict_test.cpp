@@ -299,6 +299,7 @@ TEST(Warning, of_people_who_jump) {
   std::vector<Comparison> all{comparison("person.jumped", 4.9, 0.0, -4.9, Finding::kDifferent)};
   EXPECT_THAT(text(warning_sentences(all, plan_of(1)).at(0)),
               HasSubstr("Warning: striping puts people on by 4.9 m each"));
+  EXPECT_THAT(text(warning_sentences(all, plan_of(1)).at(0)), HasSubstr("no walking areas"));
   all[0].reference.mean = 0.4;
   EXPECT_TRUE(warning_sentences(all, plan_of(1)).empty());
 }
@@ -341,18 +342,19 @@ TEST(Geometry, may_be_all_of_a_difference) {
   Comparison time = comparison("person.travelTime", 175.0, 161.0, 3.0, Finding::kDifferent, 10);
   time.difference.sd = 4.0;
   EXPECT_EQ(text(interaction_sentence(std::vector{time}, free_walks(-0.08))),
-            "Geometry and interaction. Of the 8.0 % by which people's trips are shorter, 8.0 % are "
-            "there without others, too; interaction makes 0.0 % [−1.9, 1.9].");
+            "Geometry and interaction. Of the 8.0 % by which people's trips are shorter, 8.0 "
+            "percentage points are there without others, too; interaction makes 0.0 [−1.9, 1.9].");
+  time.bound = Bound::kAtLeast;
+  EXPECT_EQ(text(interaction_sentence(std::vector{time}, free_walks(-0.08))), "");
   EXPECT_EQ(text(interaction_sentence({}, free_walks(-0.08))), "");
 }
 
 TEST(Geometry, is_taken_off_what_interaction_makes) {
   Comparison time = comparison("person.travelTime", 100.0, 150.0, 3.0, Finding::kDifferent, 10);
   time.difference.sd = 4.0;
-  EXPECT_THAT(
-      text(interaction_sentence(std::vector{time}, free_walks(-0.08))),
-      HasSubstr("Of the 50.0 % by which people's trips are longer, −8.0 % are there without "
-                "others, too; interaction makes 58.0 % [55.0, 61.0]."));
+  EXPECT_THAT(text(interaction_sentence(std::vector{time}, free_walks(-0.08))),
+              HasSubstr("Of the 50.0 % by which people's trips are longer, −8.0 percentage points "
+                        "are there without others, too; interaction makes 58.0 [55.0, 61.0]."));
 }
 
 TEST(FreeSpeedVerdict, agrees_or_warns) {

@@ -72,6 +72,19 @@ TEST_F(Streets, open_the_walls_for_who_crosses_only) {
   EXPECT_FALSE(zone_.street_walls.inside({100.0, 6.5}));
 }
 
+TEST_F(Streets, open_the_walls_for_bodies_wherever_one_may_step_out) {
+  pedzone::Street street = zone_.streets.front();
+  street.places.assign(street.places.size(), street.at(100.0));
+  for (std::size_t k = 0; k < street.places.size(); ++k) street.places[k].open = k == 50 || k > 190;
+  const WallIndex ground{crossable_ground({street})};
+  const double middle = 0.5 * (street.low + street.high);
+  for (const double s : {49.51, 50.49, 190.51, street.length}) {
+    ASSERT_TRUE(street.at(s).open);
+    EXPECT_TRUE(ground.inside(street.point(s, middle))) << s;
+    EXPECT_GT(ground.room(street.point(s, middle), 1.0), 0.24) << s;
+  }
+}
+
 TEST_F(Streets, link_the_edges_on_their_two_sides) {
   EXPECT_TRUE(linked(zone_, town_.edge_index.at("eastward"), town_.edge_index.at("westward")));
   EXPECT_THAT(linked_across(town_, zone_.streets, {town_.edge_index.at("eastward")}), IsEmpty());
@@ -126,7 +139,9 @@ TEST_F(Streets, are_not_open_near_a_signalled_crossing) {
   ASSERT_THAT(signalled.streets, SizeIs(1));
   const pedzone::Street& street = signalled.streets.front();
   const double west = street.place({7.5, 0.0}).s;  // two metres from the crossing
-  const auto from_west = [&](double metres) { return west < 1.0 ? metres : street.length - metres; };
+  const auto from_west = [&](double metres) {
+    return west < 1.0 ? metres : street.length - metres;
+  };
   EXPECT_TRUE(street.at(from_west(20.0)).near_signal);
   EXPECT_FALSE(street.at(from_west(35.0)).near_signal);
 }

@@ -41,7 +41,7 @@ TEST(RightOfWay, is_before_the_crossing_of_who_waits_at_the_kerb) {
 
 TEST(RightOfWay, is_where_the_vehicle_turns_without_it) {
   constexpr int kHere = 7;
-  PersonAhead person = northward(-2.2);
+  PersonAhead person = northward(-1.7);
   person.crosswalk->priority = false;
   person.crosswalk->edge = kHere;
   FleetVehicle vehicle = car(10.0);
@@ -49,6 +49,9 @@ TEST(RightOfWay, is_where_the_vehicle_turns_without_it) {
   EXPECT_FALSE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook));
   vehicle.yields_at.push_back(kHere);
   EXPECT_TRUE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook));
+  person.position.y() = -2.2;
+  EXPECT_FALSE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook)) << "is not on it yet";
+  person.position.y() = -1.7;
   vehicle.gave_way = 10.0;
   EXPECT_FALSE(way_to_used_crosswalk(vehicle, std::vector{person}, kLook)) << "it has waited long";
   person.crosswalk->priority = true;

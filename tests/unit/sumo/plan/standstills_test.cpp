@@ -37,25 +37,25 @@ TEST_F(StandstillsTest, are_of_who_has_not_moved_for_a_minute) {
   EXPECT_EQ(standstills_.all()[0].since, 5.0);
 }
 
-TEST_F(StandstillsTest, are_not_of_who_has_moved_by_half_a_metre) {
+TEST_F(StandstillsTest, are_not_of_who_has_moved_by_two_steps) {
   look(0.0, {{"stays", 0.0}, {"goes", 0.0}});
-  look(30.0, {{"stays", 0.5}, {"goes", 0.51}});
-  EXPECT_THAT(look(60.0, {{"stays", 0.5}, {"goes", 0.51}}), ElementsAre("stays"));
-  EXPECT_THAT(look(90.0, {{"stays", 0.5}, {"goes", 0.51}}), ElementsAre("stays", "goes"));
+  look(30.0, {{"stays", 1.5}, {"goes", 1.51}});
+  EXPECT_THAT(look(60.0, {{"stays", 1.5}, {"goes", 1.51}}), ElementsAre("stays"));
+  EXPECT_THAT(look(90.0, {{"stays", 1.5}, {"goes", 1.51}}), ElementsAre("stays", "goes"));
 }
 
 TEST_F(StandstillsTest, count_the_way_from_the_first_place_and_not_between_looks) {
   look(0.0, {{"crawls", 0.0}});
-  for (int k = 1; k < 12; ++k) EXPECT_THAT(look(5.0 * k, {{"crawls", 0.1 * k}}), IsEmpty());
-  EXPECT_THAT(look(60.0, {{"crawls", 1.2}}), IsEmpty());
+  for (int k = 1; k < 12; ++k) EXPECT_THAT(look(5.0 * k, {{"crawls", 0.3 * k}}), IsEmpty());
+  EXPECT_THAT(look(60.0, {{"crawls", 3.6}}), IsEmpty());
 }
 
 TEST_F(StandstillsTest, end_when_somebody_gets_on) {
   look(0.0, {{"a", 0.0}});
   ASSERT_THAT(look(60.0, {{"a", 0.0}}), ElementsAre("a"));
-  EXPECT_THAT(look(65.0, {{"a", 0.6}}), IsEmpty());
-  EXPECT_THAT(look(124.9, {{"a", 0.6}}), IsEmpty());
-  EXPECT_THAT(look(125.0, {{"a", 0.6}}), ElementsAre("a"));
+  EXPECT_THAT(look(65.0, {{"a", 1.6}}), IsEmpty());
+  EXPECT_THAT(look(124.9, {{"a", 1.6}}), IsEmpty());
+  EXPECT_THAT(look(125.0, {{"a", 1.6}}), ElementsAre("a"));
 }
 
 TEST_F(StandstillsTest, are_not_of_who_rests_and_begin_when_it_no_longer_does) {
@@ -67,7 +67,7 @@ TEST_F(StandstillsTest, are_not_of_who_rests_and_begin_when_it_no_longer_does) {
 
 TEST_F(StandstillsTest, ask_only_of_those_who_have_not_moved_whether_they_rest) {
   look(0.0, {{"stays", 0.0}, {"goes", 0.0}});
-  look(5.0, {{"stays", 0.0}, {"goes", 0.6}, {"new", 0.0}});
+  look(5.0, {{"stays", 0.0}, {"goes", 1.6}, {"new", 0.0}});
   EXPECT_THAT(asked_, ElementsAre("stays"));
 }
 
