@@ -84,10 +84,8 @@ class Commands {
     if (!scenario_.zone_file.empty()) {
       const std::string zone_file = study_.resolve(scenario_.zone_file);
       files.push_back(zone_file);
-      const ZoneFile read = read_zone_file(zone_file);
-      for (const VehiclePathSpec& path : read.vehicle_paths) files.push_back(path.file);
-      for (const ZoneSpec& zone : read.zones) {
-        if (names_plugin(zone.model)) files.push_back(zone.model);
+      for (const VehiclePathSpec& path : read_zone_file(zone_file).vehicle_paths) {
+        files.push_back(path.file);
       }
     }
     if (names_plugin(run_.model)) files.push_back(study_.resolve(run_.model));

@@ -5,7 +5,6 @@
 #include "core/xml.hpp"
 #include "study/plan/plan.hpp"
 #include "study/plan/setting.hpp"
-#include "world/model_names.hpp"
 #include "zone/zone_file.hpp"
 
 namespace pedzone::study {
@@ -74,12 +73,11 @@ std::string text_of(const Study& study, const StudyScenario& scenario,
     const XmlFile file(study.resolve(scenario.zone_file), {"zones"});
     root = document.append_copy(file.root());
     root.remove_attribute("xsi:noNamespaceSchemaLocation");  // is relative to the old place
-    const auto move = [&](pugi::xml_attribute attribute) {
-      attribute.set_value(file.beside(attribute.value()).c_str());
-    };
-    for (const pugi::xml_node& node : root.children("vehiclePath")) move(node.attribute("file"));
-    for (const pugi::xml_node& node : root.children("zone")) {
-      if (names_plugin(node.attribute("model").value())) move(node.attribute("model"));
+    for (const pugi::xml_node& node : root.children("vehiclePath")) {
+      node.attribute("file").set_value(file.beside(node.attribute("file").value()).c_str());
+    }
+    for (pugi::xml_node node : root.children("zone")) {
+      node.remove_attribute("model");  // is the run's
     }
   }
   apply(root, settings);
