@@ -204,7 +204,6 @@ std::string walk(Simulation& simulation, OutputFiles& outputs, Progress& progres
 /// What SUMO tells of the whole run. `lost`: if it goes only now, that it did.
 RunSummary sum_up(Simulation& simulation, std::string& lost) {
   try {
-    warn_of_drivers(simulation);
     return simulation.summary();
   } catch (const ConnectionLost& error) {
     lost = error.what();
@@ -242,6 +241,7 @@ int simulate(RunOptions& options) {
   warn_of_counts(simulation, prepared.scenario);
   std::string lost = walk(simulation, outputs, progress, watch);
   RunSummary totals = sum_up(simulation, lost);
+  warn_of_drivers(simulation);
   totals.interrupted_by = noted_interrupt();
   totals.sumo_gone = !lost.empty();
   const bool warns = !options.attach && !options.own_process() && simulation.warns();

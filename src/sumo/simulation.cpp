@@ -77,6 +77,7 @@ struct Simulation::Parts {
         stand_offs(zones),
         attached(options.attach.has_value()),
         alone(options.alone),
+        among_clients(!alone && number_option(*session, "num-clients") > 1.0),
         end(options.end),
         seed(options.seed ? *options.seed
                           : static_cast<std::uint64_t>(number_option(*session, "seed"))),
@@ -143,6 +144,7 @@ struct Simulation::Parts {
   StandOffs stand_offs;
   bool attached;              ///< SUMO runs on without us
   bool alone;                 ///< nobody else moves anybody
+  bool among_clients;         ///< SUMO has others beside this one
   std::optional<double> end;  ///< [s] what was asked for
   std::uint64_t seed;
   Profiles profiles;
@@ -324,11 +326,7 @@ const std::vector<OutsideRecord>& Simulation::outside_persons() const {
   return parts_->takeover.outsiders();
 }
 bool Simulation::misses_drivers() const {
-  bool others = false;
-  if (parts_->alone || parts_->lost || parts_->drivers.any()) return others;
-  parts_->with_time_of_errors(
-      [&] { others = number_option(*parts_->session, "num-clients") > 1.0; });
-  return others;
+  return parts_->among_clients && !parts_->lost && !parts_->drivers.any();
 }
 const std::vector<StreetCrossed>& Simulation::crossings() const { return parts_->crossings.all(); }
 const std::vector<RunIntoRecord>& Simulation::run_into() const { return parts_->pushes.run_into(); }

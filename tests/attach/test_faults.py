@@ -234,7 +234,8 @@ class Faults(AttachedCase):
     def test_a_client_of_its_own_that_goes_on_after_the_end(self):
         pedzone = self.start(
             self.pedzone, "run", self.config, "--end", 20, "--summary", "s.json", "--client",
-            f"/usr/bin/python3 '{HERE}/client.py' --port {{port}}", "--", "--fcd-output",
+            f"/usr/bin/python3 '{HERE}/client.py' --port {{port}} --saves found.txt; true", "--",
+            "--fcd-output",
             "fcd.xml", "--tripinfo-output", "trips.xml", "--tripinfo-output.write-unfinished")
         _, errors = pedzone.communicate(timeout=LONG)
         self.assertEqual(pedzone.returncode, 0, errors)
@@ -244,6 +245,15 @@ class Faults(AttachedCase):
         self.assertLessEqual(float(steps[-1].get("time")), 20)
         self.assertGreater(float(steps[-1].get("time")), 19)
         ElementTree.parse(self.folder / "trips.xml")
+        self.assertEqual((self.folder / "found.txt").read_text(), "found", "it has time to save")
+
+    def test_a_client_of_its_own_that_breaks_off_in_the_last_step(self):
+        pedzone = self.own(f"/usr/bin/python3 '{HERE}/client.py' --port {{port}} --steps 40 "
+                           "--then die")
+        _, errors = pedzone.communicate(timeout=LONG)
+        self.assertEqual(pedzone.returncode, 3, errors)
+        self.assertIn("another client broke off", errors)
+        self.assertTrue(self.summary()["sumo_gone"])
 
     def test_a_client_of_its_own_that_ends_badly_when_all_is_over(self):
         pedzone = self.own(f"/usr/bin/python3 '{HERE}/client.py' --port {{port}} --steps 40; exit 5")
