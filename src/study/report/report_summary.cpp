@@ -46,15 +46,22 @@ bool is_main(const Comparison& one) {
 
 /// Why no difference is told.
 Sentence nothing_told(std::span<const Comparison> comparisons, const std::string& model) {
-  std::size_t main = 0, compared = 0, unsure = 0, hints = 0, pairs = 0;
+  std::size_t main = 0, compared = 0, unsure = 0, hints = 0, pairs = 0, missing = 0;
   for (const Comparison& one : comparisons) {
     if (!is_main(one)) continue;
     ++main;
     pairs = std::max(pairs, one.difference.n);
+    missing = std::max(missing, one.missing);
     if (one.finding == Finding::kTooFew) continue;
     ++compared;
     unsure += one.finding == Finding::kInconclusive ? 1 : 0;
     hints += one.finding == Finding::kHint && one.bound != Bound::kUnknown ? 1 : 0;
+  }
+  if (compared == 0 && pairs + missing >= kLeastPairs) {
+    return {fmt::format("Too few runs are done to tell what {} changes", model),
+            fmt::format(
+                ": {} {} missing, since runs failed or are not there yet. Nothing was compared.",
+                count_text(missing, "pair", "pairs"), missing == 1 ? "is" : "are")};
   }
   if (compared == 0) {
     const std::size_t more = kLeastPairs - std::min(pairs, kLeastPairs - 1);

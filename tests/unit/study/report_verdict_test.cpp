@@ -256,11 +256,15 @@ TEST(Summary, says_what_matters_first_and_how_many_measures_differ) {
 }
 
 TEST(Summary, of_too_few_seeds_says_how_many_more) {
-  const std::vector<Comparison> all{
+  std::vector<Comparison> all{
       comparison("person.travelTime", 84.2, 72.1, 3.0, Finding::kTooFew, 2),
       comparison("vehicle.delay", 10.0, 10.1, 0.5, Finding::kTooFew, 2)};
   EXPECT_EQ(text(summary_sentence(all, "striping")),
             "Too few seeds to tell what heuristic changes: run 1 more. Nothing was compared.");
+  all[1].missing = 1;
+  EXPECT_EQ(text(summary_sentence(all, "striping")),
+            "Too few runs are done to tell what heuristic changes: 1 pair is missing, since runs "
+            "failed or are not there yet. Nothing was compared.");
 }
 
 TEST(Summary, of_no_difference_says_where_seeds_were_too_few) {
