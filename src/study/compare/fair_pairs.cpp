@@ -31,7 +31,7 @@ SampleSummary ratios(const RunRecord& reference, const RunRecord& model, std::st
 }
 
 /// By which the sum is larger than the reference's, as a share of that. The standard deviation is
-/// that of the ratio of two sums, linearized (Cochran, Sampling Techniques, 1977, eq. 2.45).
+/// that of the ratio of two sums, linearized (W. G. Cochran, Sampling Techniques, 1977, chapter 2).
 SampleSummary excess(const RunRecord& reference, const RunRecord& model, std::string_view what) {
   const auto pairs = both(reference, model, what);
   double sum = 0.0, reference_sum = 0.0;
