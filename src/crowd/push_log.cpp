@@ -24,7 +24,8 @@ void PushLog::add(double time, double dt, std::span<const VehiclePush> pushes) {
       return going.way;
     };
     const double way = add_to(going_[push.person], push.way);
-    const double carried = add_to(carried_[{push.person, push.vehicle}], push.carried);
+    Pair& pair = pairs_[{push.person, push.vehicle}];
+    const double carried = add_to(pair.carried, push.carried);
     const bool run_into = push.run_into || (push.carried > 0.0 && carried > kStep);
     if (way >= kPushed || run_into) {
       PushedPerson& person = persons_[push.person];
@@ -33,11 +34,10 @@ void PushLog::add(double time, double dt, std::span<const VehiclePush> pushes) {
       person.run_into = person.run_into || run_into;
     }
     if (!run_into) continue;
-    const auto [overlap, first] = overlap_.try_emplace({push.person, push.vehicle}, end);
-    if (first || !goes_on(overlap->second, time)) {
+    if (!goes_on(pair.last, time)) {
       run_into_.push_back({time, push.person, push.vehicle, push.contact_speed, push.position});
     }
-    overlap->second = end;
+    pair.last = end;
   }
 }
 

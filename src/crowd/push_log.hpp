@@ -28,8 +28,7 @@ struct RunInto {
 };
 
 /// Takes the pushes of a crowd, or of several that have no person in common, step by step. Whom a
-/// vehicle has moved along before its bumper by more than a step, it has run into when it next
-/// moves it.
+/// vehicle has moved along before its bumper by more than a step, it has run into.
 class PushLog {
  public:
   /// Those of the step of `dt` [s] that begins at `time` [s]. A push goes on, by whichever vehicle,
@@ -47,11 +46,14 @@ class PushLog {
     double last = -std::numeric_limits<double>::infinity();  ///< [s] end of its last step
   };
 
+  struct Pair {
+    Going carried;                                           ///< as VehiclePush
+    double last = -std::numeric_limits<double>::infinity();  ///< [s] end of its last running into
+  };
+
   std::map<std::uint64_t, PushedPerson> persons_;
   std::map<std::uint64_t, Going> going_;  ///< of each person
-  /// Of each pair: as VehiclePush::carried.
-  std::map<std::pair<std::uint64_t, std::uint64_t>, Going> carried_;
-  std::map<std::pair<std::uint64_t, std::uint64_t>, double> overlap_;  ///< [s] last, of each pair
+  std::map<std::pair<std::uint64_t, std::uint64_t>, Pair> pairs_;
   std::vector<RunInto> run_into_;
 };
 

@@ -235,8 +235,8 @@ class Faults(AttachedCase):
         pedzone = self.start(
             self.pedzone, "run", self.config, "--end", 20, "--summary", "s.json", "--client",
             f"/usr/bin/python3 '{HERE}/client.py' --port {{port}} --saves found.txt; true", "--",
-            "--fcd-output",
-            "fcd.xml", "--tripinfo-output", "trips.xml", "--tripinfo-output.write-unfinished")
+            "--fcd-output", "fcd.xml", "--tripinfo-output", "trips.xml",
+            "--tripinfo-output.write-unfinished")
         _, errors = pedzone.communicate(timeout=LONG)
         self.assertEqual(pedzone.returncode, 0, errors)
         self.assertIn("the client that was started went on", errors)

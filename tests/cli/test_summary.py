@@ -181,7 +181,8 @@ class RedLight(RedLightCase):
             if name.startswith(("stop", "bus")):
                 self.assertLess(self.stands_since(track, NOWHERE / 2), 150.0, "they do stand")
         sat = [name for name, track in self.tracks("person").items() if name.startswith("sit")
-               if any(self.stands_since(track[:end], NOWHERE / 2) <= track[end - 1][0] - LONG - 2 * LOOKS
+               if any(self.stands_since(track[:end], NOWHERE / 2)
+                      <= track[end - 1][0] - LONG - 2 * LOOKS
                       for end in range(1, len(track)))]
         self.assertGreater(len(sat), 3)
         self.assertEqual((self.stuck["persons"]["at_end"], self.stuck["persons"]["most"]), (0, 0))

@@ -4,8 +4,8 @@
 usage: arms.py PEDZONE [--keep FOLDER]
 
 A crossroads whose four arms end at the network's border, where vehicles appear and nobody crosses,
-with a light or with zebra crossings; the zone is all of it. Three people begin along one arm, on the
-side from which their way leads over the junction, and no vehicle is there. Read from SUMO's outputs:
+with a light, or without any crossing at the junction; the zone is all of it. Three people begin along
+one arm, on the side from which their way leads over the junction, and no vehicle is there. Read from SUMO's outputs:
 each of them arrives, no later than 1.2 times plain SUMO's time.
 """
 import subprocess

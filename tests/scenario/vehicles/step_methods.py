@@ -11,9 +11,9 @@ one zone. Methods (options of SUMO):
 Everything is read from SUMO's own messages and outputs, for each method summed over the seeds:
 - everybody arrives, cars in at most 1.1 times plain SUMO's time with actions (1.07; in the mean of five
   seeds 1.03), 1.08 with sublanes (1.05; 1.03 while those that turn gave way to nobody on crossings
-  without a zebra), 1.12 with ballistic steps (in the
-  mean of six seeds 1.04 with SUMO 1.15, 1.07 with 1.18, one seed at most 1.12: a car that people
-  held up begins a round of turning cars that all wait for each other, by SUMO's rules)
+  without a zebra), 1.12 with ballistic steps (in the mean of six seeds 1.04 with SUMO 1.15, 1.07 with
+  1.18, one seed at most 1.12: a car that people held up begins a round of turning cars that all wait
+  for each other, by SUMO's rules)
 - at most one person a run is touched, but at insertions, or with turned shoulders
 - no more vehicles are teleported than in plain SUMO, and one; nor collide with another
 """
