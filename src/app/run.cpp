@@ -101,12 +101,12 @@ SimulationOptions prepare(const RunOptions& options) {
   return prepared;
 }
 
-/// Tells of a run that was ended early.
-void warn_of_interrupt(const RunSummary& totals) {
+/// Tells of a run that was ended early, at `time` [s].
+void warn_of_interrupt(const RunSummary& totals, double time) {
   fmt::print(
       stderr,
       "Interrupted at {:.1f} s (signal {}): the outputs hold what was simulated until then.\n",
-      totals.time.simulated_s, totals.interrupted_by);
+      time, totals.interrupted_by);
 }
 
 void warn_of_stranded(const std::vector<std::string>& ids) {
@@ -241,6 +241,7 @@ int simulate(RunOptions& options) {
   warn_of_counts(simulation, prepared.scenario);
   std::string lost = walk(simulation, outputs, progress, watch);
   RunSummary totals = sum_up(simulation, lost);
+  const double ended_at = simulation.time();
   warn_of_drivers(simulation);
   totals.interrupted_by = noted_interrupt();
   totals.sumo_gone = !lost.empty();
@@ -253,7 +254,7 @@ int simulate(RunOptions& options) {
   if (totals.sumo_gone) throw SumoError(lost + " The outputs hold what was simulated until then.");
   if (!unclosed.empty()) throw SumoError(unclosed + " pedzone's own outputs are complete.");
   if (totals.interrupted_by == 0) return 0;
-  warn_of_interrupt(totals);
+  warn_of_interrupt(totals, ended_at);
   return 128 + totals.interrupted_by;
 }
 

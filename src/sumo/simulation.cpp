@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <limits>
 
 #include "core/error.hpp"
 #include "crowd/zone_models.hpp"
@@ -73,7 +74,8 @@ struct Simulation::Parts {
         fleet(network, zones),
         yielding(zones),
         lane_keeping(zones),
-        insertions(network, read_departures(panel_people.scenario(), network, zone_edges())),
+        insertions(network, read_departures(panel_people.scenario(), network, zone_edges(),
+                                            session->time(), last_time(options))),
         stand_offs(zones),
         attached(options.attach.has_value()),
         alone(options.alone),
@@ -109,6 +111,12 @@ struct Simulation::Parts {
     return made;
   }
 
+  /// [s] at which the simulation ends; infinite: open.
+  double last_time(const SimulationOptions& options) const {
+    const double last = options.end.value_or(session->end_time());
+    return last >= 0.0 ? last : std::numeric_limits<double>::infinity();
+  }
+
   std::vector<int> zone_edges() const {
     std::vector<int> edges;
     for (const Zone& zone : zones) edges.insert(edges.end(), zone.edges.begin(), zone.edges.end());
@@ -142,10 +150,11 @@ struct Simulation::Parts {
   LaneKeeping lane_keeping;
   Insertions insertions;
   StandOffs stand_offs;
-  bool attached;              ///< SUMO runs on without us
-  bool alone;                 ///< nobody else moves anybody
-  bool among_clients;         ///< SUMO has others beside this one
-  std::optional<double> end;  ///< [s] what was asked for
+  double begin = session->time();  ///< [s] when this began
+  bool attached;                   ///< SUMO runs on without us
+  bool alone;                      ///< nobody else moves anybody
+  bool among_clients;              ///< SUMO has others beside this one
+  std::optional<double> end;       ///< [s] what was asked for
   std::uint64_t seed;
   Profiles profiles;
   std::vector<std::unique_ptr<Crowd>> crowds;
@@ -196,11 +205,14 @@ void Simulation::Parts::forget(const std::string& vehicle) {
   drivers.forget(vehicle);
   yielding.forget(vehicle);
   stand_offs.forget(vehicle);
+  fleet.forget(vehicle);
+  totals.forget(vehicle);
 }
 
 /// Takes in SUMO's present state and shows it.
 void Simulation::Parts::read(double dt) {
   for (const std::string& id : session->vehicles().new_or_gone()) forget(id);
+  for (const std::string& id : session->vehicles().teleported()) fleet.teleport(id);
   std::vector<VehicleSeen> seen = vehicles.read(fleet, told, session->time());
   if (!alone) drivers.mark(seen, steering.steered(), session->time(), dt);
   fleet.update(std::move(seen), dt);
@@ -399,7 +411,7 @@ RunSummary Simulation::summary() const {
   }
   summary.stuck_persons = stuck_of(parts_->stuck.persons());
   summary.stuck_vehicles = stuck_of(parts_->stuck.vehicles());
-  summary.time.simulated_s = time();
+  summary.time.simulated_s = time() - parts_->begin;
   summary.time.wall_s = seconds_since(parts_->started);
   summary.time.sumo_s = parts_->sumo_seconds;
   summary.time.pedzone_s = summary.time.wall_s - parts_->sumo_seconds;

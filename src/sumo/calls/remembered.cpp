@@ -43,6 +43,7 @@ const Variables kCounts{libsumo::VAR_TIME,
                         libsumo::VAR_DEPARTED_PERSONS_NUMBER,
                         libsumo::VAR_ARRIVED_PERSONS_NUMBER,
                         libsumo::VAR_TELEPORT_STARTING_VEHICLES_NUMBER,
+                        libsumo::VAR_TELEPORT_ENDING_VEHICLES_IDS,
                         libsumo::VAR_EMERGENCYSTOPPING_VEHICLES_NUMBER,
                         libsumo::VAR_COLLIDING_VEHICLES_IDS,
                         libsumo::VAR_DEPARTED_VEHICLES_IDS,
@@ -81,7 +82,7 @@ MoveBatch moves;
 Received<libtraci::Person> persons;
 Received<libtraci::Vehicle> vehicles;
 TraCIResults counts;
-std::unordered_map<std::string, double> lengths, widths;       // [m] of persons
+std::unordered_map<std::string, double> lengths, widths;       // [m] of persons, by type
 std::unordered_map<std::string, std::string> type_parameters;  // by type and key
 
 /// What SUMO counts, of type Value.
@@ -92,6 +93,10 @@ const auto& count(int variable) {
     counts = libtraci::Simulation::getSubscriptionResults();
   }
   return dynamic_cast<const Value&>(*counts.at(variable)).value;
+}
+
+const std::string& type_of(const std::string& person) {
+  return persons.get<TraCIString>(person, libsumo::VAR_TYPE, kPlan).value;
 }
 
 template <typename Map, typename Ask>
@@ -134,15 +139,14 @@ double Person::getMaxSpeed(const std::string& id) {
   const auto number = [&](int variable) {
     return persons.get<TraCIDouble>(id, variable, kPlan).value;
   };
-  const std::string& type = persons.get<TraCIString>(id, libsumo::VAR_TYPE, kPlan).value;
   return std::min(number(libsumo::VAR_MAXSPEED),
-                  desired_speeds.of_type(type) * number(libsumo::VAR_SPEED_FACTOR));
+                  desired_speeds.of_type(type_of(id)) * number(libsumo::VAR_SPEED_FACTOR));
 }
 double Person::getLength(const std::string& id) {
-  return once(lengths, id, [&] { return libtraci::Person::getLength(id); });
+  return once(lengths, type_of(id), [&] { return libtraci::Person::getLength(id); });
 }
 double Person::getWidth(const std::string& id) {
-  return once(widths, id, [&] { return libtraci::Person::getWidth(id); });
+  return once(widths, type_of(id), [&] { return libtraci::Person::getWidth(id); });
 }
 
 TraCIPosition Vehicle::getPosition(const std::string& id) {
@@ -232,6 +236,9 @@ std::vector<std::string> Simulation::getDepartedIDList() {
 }
 std::vector<std::string> Simulation::getArrivedIDList() {
   return count<TraCIStringList>(libsumo::VAR_ARRIVED_VEHICLES_IDS);
+}
+std::vector<std::string> Simulation::getEndingTeleportIDList() {
+  return count<TraCIStringList>(libsumo::VAR_TELEPORT_ENDING_VEHICLES_IDS);
 }
 std::vector<std::string> Simulation::getPendingVehicles() {
   return count<TraCIStringList>(libsumo::VAR_PENDING_VEHICLES);

@@ -65,6 +65,7 @@ struct Simulation : libtraci::Simulation {
   /// libtraci's own tells of none. SUMO tells the two of each that begins, one after the other.
   static std::vector<libsumo::TraCICollision> getCollisions();
   static std::vector<std::string> getDepartedIDList();
+  static std::vector<std::string> getEndingTeleportIDList();
   static std::vector<std::string> getArrivedIDList();
   static std::vector<std::string> getPendingVehicles();
 };

@@ -29,6 +29,9 @@ class VehicleCalls final : public SumoVehicles {
     ids.insert(ids.end(), gone.begin(), gone.end());
     return ids;
   }
+  std::vector<std::string> teleported() const override {
+    return api::Simulation::getEndingTeleportIDList();
+  }
   std::vector<std::string> pending() const override {
     return api::Simulation::getPendingVehicles();
   }

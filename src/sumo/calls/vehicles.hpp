@@ -18,6 +18,8 @@ class SumoVehicles {
   /// Who departed or arrived in SUMO's last step: an id now stands for another vehicle, or for
   /// none.
   virtual std::vector<std::string> new_or_gone() const = 0;
+  /// Who came back from a teleport in SUMO's last step.
+  virtual std::vector<std::string> teleported() const = 0;
   /// Who should have departed, and found no room on the road yet; in SUMO's order.
   virtual std::vector<std::string> pending() const = 0;
   virtual std::optional<Vec2> front(const std::string& id) const = 0;  ///< [m] none: it teleports

@@ -6,9 +6,12 @@ namespace pedzone {
 namespace {
 
 constexpr std::string_view kBraking = "performs emergency braking";
-constexpr std::string_view kJam = "'; waited too long (jam)";
-constexpr std::string_view kYield = "'; waited too long (yield)";
-constexpr std::string_view kWrongLane = "'; waited too long (wrong lane)";
+// ", highway", ", disconnected" or ", bidi" may follow within the brackets. SUMO counts vehicles
+// that others block ("blocked") as in a jam.
+constexpr std::string_view kJam = "'; waited too long (jam";
+constexpr std::string_view kBlocked = "'; waited too long (blocked";
+constexpr std::string_view kYield = "'; waited too long (yield";
+constexpr std::string_view kWrongLane = "'; waited too long (wrong lane";
 constexpr std::string_view kJammed = "is jammed on edge";
 
 bool has(const std::string& line, std::string_view words) {
@@ -39,7 +42,7 @@ StreamLines::int_type StreamLines::overflow(int_type next) {
 
 void WarningCounts::read(const std::string& line) {
   if (has(line, kBraking)) ++emergency_brakings;
-  if (has(line, kJam)) ++jam;
+  if (has(line, kJam) || has(line, kBlocked)) ++jam;
   if (has(line, kYield)) ++yield;
   if (has(line, kWrongLane)) ++wrong_lane;
   if (has(line, kJammed)) ++jammed_persons;

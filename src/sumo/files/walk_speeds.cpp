@@ -32,7 +32,7 @@ void WalkSpeeds::add_stage(const XmlElement& element, Plan& plan) {
 void WalkSpeeds::keep(Plan plan) {
   const auto says = [](const Stage& stage) { return stage.speed > 0.0 || stage.duration > 0.0; };
   if (plan.has_trip || std::ranges::none_of(plan.stages, says)) return;
-  stages_[plan.id] = std::move(plan.stages);
+  (plan.is_flow ? flows_ : persons_)[plan.id] = std::move(plan.stages);
 }
 
 void WalkSpeeds::read(const std::string& file) {
@@ -40,7 +40,8 @@ void WalkSpeeds::read(const std::string& file) {
   int depth = -1;  // of the person that is being read
   visit_elements(file, "", [&](const XmlElement& element) {
     if (is_person(element)) {
-      keep(std::exchange(plan, {std::string(element.value("id").value_or("")), {}, false}));
+      const std::string id(element.value("id").value_or(""));
+      keep(std::exchange(plan, {id, element.name() == "personFlow", {}, false}));
       depth = element.depth();
     } else if (element.depth() <= depth) {
       depth = -1;
@@ -53,14 +54,18 @@ void WalkSpeeds::read(const std::string& file) {
 
 /// SUMO calls the persons of a flow "flow.0", "flow.1" ...
 const std::vector<WalkSpeeds::Stage>* WalkSpeeds::stages_of(const std::string& person) const {
-  auto found = stages_.find(person);
-  if (found == stages_.end()) found = stages_.find(person.substr(0, person.rfind('.')));
-  return found == stages_.end() ? nullptr : &found->second;
+  const auto own = persons_.find(person);
+  if (own != persons_.end()) return &own->second;
+  const std::size_t dot = person.rfind('.');
+  const bool numbered = dot != std::string::npos && dot + 1 < person.size() &&
+                        person.find_first_not_of("0123456789", dot + 1) == std::string::npos;
+  const auto flow = numbered ? flows_.find(person.substr(0, dot)) : flows_.end();
+  return flow == flows_.end() ? nullptr : &flow->second;
 }
 
 std::optional<double> WalkSpeeds::of(const std::string& person, int stages_left,
                                      double length) const {
-  if (stages_.empty() || stages_left < 1) return std::nullopt;
+  if (stages_left < 1) return std::nullopt;
   const std::vector<Stage>* const stages = stages_of(person);
   const auto left = static_cast<std::size_t>(stages_left);
   if (stages == nullptr || left > stages->size()) return std::nullopt;

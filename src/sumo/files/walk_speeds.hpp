@@ -29,7 +29,8 @@ class WalkSpeeds {
     double duration = 0.0;  ///< [s]
   };
   struct Plan {
-    std::string id;  ///< of the person or personFlow
+    std::string id;
+    bool is_flow = false;
     std::vector<Stage> stages;
     bool has_trip = false;
   };
@@ -38,7 +39,8 @@ class WalkSpeeds {
   void keep(Plan plan);
   const std::vector<Stage>* stages_of(const std::string& person) const;
 
-  std::unordered_map<std::string, std::vector<Stage>> stages_;  ///< where one says something
+  /// By id, where a stage says something.
+  std::unordered_map<std::string, std::vector<Stage>> persons_, flows_;
 };
 
 }  // namespace pedzone

@@ -36,10 +36,9 @@ void RunTotals::observe(const Fleet& fleet, const Takeover& takeover) {
   for (const Guest& guest : guests) places.push_back(guest.position);
   const NearPoints near(places);
   for (const FleetVehicle& vehicle : fleet.vehicles()) {
-    const double loss = vehicle.time_loss;
-    const auto [entry, is_new] = delays_.try_emplace(vehicle.id, Delay{loss, loss});
-    entry->second.last = loss;
-    const Contact first = is_new ? Contact::kInsertion : Contact::kStanding;
+    if (known_vehicles_.insert(vehicle.id).second) ++vehicles_;
+    delay_ += vehicle.new_loss;
+    const Contact first = vehicle.seen_for > 0.0 ? Contact::kStanding : Contact::kInsertion;
     const VehicleBody body = body_of(vehicle);
     for (const Rectangle& part : body.parts()) {
       for (const std::uint32_t k : near.within(part.centre, kRange)) {
@@ -79,7 +78,7 @@ RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushe
   if (walks.time > 0.0) summary.persons.mean_speed = walks.distance / walks.time;
   summary.persons.mean_delay_s = (walks.time - walks.free_time) / persons;
   summary.persons.mean_waiting_s = walks.waiting / persons;
-  summary.vehicles.seen = static_cast<long>(delays_.size());
+  summary.vehicles.seen = vehicles_;
   summary.vehicles.yielding = static_cast<long>(yielding.yielded().size());
   summary.late_brakings = yielding.late_brakings();
   const auto of_kind = [&](Contact kind) {
@@ -89,8 +88,7 @@ RunSummary RunTotals::summary(const Takeover& takeover, const PushRecords& pushe
   summary.vehicles.standing_contacts = of_kind(Contact::kStanding);
   summary.vehicles.contacts = static_cast<long>(contacts_.size());
   summary.vehicles.min_clearance_m = min_clearance_;
-  for (const auto& [id, delay] : delays_) summary.vehicles.mean_delay_s += delay.last - delay.first;
-  if (!delays_.empty()) summary.vehicles.mean_delay_s /= static_cast<double>(delays_.size());
+  if (vehicles_ > 0) summary.vehicles.mean_delay_s = delay_ / static_cast<double>(vehicles_);
   summary.sumo.teleports = teleports_;
   summary.sumo.collisions = collisions_;
   summary.sumo.emergency_stops = emergency_stops_;

@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "sumo/calls/session.hpp"
@@ -72,6 +71,8 @@ class RunTotals {
   void count_persons(long departed, long arrived);
   /// What SUMO counted in its last step.
   void count_events(const SumoEvents& events);
+  /// That id stands for another vehicle from now on, or for none.
+  void forget(const std::string& vehicle) { known_vehicles_.erase(vehicle); }
   /// Distances between guests and vehicles now; delays of vehicles.
   void observe(const Fleet& fleet, const Takeover& takeover);
 
@@ -81,15 +82,14 @@ class RunTotals {
 
  private:
   enum class Contact { kInsertion, kStanding, kDriving };
-  struct Delay {
-    double first = 0.0, last = 0.0;  ///< [s] SUMO's timeLoss when first and last seen
-  };
   long teleports_ = 0, collisions_ = 0, emergency_stops_ = 0;
   std::vector<SumoEvents::Collision> colliding_;  ///< in the last step
   long departed_ = 0, arrived_ = 0, person_steps_ = 0;
   double min_clearance_ = std::numeric_limits<double>::infinity();
   std::map<std::pair<std::string, std::string>, Contact> contacts_;  ///< of person and vehicle
-  std::unordered_map<std::string, Delay> delays_;
+  std::unordered_set<std::string> known_vehicles_;
+  long vehicles_ = 0;   ///< that have been near a zone: several may have one id, one by one
+  double delay_ = 0.0;  ///< [s] of all of them
 };
 
 }  // namespace pedzone

@@ -32,16 +32,21 @@ bool comes_into(const Box& box, const Vec2& from, const Vec2& to) {
   return false;
 }
 
-/// What is carried over from a vehicle's last step, of `dt` [s].
+/// What is carried over of what a vehicle was told, after a step of `dt` [s].
+void carry_command(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
+  vehicle.commanded = old.commanded;
+  vehicle.left_alone = old.commanded >= 0.0 ? 0.0 : old.left_alone + dt;
+  vehicle.pull = old.pull;
+}
+
+/// What else is, if it drove to where it is now.
 void carry_over(const FleetVehicle& old, double dt, FleetVehicle& vehicle) {
   vehicle.seen_for = old.seen_for + dt;
+  vehicle.new_loss = vehicle.time_loss - old.time_loss;
   vehicle.blocked_time = old.blocked_time;
   vehicle.gave_way = old.gave_way;
   vehicle.creeping = old.creeping;
   vehicle.slowed = old.slowed;
-  vehicle.commanded = old.commanded;
-  vehicle.left_alone = old.commanded >= 0.0 ? 0.0 : old.left_alone + dt;
-  vehicle.pull = old.pull;
   vehicle.gain = old.gain;
   vehicle.gain.follow(vehicle.speed, dt);
   const bool told = old.commanded >= 0.0 && old.commanded < kHaltingSpeed;
@@ -260,19 +265,30 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     // Told to stand, it is seen until it has been let go.
     const bool is_told = before != nullptr && before->commanded >= 0.0;
     if (ways_.is_apart(vehicle.lane) && !is_told) continue;
-    if (before != nullptr) {
+    const bool drove_here = before != nullptr && !before->teleported;
+    if (before != nullptr) carry_command(*before, dt, vehicle);
+    if (drove_here) {
       carry_over(*before, dt, vehicle);
       ways_.remember(*before, vehicle);
       vehicle.drift = drift_of(network_, *before, vehicle, dt);
     }
     ways_.look(vehicle, braking_distance(vehicle) + kLookAhead);
     mark_parts(vehicle);
-    vehicle.reverses = before != nullptr && came_from_ahead(vehicle, before->front);
+    vehicle.reverses = drove_here && came_from_ahead(vehicle, before->front);
     vehicles_.push_back(std::move(vehicle));
   }
   share_junctions();
   note_places();
   find_leaders();
+}
+
+void Fleet::forget(const std::string& vehicle) {
+  std::erase_if(vehicles_, [&](const FleetVehicle& one) { return one.id == vehicle; });
+}
+
+void Fleet::teleport(const std::string& vehicle) {
+  const auto found = std::ranges::find(vehicles_, vehicle, &FleetVehicle::id);
+  if (found != vehicles_.end()) found->teleported = true;
 }
 
 void Fleet::note_places() {

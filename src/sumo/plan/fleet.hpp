@@ -33,6 +33,10 @@ class Fleet {
   /// Takes in the vehicles near a zone, in SUMO's order, after a step of `dt` [s]. How long people
   /// have held one up, and what it was told, carries over.
   void update(std::vector<VehicleSeen> seen, double dt);
+  /// Before update(): in the step that vehicle departed or arrived.
+  void forget(const std::string& vehicle);
+  /// Before update(): in the step SUMO put that vehicle elsewhere. What it was told carries over.
+  void teleport(const std::string& vehicle);
 
   std::vector<FleetVehicle>& vehicles() { return vehicles_; }
   const std::vector<FleetVehicle>& vehicles() const { return vehicles_; }

@@ -21,15 +21,18 @@ constexpr double kRoomBeside = 1.0;  // [m] assumed
 // [s] assumed: SUMO may wait for a gap in traffic for long, and people have to get past meanwhile.
 constexpr double kClaimsFor = 20.0, kClaimsEvery = 30.0;
 
-/// From `begin` to `end` [m] along a lane, and straight on before its begin.
-Polyline along(const Lane& lane, double begin, double end) {
+/// From `begin` to `end` [m] along a lane's shape, `lateral` [m] to the left of it, and straight on
+/// before its begin.
+Polyline along(const Lane& lane, double begin, double end, double lateral) {
   Polyline way;
-  const LinePoint first = point_on(lane.shape, std::max(0.0, begin));
-  if (begin < 0.0) way.push_back(first.point + first.direction * begin);
-  for (double at = std::max(0.0, begin); at < end; at += kSample) {
-    way.push_back(point_on(lane.shape, at).point);
-  }
-  way.push_back(point_on(lane.shape, end).point);
+  const auto add = [&](double at) {
+    const LinePoint there = point_on(lane.shape, std::max(0.0, at));
+    const Vec2 beside = lateral * left_of(there.direction);
+    way.push_back(there.point + std::min(0.0, at) * there.direction + beside);
+  };
+  if (begin < 0.0) add(begin);
+  for (double at = std::max(0.0, begin); at < end; at += kSample) add(at);
+  add(end);
   return way;
 }
 
@@ -43,14 +46,17 @@ bool is_taken(const Polyline& way, const Fleet& fleet) {
 
 Insertions::Insertions(const Network& network, std::vector<Departure> departures)
     : network_(network), departures_(std::move(departures)) {
-  for (std::size_t k = 0; k < departures_.size(); ++k) index_.emplace(departures_[k].vehicle, k);
+  for (std::size_t k = 0; k < departures_.size(); ++k) index_[departures_[k].vehicle].push_back(k);
 }
 
-/// What is known of a vehicle. With SUMO's option --scale there are copies of one: car.1, car.2 ...
-const Departure* Insertions::planned(const std::string& vehicle) const {
+/// Where a vehicle may begin. With SUMO's option --scale there are copies of one: car.1, car.2 ...
+std::vector<const Departure*> Insertions::planned(const std::string& vehicle) const {
   auto found = index_.find(vehicle);
   if (found == index_.end()) found = index_.find(vehicle.substr(0, vehicle.rfind('.')));
-  return found == index_.end() ? nullptr : &departures_[found->second];
+  std::vector<const Departure*> places;
+  if (found == index_.end()) return places;
+  for (const std::size_t k : found->second) places.push_back(&departures_[k]);
+  return places;
 }
 
 /// Those whose place is claimed.
@@ -59,10 +65,11 @@ std::vector<const Departure*> Insertions::expected(double time,
   std::vector<const Departure*> all;
   std::unordered_set<int> edges;
   for (const std::string& vehicle : pending) {
-    const Departure* const departure = planned(vehicle);
-    if (departure == nullptr || !edges.insert(departure->edge).second) continue;
-    const double late = std::max(0.0, time - departure->time);
-    if (std::fmod(late, kClaimsEvery) < kClaimsFor) all.push_back(departure);
+    for (const Departure* const departure : planned(vehicle)) {
+      if (!edges.insert(departure->edge).second) continue;
+      const double late = std::max(0.0, time - departure->time);
+      if (std::fmod(late, kClaimsEvery) < kClaimsFor) all.push_back(departure);
+    }
   }
   for (std::size_t k = next_; k < departures_.size(); ++k) {
     if (departures_[k].time > time + kNotice) break;
@@ -74,9 +81,15 @@ std::vector<const Departure*> Insertions::expected(double time,
 void Insertions::add_claim(const Departure& departure, int lane, const Fleet& fleet,
                            std::vector<VehicleState>& out) {
   const Lane& there = network_.lanes[lane];
-  const double front = std::min(departure.position, there.length);
+  // SUMO's positions are of the lane's length, which may be another than its shape's.
+  const double along_shape = length_of(there.shape) / there.length;
+  const double front = std::min(departure.position, there.length) * along_shape;
   const double rear = std::max(0.0, front - departure.length);
-  ways_.push_back(along(there, rear - kBehind, front));
+  const double width = departure.lateral ? departure.width : there.width;
+  const double beside = 0.5 * (there.width - width);
+  const double most = std::max(0.0, beside);
+  const double lateral = std::clamp(departure.lateral.value_or(0.0), -most, most);
+  ways_.push_back(along(there, rear - kBehind, front, lateral));
   if (is_taken(ways_.back(), fleet)) return;
   VehicleState state;
   const Vec2 along_way = ways_.back()[1] - ways_.back()[0];
@@ -85,9 +98,8 @@ void Insertions::add_claim(const Departure& departure, int lane, const Fleet& fl
   state.claim = length_of(ways_.back()) + kBehind;
   state.length = kBar;
   state.claimed = std::numeric_limits<double>::infinity();  // it cannot wait
-  const double beside = 0.5 * (there.width - departure.width);
   const double sides = beside < kRoomBeside ? kSides : 0.0;
-  state.width = std::max(kBar, departure.width - 2.0 * sides);
+  state.width = std::max(kBar, width - 2.0 * sides);
   state.key = person_key(departure.vehicle);
   state.way = ways_.back();
   out.push_back(state);

@@ -28,14 +28,14 @@ class Insertions {
  private:
   std::vector<const Departure*> expected(double time,
                                          const std::vector<std::string>& pending) const;
-  const Departure* planned(const std::string& vehicle) const;
+  std::vector<const Departure*> planned(const std::string& vehicle) const;
   void add_claim(const Departure& departure, int lane, const Fleet& fleet,
                  std::vector<VehicleState>& out);
 
   const Network& network_;
   std::vector<Departure> departures_;
-  std::unordered_map<std::string, std::size_t> index_;  ///< of departures_, by vehicle
-  std::size_t next_ = 0;                                ///< the first that SUMO has not tried yet
+  std::unordered_map<std::string, std::vector<std::size_t>> index_;  ///< of departures_, by vehicle
+  std::size_t next_ = 0;       ///< the first that SUMO has not tried yet
   std::deque<Polyline> ways_;  ///< spans into them are given away: they stay where they are
 };
 

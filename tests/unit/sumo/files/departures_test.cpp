@@ -34,7 +34,7 @@ class DeparturesTest : public testing::Test {
     std::ofstream(file_) << "<routes>" << routes << "</routes>";
     Scenario scenario;
     scenario.route_files = {file_};
-    return read_departures(scenario, network_, {0});
+    return read_departures(scenario, network_, {0}, 5.0, 65.0);
   }
 
   Network network_;
@@ -96,6 +96,54 @@ TEST_F(DeparturesTest, are_those_of_a_flow_one_by_one) {
     EXPECT_EQ(found[2].vehicle, "f.2");
     EXPECT_NEAR(found[2].time, 50.0, 1e-9);
   }
+}
+
+TEST_F(DeparturesTest, are_those_of_a_flow_that_leaves_its_begin_or_end_to_the_simulation) {
+  const auto hourly = read(R"(<flow id="f" end="70" perHour="180" from="a" to="b"/>)");
+  ASSERT_EQ(hourly.size(), 4U);
+  EXPECT_NEAR(hourly[0].time, 5.0, 1e-9);
+  EXPECT_NEAR(hourly[3].time, 65.0, 1e-9);
+  const auto spread = read(R"(<flow id="f" begin="25" number="4" from="a" to="b"/>)");
+  ASSERT_EQ(spread.size(), 4U);
+  EXPECT_NEAR(spread[1].time, 35.0, 1e-9);
+}
+
+TEST_F(DeparturesTest, are_on_the_edge_of_their_route_that_they_say) {
+  const auto found = read(R"(
+    <vehicle id="second" depart="9" departEdge="1"><route edges="b a"/></vehicle>
+    <vehicle id="not here" depart="9" departEdge="1"><route edges="a b"/></vehicle>
+    <vehicle id="sumo's" depart="9" departEdge="random"><route edges="a a"/></vehicle>)");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].vehicle, "second");
+  EXPECT_EQ(found[0].edge, 0);
+}
+
+TEST_F(DeparturesTest, are_once_on_each_edge_where_a_route_of_their_distribution_begins) {
+  const auto found = read(R"(<route id="r" edges="a b"/><route id="s" edges="b"/>
+    <routeDistribution id="named" routes="r s" probabilities="1 2"/>
+    <routeDistribution id="own"><route id="t" edges="a"/><route edges="a b"/></routeDistribution>
+    <vehicle id="1" depart="7" route="named"/><vehicle id="2" depart="8" route="own"/>
+    <vehicle id="3" depart="9" route="t"/><vehicle id="4" depart="9" route="s"/>)");
+  ASSERT_EQ(found.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(found[k].vehicle, std::to_string(k + 1));
+    EXPECT_EQ(found[k].edge, 0);
+  }
+}
+
+TEST_F(DeparturesTest, are_as_far_from_the_end_and_beside_the_middle_as_they_say) {
+  for (const int lane : network_.edges[0].lanes) network_.lanes[lane].length = 100.0;
+  const auto found = read(R"(<trip id="0" depart="6" from="a" to="b" departPos="-30"/>
+    <trip id="1" depart="7" from="a" to="b" departPos="-300" departPosLat="0.4"/>
+    <trip id="2" depart="8" from="a" to="b" departPosLat="right"/>
+    <trip id="3" depart="9" from="a" to="b" departPosLat="free"/>)");
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(found[0].position, 70.0);
+  EXPECT_EQ(found[0].lateral, 0.0);
+  EXPECT_EQ(found[1].position, 0.0);
+  EXPECT_EQ(found[1].lateral, 0.4);
+  EXPECT_LT(found[2].lateral, -10.0);
+  EXPECT_EQ(found[3].lateral, std::nullopt) << "SUMO chooses";
 }
 
 TEST_F(DeparturesTest, leave_out_what_only_sumo_knows) {

@@ -39,6 +39,18 @@ TEST(WalkSpeedsTest, are_those_of_a_flow_for_all_its_persons) {
   EXPECT_EQ(speeds.of("f.1", 1, 50.0), std::nullopt);
 }
 
+TEST(WalkSpeedsTest, are_nobody_elses_whose_id_begins_alike) {
+  const WalkSpeeds speeds = speeds_of(R"(
+    <person id="ann" depart="0"><walk edges="a" speed="0.3"/></person>
+    <personFlow id="f" begin="0" number="9"><walk edges="a" speed="0.4"/></personFlow>)");
+  EXPECT_EQ(speeds.of("ann", 1, 50.0), 0.3);
+  EXPECT_EQ(speeds.of("ann.1", 1, 50.0), std::nullopt);
+  EXPECT_EQ(speeds.of("f.1", 1, 50.0), 0.4);
+  for (const std::string id : {"f", "f.", "f.friend", "f.1b"}) {
+    EXPECT_EQ(speeds.of(id, 1, 50.0), std::nullopt) << id;
+  }
+}
+
 TEST(WalkSpeedsTest, are_left_out_where_SUMO_plans) {
   const WalkSpeeds speeds = speeds_of(R"(
     <person id="p" depart="0"><walk edges="a" speed="0.7"/><personTrip to="b"/></person>)");

@@ -48,6 +48,41 @@ TEST_F(InsertionsTest, claim_the_whole_width_where_there_is_room_beside_it) {
   EXPECT_NEAR(claims(insertions, 20.0).at(0).width, 1.8, 1e-9);
 }
 
+TEST_F(InsertionsTest, claim_beside_the_middle_as_far_as_the_lane_goes) {
+  Lane& lane = network.lanes[lane_of(e1)];
+  const double middle = lane.shape.front().y();
+  lane.width = 5.0;
+  Departure left = car(20.0), right = car(20.0), open = car(20.0);
+  left.lateral = 100.0;
+  right.lateral = -0.5;
+  open.lateral = std::nullopt;
+  Insertions insertions(network, {left, right, open});
+  const auto found = claims(insertions, 20.0);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_NEAR(found[0].way.back().y(), middle + 1.6, 1e-9) << "1.8 m wide";
+  EXPECT_NEAR(found[1].way.back().y(), middle - 0.5, 1e-9);
+  EXPECT_NEAR(found[2].way.back().y(), middle, 1e-9);
+  EXPECT_NEAR(found[2].width, 4.5, 1e-9) << "SUMO may put it anywhere across";
+}
+
+TEST_F(InsertionsTest, claim_where_sumos_position_is_on_a_lane_that_it_counts_shorter) {
+  Lane& lane = network.lanes[lane_of(e1)];
+  lane.length = 0.5 * length_of(lane.shape);
+  Departure there = car(20.0);
+  there.position = 10.0;
+  Insertions insertions(network, {there});
+  EXPECT_NEAR(claims(insertions, 20.0).at(0).way.back().x(), 70.0, 1e-9);
+}
+
+TEST_F(InsertionsTest, claim_all_places_of_one_that_waits) {
+  Departure other = car(20.0);
+  other.edge = e2;
+  other.lane = lane_of(e2);
+  Insertions insertions(network, {car(20.0), other});
+  EXPECT_EQ(claims(insertions, 20.0).size(), 2U);
+  EXPECT_EQ(claims(insertions, 27.0, {"car"}).size(), 2U);
+}
+
 TEST_F(InsertionsTest, claim_until_sumo_has_tried_and_on_if_it_could_not) {
   Insertions insertions(network, {car(20.0)});
   EXPECT_EQ(claims(insertions, 20.0).size(), 1U) << "SUMO tries in the step that follows";
