@@ -65,7 +65,13 @@ void Encounter::record_contact_course(const Meeting& meeting) {
   }
   if (!meeting.ttc) return;
   const double ttc = *meeting.ttc;
-  last_ttc_ = Reaction{ttc, meeting.time};
+  // Of a vehicle that bends a step has a meeting of each part: the soonest contact counts.
+  for (auto* const reaction : {&last_ttc_, &conflict.detection, &conflict.braking}) {
+    if (*reaction && (*reaction)->time == meeting.time) {
+      (*reaction)->value = std::min((*reaction)->value, ttc);
+    }
+  }
+  if (!last_ttc_ || last_ttc_->time != meeting.time) last_ttc_ = Reaction{ttc, meeting.time};
   if (!conflict.detection) conflict.detection = last_ttc_;
   const Vec2 place = contact_place(meeting, ttc);
   if (!conflict.ttc || ttc < conflict.ttc->value) {

@@ -130,7 +130,8 @@ std::optional<Passing> closest_in_time(const PersonPose& p0, const PersonPose& p
                                        const VehiclePose& v0, const VehiclePose& v1,
                                        const Sizes& sizes) {
   std::optional<Passing> best;
-  visit_pieces(v0, v1, pieces_between(v0, v1),
+  const double body = std::hypot(sizes.half_length, sizes.half_width);
+  visit_pieces(v0, v1, pieces_that_keep_axis(v0, v1, body),
                [&](const VehiclePose& from, const VehiclePose& to, int /*number*/) {
                  const auto found = closest_in_piece(p0, p1, from, to, sizes);
                  if (found && (!best || found->pet() < best->pet())) best = found;

@@ -6,6 +6,7 @@ namespace pedzone {
 namespace {
 
 constexpr double kPiece = kPi / 36.0;  // [rad] numerical: 5 m from the centre 5 mm off
+constexpr double kOff = 0.02;          // [m] numerical
 constexpr double kStraight = 1e-6;     // [rad] numerical
 constexpr double kSmall = 1e-3;        // [rad] numerical: its sine is it, but for 2e-10
 
@@ -53,6 +54,11 @@ double way_between(const VehiclePose& v0, const VehiclePose& v1, double body) {
 
 int pieces_between(const VehiclePose& v0, const VehiclePose& v1) {
   return 1 + static_cast<int>(std::abs(turn_between(v0, v1)) / kPiece);
+}
+
+//   A corner is off by its distance from the centre times the half of a piece's turn, at most.
+int pieces_that_keep_axis(const VehiclePose& v0, const VehiclePose& v1, double body) {
+  return 1 + static_cast<int>(0.5 * std::abs(turn_between(v0, v1)) * body / kOff);
 }
 
 }  // namespace pedzone

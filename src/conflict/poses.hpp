@@ -38,5 +38,8 @@ double way_between(const VehiclePose& v0, const VehiclePose& v1, double body);
 /// Into so many pieces the way between two poses is cut, that in each it turns little enough to be
 /// taken as straight: at least 1.
 int pieces_between(const VehiclePose& v0, const VehiclePose& v1);
+/// The same, so that in each a body of which a corner is `body` [m] from the centre may be taken to
+/// keep the mean of its axes: to 2 cm.
+int pieces_that_keep_axis(const VehiclePose& v0, const VehiclePose& v1, double body);
 
 }  // namespace pedzone

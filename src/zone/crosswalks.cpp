@@ -65,17 +65,19 @@ Crosswalks::Crosswalks(std::vector<Crosswalk> all) : all_(std::move(all)) {
 
 std::optional<CrosswalkAhead> Crosswalks::ahead(const Vec2& here, const Vec2& aim,
                                                 double reach) const {
+  std::optional<CrosswalkAhead> nearest;
   for (const std::uint32_t k : middles_.within(here, around_)) {
     const Crosswalk& there = all_[k];
     const Crosswalk back{there.end, there.begin, there.width, there.priority, there.edge};
     std::size_t kerb = std::size_t{2} * k;
     for (const Crosswalk& crosswalk : {there, back}) {
       const auto gone = gone_on(crosswalk, here, aim, std::min(reach, kMostReach));
-      if (gone) return CrosswalkAhead{kerb, crosswalk, *gone};
+      if (gone && (!nearest || *gone > nearest->gone)) nearest = {kerb, crosswalk, *gone};
+      if (nearest && nearest->gone > 0.0) return nearest;
       ++kerb;
     }
   }
-  return std::nullopt;
+  return nearest;
 }
 
 bool Crosswalks::covers(const Vec2& place) const {

@@ -43,8 +43,8 @@ class Crosswalks {
   std::size_t size() const { return all_.size(); }
   const Crosswalk& operator[](std::size_t index) const { return all_[index]; }
 
-  /// The one that somebody at `here` [m] who heads for `aim` [m] is on, or comes to within `reach`
-  /// [m] and 3 m: it looks across. Nothing: none.
+  /// The one that somebody at `here` [m] who heads for `aim` [m] is on, else the nearest that it
+  /// comes to within `reach` [m] and 3 m: it looks across. Nothing: none.
   std::optional<CrosswalkAhead> ahead(const Vec2& here, const Vec2& aim, double reach) const;
 
   /// Whether the place [m] is on one of them: no place to wait at.

@@ -35,7 +35,7 @@ Vec2 beyond(const Street& street, double s, int side, double radius) {
   return street.point(s, kerb_of(street.at(s), -side) + side * (radius + kKerb));
 }
 
-/// A child with no adult does not cross alone where it has another way.
+/// A child in no group does not cross alone where it has another way.
 bool goes_alone_as_child(const CrowdState& crowd, std::size_t i) {
   return goes_with_adult(crowd.walkers[i].profile) && crowd.groups[crowd.handle(i)].group == 0;
 }
@@ -217,8 +217,11 @@ void go_by_nodes(const CrowdState& crowd, std::size_t i, Ways ways) {
   StreetCrossing& crossing = ways.crossing(i);
   crossing.phase = CrossingPhase::kByNodes;
   crossing.at_kerb = false;
-  plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], crossing.destination,
-       ways.walkers[i].route);
+  WalkState& walker = ways.walkers[i];
+  plan(crowd.zone, crowd.position(i), crowd.persons.radius[i], crossing.destination, walker.route);
+  walker.planned = crowd.clock.substep;
+  walker.entered = false;
+  walker.start_clocks();
 }
 
 void head_across(const CrowdState& crowd, std::size_t i, double s, Route& route) {
@@ -265,6 +268,7 @@ void move_along_kerb(const CrowdState& crowd, std::size_t i,
   crossing.at_kerb = false;
   crossing.beyond += line->way;
   head_for_kerb(crowd, i, ways.walkers[i].route);
+  ways.walkers[i].start_clocks();
 }
 
 }  // namespace pedzone

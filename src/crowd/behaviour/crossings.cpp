@@ -116,8 +116,7 @@ void step_out(const CrowdState& crowd, std::size_t i, const Choice& choice, Ways
   WalkState& walker = ways.walkers[i];
   head_across(crowd, i, choice.walk.s, walker.route);
   walker.wall_room = {};
-  walker.least_left = std::numeric_limits<double>::infinity();
-  walker.blocked = 0.0;
+  walker.start_clocks();
 }
 
 bool is_barred(const CrowdState& crowd, std::size_t i, const CrossingWalk& walk) {
@@ -214,6 +213,7 @@ void go_over(const CrowdState& crowd, std::size_t i, const Lookout& lookout, dou
     end_crossing(crowd, i, ways);
     return;
   }
+  const double usual = crowd.persons.preferred_speed[i] / crossing.hurry;
   crossing.hurry = 1.0;
   crossing.room = std::numeric_limits<double>::infinity();
   if (!looks(crowd, i)) return;
@@ -221,7 +221,7 @@ void go_over(const CrowdState& crowd, std::size_t i, const Lookout& lookout, dou
   CrossingWalk walk = walk_across(crowd, i, street.place(crowd.position(i)).s);
   walk.start_up = 0.0;
   walk.drift = street.place(route.points.back()).s - walk.s;
-  walk.speed = crowd.walkers[i].own_speed;
+  walk.speed = usual;
   const Profile* profile = crowd.walkers[i].profile;
   const double fastest =
       profile != nullptr ? std::min(kFastest, profile->top_speed / walk.speed) : kFastest;

@@ -18,8 +18,7 @@ void plan_way(const CrowdState& crowd, std::size_t i, const Destination& destina
   plan_crossing(crowd, i, destination, ways);
   walker.planned = crowd.clock.substep;
   walker.entered = walker.arrived = walker.gave_up = false;
-  walker.least_left = std::numeric_limits<double>::infinity();
-  walker.blocked = 0.0;
+  walker.start_clocks();
   ways.jams[walker.handle] = {};
   const Vec2 to_goal = heading_point(walker.route, here) - here;
   ways.persons.goal_direction[i] = angle_of(to_goal);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "crowd/behaviour/claims.hpp"
@@ -125,16 +126,22 @@ class Passing {
     return first ? first : second;
   }
 
-  /// Somebody in that way who comes the other way.
+  /// The nearest in that way who comes the other way.
   std::optional<std::size_t> somebody_comes(double lateral) const {
+    std::optional<std::size_t> nearest;
+    std::pair<double, std::uint64_t> least;  // [m]; key: whatever the order of rows
     for (std::size_t j = 0; j < crowd_.persons.walking; ++j) {
       if (j == i_ || crowd_.walkers[j].arrived) continue;
       const Vec2 there = frame_.into_frame(crowd_.position(j));
       const bool in_way = std::abs(there.x()) < frame_.half.x() + kAside &&
                           std::abs(there.y() - lateral) < crowd_.persons.radius[j];
-      if (in_way && sign_ * along(j) < -kAlong && sign_ * there.x() > u()) return j;
+      const std::pair place{sign_ * there.x(), crowd_.persons.key[j]};
+      const bool comes = in_way && sign_ * along(j) < -kAlong && place.first > u();
+      if (!comes || (nearest && place >= least)) continue;
+      nearest = j;
+      least = place;
     }
-    return std::nullopt;
+    return nearest;
   }
 
   /// Of two that meet beside the vehicle the one goes back that is nearer to where it came in.

@@ -20,7 +20,8 @@ constexpr double kSoon = 3.0;    // [s] assumed: ... so soon
 bool drives_over(const VehicleState& vehicle, const Vec2& point, double reach, double way) {
   if (vehicle.way.size() < 2) return false;
   const LineProjection at = project_on(vehicle.way, point);
-  return at.offset > 0.0 && at.offset < vehicle.length + way + reach &&
+  const double ahead = at.offset - vehicle.gone;  // of its rear
+  return ahead > 0.0 && ahead < vehicle.length + way + reach &&
          std::abs(at.lateral) < 0.5 * vehicle.width + reach;
 }
 

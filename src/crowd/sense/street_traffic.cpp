@@ -43,7 +43,7 @@ std::optional<StreetVehicle> turning_in(const Street& street, const VehicleState
     const double along = line.normalized().dot(place.direction);
     if (std::abs(along) < kAligned) continue;
     const int direction = along > 0.0 ? 1 : -1;
-    const double front = place.s - direction * (driven - vehicle.length);
+    const double front = place.s - direction * (driven - vehicle.gone - vehicle.length);
     return as_seen(vehicle, index, front, place.t, vehicle.width, direction);
   }
   return std::nullopt;

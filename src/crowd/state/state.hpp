@@ -41,6 +41,12 @@ struct WalkState {
   bool new_here = true;       ///< has not been walked yet
   bool pressed = false;       ///< others kept it from moving as it meant to in the last substep
   bool arrived = false, gave_up = false;
+
+  /// A new way begins: what was counted on the last one does not hold.
+  void start_clocks() {
+    least_left = std::numeric_limits<double>::infinity();
+    blocked = 0.0;
+  }
 };
 
 /// A person that a vehicle may reach within the substep.

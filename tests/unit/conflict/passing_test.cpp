@@ -111,6 +111,30 @@ VehiclePose on_circle(double t) {
   return {t, 8.0 * unit(angle), left_of(unit(angle)), 5.0 * t, 0.0F};
 }
 
+TEST(ClosestInTime, of_a_vehicle_that_turns_is_that_of_short_steps) {
+  // Somebody walks outwards past what the vehicle sweeps, just before or after it.
+  for (const double ahead : {-4.0, -2.5, 2.5, 4.0}) {
+    const auto person = [&](double t) {
+      return PersonPose{(5.0 + 1.4 * (t - 1.0)) * unit(1.9 + ahead / 8.0), t};
+    };
+    const auto pet = [&](double step) {
+      double least = 100.0;
+      for (double tp = 0.0; tp < 5.0 - 1e-9; tp += step) {
+        for (double tv = 0.0; tv < 5.0 - 1e-9; tv += step) {
+          const auto found = closest_in_time(person(tp), person(tp + step), on_circle(tv),
+                                             on_circle(tv + step), kSizes);
+          if (found) least = std::min(least, found->pet());
+        }
+      }
+      return least;
+    };
+    const double fine = pet(0.02);
+    ASSERT_LT(fine, 3.0);
+    for (const double step : {0.1, 0.5, 1.0})
+      EXPECT_NEAR(pet(step), fine, 0.03) << ahead << ' ' << step;
+  }
+}
+
 TEST(ClosestOnWays, of_a_vehicle_that_turns_are_on_its_arc) {
   // It comes by 0.5 m away from its inner side, or from its outer corners, √(9² + 2²) m out: never
   // nearer, whatever the steps.

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace pedzone {
 namespace {
 
@@ -67,6 +69,32 @@ TEST(Tracker, crossing_into_contact) {
   EXPECT_NEAR(conflict.detection->value, 3.55, 0.01);
   EXPECT_EQ(conflict.detection->time, 0.0);
   EXPECT_FALSE(conflict.braking);
+}
+
+TEST(Tracker, of_a_vehicle_that_bends_the_part_that_comes_first_counts) {
+  // 10 m/s towards somebody who stands, from 2 s on braking; as one body and as two, 9 m each.
+  const auto braking_of = [](int parts) {
+    ConflictTracker tracker{ConflictLimits{}};
+    std::vector<Conflict> over;
+    for (int i = 0; i <= 60; ++i) {
+      const double t = i * kStep, late = std::clamp(t - 2.0, 0.0, 5.0);
+      const Vec2 front{-47.0 + 10.0 * t - 1.0 * late * late, 0.0}, velocity{10.0 - 2.0 * late, 0.0};
+      const PersonSample p{"p", {0.0, 0.0}, {0.0, 0.0}, 0.0, 0.25, {}};
+      std::vector<VehicleSample> vehicle;
+      for (int k = 0; k < parts; ++k) {
+        const double length = 18.0 / parts;
+        const Vec2 centre = front - Vec2((k + 0.5) * length, 0.0);
+        vehicle.push_back({"v", centre, 0.0, velocity, length, 2.0, k});
+      }
+      tracker.step(t, {&p, 1}, vehicle, {}, over);
+    }
+    tracker.finish(over);
+    return over.at(0);
+  };
+  const Conflict whole = braking_of(1), bends = braking_of(2);
+  ASSERT_TRUE(whole.braking && bends.braking && bends.detection);
+  EXPECT_NEAR(bends.braking->value, whole.braking->value, 1e-9);
+  EXPECT_NEAR(bends.detection->value, whole.detection->value, 1e-9);
 }
 
 TEST(Tracker, braking_from_behind) {

@@ -115,6 +115,17 @@ TEST(Weather, heat_leads_through_the_shade) {
   EXPECT_GT(share[1], 0.4);
 }
 
+TEST(Weather, heat_sends_nobody_back_who_is_in_the_shade) {
+  Zone zone = zone_of(box(0, 0, 80, 20));
+  zone.weather = find_weather("heat");
+  zone.shades = {repair(box(20, 2, 60, 18))};
+  Scene scene(zone);
+  const auto person = scene.add(walker({30, 8}, {{78, 7}, {78, 9}}, Activity::kNone, 0.0));
+  scene.run(100.0);
+  EXPECT_EQ(scene.arrived(), 1u);
+  for (const Vec2& at : scene.people[person].path) EXPECT_GT(at.x(), 29.0);
+}
+
 TEST(Impulse, sends_people_in_front_of_a_vehicle) {
   Profile child = *Profiles().find("child");
   child.impulsiveness = 60.0;

@@ -1,6 +1,7 @@
 // Narrow streets: people and vehicles that cannot both stay where they are.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -63,6 +64,34 @@ TEST(SteppingAside, turned_at_the_wall_people_leave_room_for_the_vehicle) {
   EXPECT_GE(std::abs(person.position.y()), 1.0 + kRadius + 0.05);
   EXPECT_LT(person.radius, 0.6 * kRadius);
   EXPECT_EQ(person.motion, Motion::kWaiting);
+}
+
+TEST(SteppingAside, who_goes_back_does_not_depend_on_the_order_of_those_who_come) {
+  const auto places = [](const std::vector<std::uint64_t>& order) {
+    const Zone zone = zone_of(box(0.0, -1.2, 40.0, 1.2));
+    Scene scene(zone);
+    std::array<std::size_t, 4> index{};
+    for (const std::uint64_t key : order) {
+      const bool east = key == 1;
+      NewPerson person;
+      person.key = key;
+      person.position = {east ? 17.0 : key == 2 ? 21.0 : 24.6, 0.9};
+      person.destination = east ? Destination{{38, 0}, {38, 0}} : Destination{{2, 0}, {2, 0}};
+      person.preferred_speed = 1.2;
+      person.heading = east ? 0.0 : kPi;
+      index[key] = scene.add(person);
+    }
+    scene.vehicles = {vehicle_at({20.0, -0.3}, 0.0, 0.0, 10.0, 1.8)};
+    scene.run(5.0);
+    std::vector<double> found;
+    for (std::size_t key = 1; key < 4; ++key) {
+      found.push_back(scene.people[index[key]].view.position.x());
+      found.push_back(scene.people[index[key]].view.position.y());
+    }
+    return found;
+  };
+  EXPECT_EQ(places({1, 2, 3}), places({1, 3, 2}));
+  EXPECT_EQ(places({1, 2, 3}), places({3, 2, 1}));
 }
 
 TEST(SteppingAside, past_a_vehicle_that_they_cannot_let_by_people_go_themselves) {
