@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/xml.hpp"
 #include "core/xml_stream.hpp"
 #include "sumo/files/body_sizes.hpp"
 #include "sumo/files/number_text.hpp"
@@ -21,14 +22,14 @@ constexpr std::string_view kBlanks = " \t\n\r";
 constexpr double kForEver = std::numeric_limits<double>::infinity();
 constexpr double kWidest = 1e3;  // [m] numerical: wider than any lane
 
-std::vector<std::string> words(std::string_view list) {
-  std::vector<std::string> found;
+/// A word of a list by its number; empty: it has fewer. Most routes are long, and one is asked for.
+std::string_view word_of(std::string_view list, std::size_t number) {
   std::size_t end = 0;
-  while (true) {
+  for (std::size_t k = 0;; ++k) {
     const std::size_t begin = list.find_first_not_of(kBlanks, end);
-    if (begin == std::string_view::npos) return found;
+    if (begin == std::string_view::npos) return {};
     end = std::min(list.find_first_of(kBlanks, begin), list.size());
-    found.emplace_back(list.substr(begin, end - begin));
+    if (k == number) return list.substr(begin, end - begin);
   }
 }
 
@@ -86,7 +87,7 @@ class Reader {
   }
 
  private:
-  using Routes = std::vector<std::vector<std::string>>;  ///< ids of their edges
+  using Routes = std::vector<std::string>;  ///< lists of their edges
 
   /// A vehicle or the vehicles of a flow, but for the edge.
   struct Planned {
@@ -101,7 +102,7 @@ class Reader {
   void begin_distribution(const XmlElement& element) {
     distribution_ = std::string(element.value("id").value_or(""));
     Routes all;
-    for (const std::string& route : words(element.value("routes").value_or(""))) {
+    for (const std::string& route : split_words(element.value("routes").value_or(""))) {
       const auto found = routes_.find(route);
       if (found != routes_.end()) all.insert(all.end(), found->second.begin(), found->second.end());
     }
@@ -109,7 +110,7 @@ class Reader {
   }
 
   void add_route(const XmlElement& element) {
-    const std::vector<std::string> edges = words(element.value("edges").value_or(""));
+    const std::string edges(element.value("edges").value_or(""));
     if (element.depth() == 2 && waiting_) return begin({edges});
     if (const auto id = element.value("id")) routes_[std::string(*id)] = {edges};
     if (element.depth() == 2 && !distribution_.empty()) routes_[distribution_].push_back(edges);
@@ -119,7 +120,7 @@ class Reader {
     waiting_ = planned_by(element);
     if (!waiting_) return;
     if (const auto from = element.value("from")) {
-      begin({{std::string(*from)}});
+      begin({std::string(*from)});
     } else if (const auto id = element.value("route")) {
       const auto route = routes_.find(std::string(*id));
       if (route != routes_.end()) begin(route->second);
@@ -181,9 +182,8 @@ class Reader {
   void begin(const Routes& routes) {
     const Planned planned = *std::exchange(waiting_, std::nullopt);
     std::set<int> starts;
-    for (const std::vector<std::string>& route : routes) {
-      if (planned.edge >= route.size()) continue;
-      const auto found = network_.edge_index.find(route[planned.edge]);
+    for (const std::string& route : routes) {
+      const auto found = network_.edge_index.find(std::string(word_of(route, planned.edge)));
       const bool asked = found != network_.edge_index.end() && edges_.contains(found->second);
       if (asked) starts.insert(found->second);
     }
