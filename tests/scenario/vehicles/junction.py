@@ -11,8 +11,8 @@ from SUMO's own messages and outputs:
 - everybody arrives, and nobody walks longer than 3 times plain SUMO's time + 20 s
 - nobody whom pedzone walks is touched, but at a vehicle's insertion or, with turned shoulders, by one
   that stands
-In one run of twenty something of this may be wrong. Of 180 runs with one lane in steps of 1 s (seeds
-1 to 180) one is: two cars meet. With footways (seeds 1 to 40) none is.
+In one run of twenty something of this may be wrong. Of 140 runs with one lane in steps of 1 s (seeds
+1 to 140) one is: two cars meet. With footways (seeds 1 to 40) one is: somebody is touched.
 """
 import argparse
 import json
