@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <limits>
 
 #include "core/error.hpp"
 #include "crowd/zone_models.hpp"
@@ -70,17 +69,18 @@ struct Simulation::Parts {
         steering(known_vehicles(options)),
         panel_people(options, network, zones),
         session(open_session(options, panel_people.scenario())),
+        begin(session->time()),
+        end(options.end),
         vehicles(network, session->vehicles()),
         fleet(network, zones),
         yielding(zones),
         lane_keeping(zones),
-        insertions(network, read_departures(panel_people.scenario(), network, zone_edges(),
-                                            session->time(), last_time(options))),
+        insertions(network, read_departures(panel_people.scenario(), network, zone_edges(), begin,
+                                            end_time())),
         stand_offs(zones),
         attached(options.attach.has_value()),
         alone(options.alone),
         among_clients(!alone && number_option(*session, "num-clients") > 1.0),
-        end(options.end),
         seed(options.seed ? *options.seed
                           : static_cast<std::uint64_t>(number_option(*session, "seed"))),
         profiles(options.profiles),
@@ -111,11 +111,8 @@ struct Simulation::Parts {
     return made;
   }
 
-  /// [s] at which the simulation ends; infinite: open.
-  double last_time(const SimulationOptions& options) const {
-    const double last = options.end.value_or(session->end_time());
-    return last >= 0.0 ? last : std::numeric_limits<double>::infinity();
-  }
+  /// [s] below 0: open.
+  double end_time() const { return end.value_or(session->end_time()); }
 
   std::vector<int> zone_edges() const {
     std::vector<int> edges;
@@ -141,6 +138,8 @@ struct Simulation::Parts {
   Steering steering;
   PanelPeople panel_people;
   std::unique_ptr<Session> session;
+  double begin;               ///< [s] when this began
+  std::optional<double> end;  ///< [s] what was asked for
   VehicleReader vehicles;
   Fleet fleet;
   SafeSpeeds safe_speeds = session->vehicles().safe_speeds();
@@ -150,11 +149,9 @@ struct Simulation::Parts {
   LaneKeeping lane_keeping;
   Insertions insertions;
   StandOffs stand_offs;
-  double begin = session->time();  ///< [s] when this began
-  bool attached;                   ///< SUMO runs on without us
-  bool alone;                      ///< nobody else moves anybody
-  bool among_clients;              ///< SUMO has others beside this one
-  std::optional<double> end;       ///< [s] what was asked for
+  bool attached;       ///< SUMO runs on without us
+  bool alone;          ///< nobody else moves anybody
+  bool among_clients;  ///< SUMO has others beside this one
   std::uint64_t seed;
   Profiles profiles;
   std::vector<std::unique_ptr<Crowd>> crowds;
@@ -325,7 +322,7 @@ void Simulation::close() {
 const std::vector<std::string>& Simulation::stranded() const { return parts_->stranded; }
 double Simulation::time() const { return parts_->session->time(); }
 double Simulation::step_length() const { return parts_->session->step_length(); }
-double Simulation::end_time() const { return parts_->end.value_or(parts_->session->end_time()); }
+double Simulation::end_time() const { return parts_->end_time(); }
 const std::vector<Zone>& Simulation::zones() const { return parts_->zones; }
 const Network& Simulation::network() const { return parts_->network; }
 const std::vector<WaypointPath>& Simulation::paths() const { return parts_->paths; }

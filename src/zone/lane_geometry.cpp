@@ -2,9 +2,12 @@
 
 namespace pedzone {
 
+double shape_scale(const Lane& lane) {
+  return lane.length > 0.0 ? length_of(lane.shape) / lane.length : 1.0;
+}
+
 LinePoint point_on_lane(const Lane& lane, double position) {
-  const double scale = lane.length > 0.0 ? length_of(lane.shape) / lane.length : 1.0;
-  return point_on(lane.shape, position * scale);
+  return point_on(lane.shape, position * shape_scale(lane));
 }
 
 LineProjection project_on_lane(const Lane& lane, const Vec2& point) {

@@ -7,6 +7,9 @@
 
 namespace pedzone {
 
+/// [m] of a lane's shape for each metre as SUMO counts; 1 where it counts none.
+double shape_scale(const Lane& lane);
+
 /// The point at lane position `position` [m] (SUMO's count).
 LinePoint point_on_lane(const Lane& lane, double position);
 

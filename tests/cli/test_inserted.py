@@ -13,12 +13,10 @@ import json
 import math
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
-from tiny_scenario import TinyScenario, sumo_environment
+from tiny_scenario import TinyCase, sumo_environment
 
 PEDZONE = None  # set from the command line
 LENGTH, WIDTH = 10.0, 2.4  # [m] of the lorries
@@ -38,16 +36,9 @@ EVERY_20_S = 'route="r" begin="105" end="250" period="20" '
 MIDDLE = 'departPos="60"'
 
 
-class Inserted(unittest.TestCase):
-    def setUp(self):
-        self.directory = tempfile.TemporaryDirectory()
-        self.folder = Path(self.directory.name)
-
-    def tearDown(self):
-        self.directory.cleanup()
-
+class Inserted(TinyCase):
     def run_street(self, routes, edge="", begin=105, end=300, options=()):
-        tiny = TinyScenario(self.folder)
+        tiny = self.tiny
         tiny.write("tiny.nod.xml", NODES)
         tiny.write("tiny.edg.xml", EDGES.format(b=edge))
         tiny.convert()

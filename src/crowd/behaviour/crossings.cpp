@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <ranges>
+#include <utility>
 
 #include "crowd/behaviour/crossing_plan.hpp"
 #include "crowd/behaviour/groups.hpp"
@@ -213,15 +214,14 @@ void go_over(const CrowdState& crowd, std::size_t i, const Lookout& lookout, dou
     end_crossing(crowd, i, ways);
     return;
   }
-  const double usual = crowd.persons.preferred_speed[i] / crossing.hurry;
-  crossing.hurry = 1.0;
+  const double hurried = std::exchange(crossing.hurry, 1.0);
   crossing.room = std::numeric_limits<double>::infinity();
   if (!looks(crowd, i)) return;
   const Street& street = street_of(crowd, crossing);
   CrossingWalk walk = walk_across(crowd, i, street.place(crowd.position(i)).s);
   walk.start_up = 0.0;
   walk.drift = street.place(route.points.back()).s - walk.s;
-  walk.speed = usual;
+  walk.speed /= hurried;
   const Profile* profile = crowd.walkers[i].profile;
   const double fastest =
       profile != nullptr ? std::min(kFastest, profile->top_speed / walk.speed) : kFastest;

@@ -63,9 +63,12 @@ std::optional<double> period_of(const XmlElement& flow, double begin, double end
 /// Goes through the files in SUMO's order.
 class Reader {
  public:
-  /// `begin`, `end`: [s] of the simulation.
+  /// `begin`, `end`: as of read_departures().
   Reader(const Network& network, const std::vector<int>& edges, double begin, double end)
-      : network_(network), edges_(edges.begin(), edges.end()), begin_(begin), end_(end) {}
+      : network_(network),
+        edges_(edges.begin(), edges.end()),
+        begin_(begin),
+        end_(end < 0.0 ? kForEver : end) {}
 
   void visit(const XmlElement& element) {
     const std::string_view name = element.name();

@@ -25,7 +25,7 @@ struct Departure {
 };
 
 /// Those on one of `edges` (indices into Network::edges), by time, in a simulation from
-/// `begin` to `end` [s] (infinite: open). A vehicle whose route is one of a distribution is there
+/// `begin` to `end` [s] (below 0: open). A vehicle whose route is one of a distribution is there
 /// once for each edge that it may begin on. Left out: flows with a probability, and places that
 /// SUMO chooses (departPos random, free, last, stop; departEdge random). What SUMO will refuse is
 /// left to SUMO.

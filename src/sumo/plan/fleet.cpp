@@ -254,6 +254,7 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
   vehicles_.clear();
   previous_index_.clear();
   for (std::size_t i = 0; i < previous_.size(); ++i) previous_index_[previous_[i].id] = i;
+  for (const std::string& id : replaced_) previous_index_.erase(id);
   for (VehicleSeen& told : seen) {
     FleetVehicle vehicle;
     static_cast<VehicleSeen&>(vehicle) = std::move(told);
@@ -265,7 +266,7 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     // Told to stand, it is seen until it has been let go.
     const bool is_told = before != nullptr && before->commanded >= 0.0;
     if (ways_.is_apart(vehicle.lane) && !is_told) continue;
-    const bool drove_here = before != nullptr && !before->teleported;
+    const bool drove_here = before != nullptr && !teleported_.contains(vehicle.id);
     if (before != nullptr) carry_command(*before, dt, vehicle);
     if (drove_here) {
       carry_over(*before, dt, vehicle);
@@ -277,18 +278,11 @@ void Fleet::update(std::vector<VehicleSeen> seen, double dt) {
     vehicle.reverses = drove_here && came_from_ahead(vehicle, before->front);
     vehicles_.push_back(std::move(vehicle));
   }
+  replaced_.clear();
+  teleported_.clear();
   share_junctions();
   note_places();
   find_leaders();
-}
-
-void Fleet::forget(const std::string& vehicle) {
-  std::erase_if(vehicles_, [&](const FleetVehicle& one) { return one.id == vehicle; });
-}
-
-void Fleet::teleport(const std::string& vehicle) {
-  const auto found = std::ranges::find(vehicles_, vehicle, &FleetVehicle::id);
-  if (found != vehicles_.end()) found->teleported = true;
 }
 
 void Fleet::note_places() {

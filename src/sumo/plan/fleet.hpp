@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "geometry/box.hpp"
@@ -34,9 +35,9 @@ class Fleet {
   /// have held one up, and what it was told, carries over.
   void update(std::vector<VehicleSeen> seen, double dt);
   /// Before update(): in the step that vehicle departed or arrived.
-  void forget(const std::string& vehicle);
+  void forget(const std::string& vehicle) { replaced_.insert(vehicle); }
   /// Before update(): in the step SUMO put that vehicle elsewhere. What it was told carries over.
-  void teleport(const std::string& vehicle);
+  void teleport(const std::string& vehicle) { teleported_.insert(vehicle); }
 
   std::vector<FleetVehicle>& vehicles() { return vehicles_; }
   const std::vector<FleetVehicle>& vehicles() const { return vehicles_; }
@@ -70,6 +71,7 @@ class Fleet {
   std::vector<Box> boxes_;  ///< zones' bounds, grown
   std::vector<FleetVehicle> vehicles_, previous_;
   std::unordered_map<std::string, std::size_t> previous_index_;
+  std::unordered_set<std::string> replaced_, teleported_;  ///< ids, in the last step
   NearPoints fronts_;
   double longest_ = 0.0, widest_ = 0.0;  ///< [m] of them
 };

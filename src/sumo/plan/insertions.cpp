@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "core/random.hpp"
+#include "zone/lane_geometry.hpp"
 
 namespace pedzone {
 namespace {
@@ -81,9 +82,7 @@ std::vector<const Departure*> Insertions::expected(double time,
 void Insertions::add_claim(const Departure& departure, int lane, const Fleet& fleet,
                            std::vector<VehicleState>& out) {
   const Lane& there = network_.lanes[lane];
-  // SUMO's positions are of the lane's length, which may be another than its shape's.
-  const double along_shape = length_of(there.shape) / there.length;
-  const double front = std::min(departure.position, there.length) * along_shape;
+  const double front = std::min(departure.position, there.length) * shape_scale(there);
   const double rear = std::max(0.0, front - departure.length);
   const double width = departure.lateral ? departure.width : there.width;
   const double beside = 0.5 * (there.width - width);

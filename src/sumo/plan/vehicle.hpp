@@ -87,10 +87,9 @@ struct FleetVehicle : VehicleSeen {
                                                 ///< its lane of a zone, if it fills that
   double follows_at = std::numeric_limits<double>::infinity();  ///< [m/s] for the one before it
   std::optional<LeaderAhead> leader;  ///< the nearest on its way, as far as it needs to stop
-  double seen_for = 0.0;    ///< [s] since it is near a zone: SUMO put it there, or it drove there
-  double new_loss = 0.0;    ///< [s] of time_loss, since the last step, if it was near a zone then
-  bool teleported = false;  ///< SUMO has put it elsewhere since
-  int zone = 0;             ///< index of the zone it is in or comes to first
+  double seen_for = 0.0;  ///< [s] since it is near a zone: SUMO put it there, or it drove there
+  double new_loss = 0.0;  ///< [s] of time_loss, since the last step, if it was near a zone then
+  int zone = 0;           ///< index of the zone it is in or comes to first
   double left_alone = std::numeric_limits<double>::infinity();  ///< [s] since it was told a speed
   double commanded = -1.0;    ///< [m/s] speed set by us for the next step; -1: SUMO's own
   double pull = 0.0;          ///< [m/s²] that this speed asks for; of use while it is commanded
